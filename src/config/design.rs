@@ -1,0 +1,123 @@
+//! What is to be generated: format, traversal parameters, modes, latencies.
+use crate::format::FloatFormat;
+use serde::{Deserialize, Serialize};
+
+/// When a crossing goes one pyramid level up (`docs/datapath.md`; PIDM-HW section 3.3).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum LevelUp {
+    /// Never (PDM).
+    None,
+    /// When the crossing leaves the parent node.
+    Tevs,
+    /// As `tevs`, but not when the predicted hit is in a neighbouring node.
+    Selective,
+    /// When the previous iteration was a crossing too.
+    Coherent,
+    /// On every crossing.
+    Always,
+}
+
+impl LevelUp {
+    /// All rules.
+    pub const ALL: [Self; 5] = [Self::None, Self::Tevs, Self::Selective, Self::Coherent, Self::Always];
+}
+
+/// Independent choices of the traversal; only what is chosen is emitted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct ModeConfig {
+    /// Start at the lowest level whose node holds the whole ray, instead of at the root.
+    pub start_level: bool,
+    /// Levels per descent until the first crossing, 1 to 4.
+    pub levels_down: u32,
+    /// Level-up rule.
+    pub level_up: LevelUp,
+}
+
+impl Default for ModeConfig {
+    fn default() -> Self {
+        Self { start_level: true, levels_down: 2, level_up: LevelUp::Selective }
+    }
+}
+
+/// Sizes of the traverse unit; each is a Verilog parameter of the emitted modules.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct TraverseConfig {
+    /// LEVELS: the map has 2^levels x 2^levels texels; 2 to 12.
+    pub levels: u32,
+    /// HEIGHT_W: bits of a height code; 2 to 16.
+    pub height_bits: u32,
+    /// TILE_W: a ray travels less than 2^tile_bits tiles along each axis; 1 to 8.
+    pub tile_bits: u32,
+    /// FRAC_W: fraction bits of the hit position inside its texel; 1 to 16.
+    pub frac_bits: u32,
+    /// TAG_W: bits of a ray's tag; 1 to 32.
+    pub tag_bits: u32,
+    /// STEP_LIMIT: iterations after which a ray is given up; 1 to 65535.
+    pub step_limit: u32,
+}
+
+impl Default for TraverseConfig {
+    fn default() -> Self {
+        Self { levels: 8, height_bits: 8, tile_bits: 4, frac_bits: 12, tag_bits: 8, step_limit: 65535 }
+    }
+}
+
+impl TraverseConfig {
+    /// IDX_W: bits of a signed, unwrapped texel coordinate.
+    pub const fn idx_bits(&self) -> u32 {
+        self.levels + self.tile_bits + 2
+    }
+}
+
+/// Clocks from operand to result of each kind of unit; the pipelines rebalance around them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct LatencyConfig {
+    /// `fp_add`.
+    pub add: u32,
+    /// `fp_mul`.
+    pub mul: u32,
+    /// `fp_div`.
+    pub div: u32,
+    /// `fp_lt`.
+    pub compare: u32,
+    /// `fp_from_int`, `fp_from_fixed`.
+    pub from_int: u32,
+    /// `fp_to_int`, `fp_to_fixed`.
+    pub to_int: u32,
+    /// `level_decision` and what stands before it.
+    pub decision: u32,
+}
+
+impl Default for LatencyConfig {
+    fn default() -> Self {
+        Self { add: 2, mul: 1, div: 2, compare: 1, from_int: 1, to_int: 1, decision: 1 }
+    }
+}
+
+/// Everything that shapes the hardware.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Design {
+    /// Number format.
+    pub format: FloatFormat,
+    /// Sizes.
+    pub traverse: TraverseConfig,
+    /// Modes.
+    pub mode: ModeConfig,
+    /// Latencies.
+    pub latency: LatencyConfig,
+}
+
+impl Default for Design {
+    fn default() -> Self {
+        Self {
+            format: FloatFormat::FP24,
+            traverse: TraverseConfig::default(),
+            mode: ModeConfig::default(),
+            latency: LatencyConfig::default(),
+        }
+    }
+}

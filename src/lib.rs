@@ -1,0 +1,4 @@
+//! reliefrtl: parameterized Verilog for ray / height-field traversal, with golden vectors and an interpreter of the same datapath.
+pub mod config;
+pub mod error;
+pub mod format;
