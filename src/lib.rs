@@ -1,4 +1,6 @@
 //! reliefrtl: parameterized Verilog for ray / height-field traversal, with golden vectors and an interpreter of the same datapath.
+pub mod bits;
 pub mod config;
 pub mod error;
 pub mod format;
+pub mod ir;

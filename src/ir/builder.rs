@@ -1,0 +1,317 @@
+//! Describing a module: values that know their stage, registers that appear by themselves.
+use super::expr::{Binding, Expr};
+use super::module::*;
+use super::schedule::plan_stages;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// A module under construction. Values are [`Sig`]s; using values of different stages together delays the earlier
+/// ones, so that changing a latency anywhere rebalances everything behind it.
+pub struct Builder {
+    pub(super) st: RefCell<State>,
+}
+
+pub(super) struct State {
+    pub m: Module,
+    pub defaults: Binding,
+    pub section: usize,
+    pub min_stage: u32,
+    plan: BTreeMap<String, u32>,
+    delays: BTreeMap<(NodeId, u32), NodeId>,
+}
+
+/// A value in a module under construction.
+#[derive(Clone, Copy)]
+pub struct Sig<'b> {
+    pub(super) b: &'b Builder,
+    pub(super) id: NodeId,
+}
+
+impl Builder {
+    /// Starts a module; `source` is the Rust file that describes it.
+    pub fn new(name: &str, source: &str, summary: &str) -> Self {
+        let m = Module {
+            name: name.into(),
+            summary: summary.into(),
+            notes: vec![],
+            source: source.into(),
+            params: vec![],
+            checks: vec![],
+            locals: vec![],
+            ports: vec![],
+            nodes: vec![],
+            insts: vec![],
+            outputs: vec![],
+            unused: vec![],
+            sections: vec![Section::default()],
+            latency: None,
+            throughput: "one result per clock".into(),
+            body: Body::Graph,
+            clk: None,
+            ce: None,
+            rst: None,
+        };
+        let (defaults, plan, delays) = (Binding::new(), BTreeMap::new(), BTreeMap::new());
+        Self { st: RefCell::new(State { m, defaults, section: 0, min_stage: 0, plan, delays }) }
+    }
+
+    /// A line for the banner.
+    pub fn note(&self, line: impl Into<String>) {
+        self.st.borrow_mut().m.notes.push(line.into());
+    }
+    /// Declares a Verilog parameter.
+    pub fn param(&self, name: &str, default: u32, doc: &str) -> Expr {
+        let mut st = self.st.borrow_mut();
+        st.defaults.insert(name.into(), i64::from(default));
+        st.m.params.push(Param { name: name.into(), default: i64::from(default), doc: doc.into() });
+        Expr::param(name)
+    }
+    /// Names a derived constant; printed as a `localparam`.
+    pub fn local(&self, name: &str, value: Expr) -> Expr {
+        self.st.borrow_mut().m.locals.push((name.into(), value.clone()));
+        Expr::local(name, value)
+    }
+    /// Requires `lhs <= rhs` of the parameters; elaboration fails otherwise.
+    pub fn require(&self, lhs: impl Into<Expr>, rhs: impl Into<Expr>) {
+        let (lhs, rhs) = (lhs.into(), rhs.into());
+        self.st.borrow_mut().m.checks.push(Check { lhs, rhs });
+    }
+    /// Declares what a throughput of other than one result per clock is.
+    pub fn throughput(&self, text: &str) {
+        self.st.borrow_mut().m.throughput = text.into();
+    }
+
+    fn port(&self, name: &str, dir: Dir, width: Expr, unit: &str, doc: &str, stage: Stage) -> usize {
+        let mut st = self.st.borrow_mut();
+        st.m.ports.push(Port { name: name.into(), dir, width, doc: doc.into(), unit: unit.into(), stage });
+        st.m.ports.len() - 1
+    }
+    /// The clock port.
+    pub fn clock(&self) {
+        let i = self.port("clk", Dir::In, Expr::from(1), "clock", "rising edge", None);
+        self.st.borrow_mut().m.clk = Some(i);
+    }
+    /// The clock enable port: every register of the module holds while it is 0.
+    pub fn clock_enable(&self) -> Sig<'_> {
+        let i = self.port("ce", Dir::In, Expr::from(1), "bit", "clock enable: registers hold while 0", None);
+        self.st.borrow_mut().m.ce = Some(i);
+        self.push_at(Op::Input(i), vec![], Expr::from(1), None).named("ce")
+    }
+    /// The reset port: synchronous, active high, valid bits only.
+    pub fn reset(&self) -> Sig<'_> {
+        let i =
+            self.port("rst", Dir::In, Expr::from(1), "bit", "synchronous, active high; clears valid bits only", None);
+        self.st.borrow_mut().m.rst = Some(i);
+        self.push_at(Op::Input(i), vec![], Expr::from(1), None).named("rst")
+    }
+    /// A data input, read in stage 0.
+    pub fn input(&self, name: &str, width: impl Into<Expr>, unit: &str, doc: &str) -> Sig<'_> {
+        self.input_at(name, width.into(), unit, doc, Some(0))
+    }
+    /// An input that belongs to no stage: handshakes, load ports, values that stand still.
+    pub fn input_static(&self, name: &str, width: impl Into<Expr>, unit: &str, doc: &str) -> Sig<'_> {
+        self.input_at(name, width.into(), unit, doc, None)
+    }
+    fn input_at(&self, name: &str, width: Expr, unit: &str, doc: &str, stage: Stage) -> Sig<'_> {
+        let i = self.port(name, Dir::In, width.clone(), unit, doc, stage);
+        self.push_at(Op::Input(i), vec![], width, stage).named(name)
+    }
+    /// Declares an output in port order; drive it with [`Builder::drive`].
+    pub fn output(&self, name: &str, width: impl Into<Expr>, unit: &str, doc: &str) -> usize {
+        self.port(name, Dir::Out, width.into(), unit, doc, None)
+    }
+    /// Drives an output; `stage` delays it to a stage.
+    #[track_caller]
+    pub fn drive(&self, port: usize, v: Sig<'_>, stage: Option<u32>) {
+        let v = match stage {
+            Some(s) => v.at(s),
+            None => v,
+        };
+        let mut st = self.st.borrow_mut();
+        let (pw, vw) = (st.m.ports[port].width.eval(&st.defaults), st.m.node(v.id).width.eval(&st.defaults));
+        assert!(pw == vw, "{}: output {} has {pw} bits, its driver {vw}", st.m.name, st.m.ports[port].name);
+        st.m.ports[port].stage = st.m.node(v.id).stage;
+        st.m.outputs.push((port, v.id));
+    }
+
+    /// Places the named sections over `latency` stages, balancing their weights (in LUT hops).
+    pub fn plan(&self, latency: u32, sections: &[(&str, u32)]) {
+        let stages = plan_stages(latency, &sections.iter().map(|s| s.1).collect::<Vec<_>>());
+        let mut st = self.st.borrow_mut();
+        st.plan = sections.iter().zip(stages).map(|(s, k)| (s.0.to_string(), k)).collect();
+    }
+    /// Opens a section: a heading in the emitted text, and the stage that the plan gave it.
+    pub fn section(&self, title: &str, reason: &str) {
+        let mut st = self.st.borrow_mut();
+        st.m.sections.push(Section { title: title.into(), reason: reason.into() });
+        st.section = st.m.sections.len() - 1;
+        if let Some(s) = st.plan.get(title).copied() {
+            st.min_stage = s;
+        }
+    }
+
+    /// All zeros.
+    pub fn zeros(&self, w: impl Into<Expr>) -> Sig<'_> {
+        self.push_at(Op::Zeros, vec![], w.into(), None)
+    }
+    /// All ones.
+    pub fn ones(&self, w: impl Into<Expr>) -> Sig<'_> {
+        self.push_at(Op::Ones, vec![], w.into(), None)
+    }
+    /// A literal.
+    pub fn lit(&self, v: u64, w: impl Into<Expr>) -> Sig<'_> {
+        self.push_at(Op::Lit(v), vec![], w.into(), None)
+    }
+    /// A constant expression over the parameters, modulo 2^w.
+    pub fn konst(&self, v: impl Into<Expr>, w: impl Into<Expr>) -> Sig<'_> {
+        self.push_at(Op::Konst(v.into()), vec![], w.into(), None)
+    }
+    /// Concatenation, first on top.
+    #[track_caller]
+    pub fn cat(&self, parts: &[Sig<'_>]) -> Sig<'_> {
+        let w = parts.iter().fold(Expr::from(0), |s, p| s + p.width());
+        self.push(Op::Concat, parts.iter().map(|p| p.id).collect(), w)
+    }
+    /// A register of a loop: read in stage 0, written by [`Builder::close`].
+    pub fn loop_reg(&self, name: &str, width: impl Into<Expr>, valid: bool) -> Sig<'_> {
+        let s = self.push_at(Op::Reg { reset: valid, wrap: true }, vec![], width.into(), Some(0));
+        self.st.borrow_mut().m.nodes[s.id.0 as usize].valid = valid;
+        s.named(name)
+    }
+    /// Closes loop registers: all values are delayed to the latest of their stages; returns the loop's length in slots.
+    #[track_caller]
+    pub fn close(&self, loops: &[(Sig<'_>, Sig<'_>)]) -> u32 {
+        let last = loops.iter().filter_map(|(_, v)| v.stage()).max().unwrap_or(0);
+        for (r, v) in loops {
+            let v = v.at(last);
+            let mut st = self.st.borrow_mut();
+            st.m.nodes[r.id.0 as usize].args = vec![v.id];
+        }
+        last + 1
+    }
+    /// A value that is deliberately not used (or not whole): printed as a named sink.
+    pub fn unused(&self, v: Sig<'_>) {
+        self.st.borrow_mut().m.unused.push(v.id);
+    }
+
+    /// Instantiates `module`: parameters of the same name are passed through unless given, and inputs are matched by
+    /// name. Returns the outputs in port order. `control` drives clock enable and reset where the module has them.
+    #[track_caller]
+    pub fn inst(
+        &self,
+        module: &Arc<Module>,
+        name: &str,
+        params: &[(&str, Expr)],
+        inputs: &[(&str, Sig<'_>)],
+    ) -> Vec<Sig<'_>> {
+        let stage = inputs.iter().filter_map(|(_, s)| s.stage()).max();
+        let stage = stage.map(|s| s.max(self.st.borrow().min_stage));
+        let mut map = BTreeMap::new();
+        for p in &module.params {
+            let given = params.iter().find(|g| g.0 == p.name).map(|g| g.1.clone());
+            let own = self.st.borrow().m.params.iter().any(|q| q.name == p.name);
+            let value = given.or(own.then(|| Expr::param(&p.name)));
+            map.insert(p.name.clone(), value.unwrap_or_else(|| panic!("{name}: parameter {} is not given", p.name)));
+        }
+        let mut ins = Vec::new();
+        for (n, v) in inputs {
+            let (i, port) = module.port(n).unwrap_or_else(|| panic!("{}: no port {n}", module.name));
+            let v = if port.stage.is_some() { v.at(stage.unwrap_or(0)) } else { *v };
+            let (pw, vw) = {
+                let st = self.st.borrow();
+                (port.width.substitute(&map).eval(&st.defaults), v.width().eval(&st.defaults))
+            };
+            assert!(pw == vw, "{name}.{n} has {pw} bits, its driver {vw}");
+            ins.push((i, v.id));
+        }
+        if let Some(i) = module.ce.filter(|i| !ins.iter().any(|x| x.0 == *i)) {
+            let own = self.st.borrow().m.ce;
+            let ce = own.map(|p| self.input_node(p)).unwrap_or_else(|| self.lit(1, 1));
+            ins.push((i, ce.id));
+        }
+        if let Some(i) = module.rst.filter(|i| !ins.iter().any(|x| x.0 == *i)) {
+            let own = self.st.borrow().m.rst.unwrap_or_else(|| panic!("{name}: no reset"));
+            ins.push((i, self.input_node(own).id));
+        }
+        for (i, p) in module.data_inputs() {
+            assert!(ins.iter().any(|x| x.0 == i), "{name}: input {} is not driven", p.name);
+        }
+        ins.sort();
+        let id = {
+            let mut st = self.st.borrow_mut();
+            let section = st.section;
+            let params = module.params.iter().map(|p| (p.name.clone(), map[&p.name].clone())).collect();
+            st.m.insts.push(Instance {
+                module: module.clone(),
+                name: name.into(),
+                params,
+                inputs: ins,
+                stage,
+                section,
+            });
+            InstId(st.m.insts.len() as u32 - 1)
+        };
+        let outs = module.data_outputs().map(|(i, p)| {
+            let s = p.stage.map(|k| stage.unwrap_or(0) + k);
+            self.push_at(Op::InstOut(id, i), vec![], p.width.substitute(&map), s)
+        });
+        outs.collect()
+    }
+    fn input_node(&self, port: usize) -> Sig<'_> {
+        let st = self.st.borrow();
+        let i = st.m.nodes.iter().position(|n| n.op == Op::Input(port)).expect("port has a node");
+        Sig { b: self, id: NodeId(i as u32) }
+    }
+
+    /// Adds a node at the latest stage of its operands.
+    #[track_caller]
+    pub(super) fn push(&self, op: Op, args: Vec<NodeId>, width: Expr) -> Sig<'_> {
+        let stage = args.iter().filter_map(|a| self.st.borrow().m.node(*a).stage).max();
+        let stage = stage.map(|s| s.max(self.st.borrow().min_stage));
+        let args = match stage {
+            Some(s) => args.iter().map(|a| Sig { b: self, id: *a }.at(s).id).collect(),
+            None => args,
+        };
+        self.push_at(op, args, width, stage)
+    }
+    pub(super) fn push_at(&self, op: Op, args: Vec<NodeId>, width: Expr, stage: Stage) -> Sig<'_> {
+        let mut st = self.st.borrow_mut();
+        let section = st.section;
+        st.m.nodes.push(Node { op, args, width, name: None, stage, section, valid: false });
+        Sig { b: self, id: NodeId(st.m.nodes.len() as u32 - 1) }
+    }
+    /// `v` one register later; shared by all who ask.
+    #[track_caller]
+    pub(super) fn delay_once(&self, v: NodeId) -> NodeId {
+        let (node, stage) = {
+            let st = self.st.borrow();
+            let n = st.m.node(v).clone();
+            let s = n.stage.expect("only staged values are delayed");
+            if let Some(d) = st.delays.get(&(v, s + 1)) {
+                return *d;
+            }
+            (n, s)
+        };
+        let name = node.name.unwrap_or_else(|| panic!("a {} without a name crosses a stage: name it", node.op.name()));
+        let d = self.push_at(Op::Reg { reset: node.valid, wrap: false }, vec![v], node.width, Some(stage + 1));
+        let mut st = self.st.borrow_mut();
+        let n = &mut st.m.nodes[d.id.0 as usize];
+        (n.name, n.valid) = (Some(name), node.valid);
+        st.delays.insert((v, stage + 1), d.id);
+        d.id
+    }
+
+    /// Ends the module: verifies it at its defaults and at `bindings`.
+    ///
+    /// # Panics
+    /// With all problems at once; a module that fails here is a bug of the unit that describes it.
+    #[track_caller]
+    pub fn finish(self, latency: Option<u32>, bindings: &[Binding]) -> Arc<Module> {
+        let mut m = self.st.into_inner().m;
+        m.latency = latency;
+        let problems = super::verify::verify(&m, bindings);
+        assert!(problems.is_empty(), "module {} is wrong:\n  {}", m.name, problems.join("\n  "));
+        Arc::new(m)
+    }
+}

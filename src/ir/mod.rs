@@ -1,0 +1,12 @@
+//! The one description of the hardware: fixed-width operations in pipeline stages, widths over module parameters.
+mod builder;
+mod expr;
+mod module;
+mod schedule;
+mod sig;
+mod verify;
+
+pub use builder::{Builder, Sig};
+pub use expr::{Atom, Binding, Expr, Func};
+pub use module::*;
+pub use verify::verify;

@@ -1,0 +1,207 @@
+//! Operations on values; each states its width law and panics, with the caller's place, when it is broken.
+use super::builder::{Builder, Sig};
+use super::expr::Expr;
+use super::module::{Op, Stage};
+use std::ops::{Add, BitAnd, BitOr, BitXor, Not, Sub};
+
+impl<'b> Sig<'b> {
+    /// Width in bits.
+    pub fn width(self) -> Expr {
+        self.b.st.borrow().m.node(self.id).width.clone()
+    }
+    /// Stage; `None` for constants.
+    pub fn stage(self) -> Stage {
+        self.b.st.borrow().m.node(self.id).stage
+    }
+    /// Gives the value its base name.
+    pub fn named(self, name: &str) -> Self {
+        self.b.st.borrow_mut().m.nodes[self.id.0 as usize].name = Some(name.into());
+        self
+    }
+    /// Marks a valid bit: its delays are cleared by reset.
+    pub fn valid(self) -> Self {
+        self.b.st.borrow_mut().m.nodes[self.id.0 as usize].valid = true;
+        self
+    }
+    /// The value delayed to `stage`.
+    ///
+    /// # Panics
+    /// If it is only known later.
+    #[track_caller]
+    pub fn at(self, stage: u32) -> Self {
+        let Some(mut s) = self.stage() else { return self };
+        assert!(s <= stage, "a value of stage {s} is asked for in stage {stage}");
+        let mut id = self.id;
+        while s < stage {
+            id = self.b.delay_once(id);
+            s += 1;
+        }
+        Sig { b: self.b, id }
+    }
+    /// The value behind a handshake: it starts a new count of stages.
+    pub fn restage(self, stage: u32) -> Self {
+        self.b.st.borrow_mut().m.nodes[self.id.0 as usize].stage = Some(stage);
+        self
+    }
+    /// The value without a stage: control that is read as it is now.
+    pub fn unstaged(self) -> Self {
+        self.b.st.borrow_mut().m.nodes[self.id.0 as usize].stage = None;
+        self
+    }
+    /// Register behind the value: it is used one stage later.
+    #[track_caller]
+    pub fn cut(self) -> Self {
+        match self.stage() {
+            Some(s) => self.at(s + 1),
+            None => self,
+        }
+    }
+    #[track_caller]
+    fn same(self, o: Self, what: &str) {
+        let st = self.b.st.borrow();
+        let (a, b) = (&st.m.node(self.id).width, &st.m.node(o.id).width);
+        let (a, b) = (a.eval(&st.defaults), b.eval(&st.defaults));
+        drop(st);
+        assert!(a == b, "{what} of {a} and {b} bits: operands have the same width");
+    }
+    #[track_caller]
+    fn binary(self, op: Op, o: Self) -> Self {
+        self.same(o, op.name());
+        self.b.push(op, vec![self.id, o.id], self.width())
+    }
+    #[track_caller]
+    fn relation(self, op: Op, o: Self) -> Self {
+        self.same(o, op.name());
+        self.b.push(op, vec![self.id, o.id], Expr::from(1))
+    }
+    #[track_caller]
+    fn unary(self, op: Op, w: Expr) -> Self {
+        self.b.push(op, vec![self.id], w)
+    }
+
+    /// Equal; one bit.
+    #[track_caller]
+    pub fn eq(self, o: Self) -> Self {
+        self.relation(Op::Eq, o)
+    }
+    /// Unsigned less-than; one bit.
+    #[track_caller]
+    pub fn lt(self, o: Self) -> Self {
+        self.relation(Op::Ult, o)
+    }
+    /// Signed less-than; one bit.
+    #[track_caller]
+    pub fn slt(self, o: Self) -> Self {
+        self.relation(Op::Slt, o)
+    }
+    /// Unsigned product of a + b bits.
+    #[track_caller]
+    pub fn mul(self, o: Self) -> Self {
+        let w = self.width() + o.width();
+        self.b.push(Op::Mul, vec![self.id, o.id], w)
+    }
+    /// Left shift by an unsigned amount.
+    #[track_caller]
+    pub fn shl(self, n: Self) -> Self {
+        self.b.push(Op::Shl, vec![self.id, n.id], self.width())
+    }
+    /// Logical right shift.
+    #[track_caller]
+    pub fn shr(self, n: Self) -> Self {
+        self.b.push(Op::Shr, vec![self.id, n.id], self.width())
+    }
+    /// Arithmetic right shift.
+    #[track_caller]
+    pub fn sar(self, n: Self) -> Self {
+        self.b.push(Op::Sar, vec![self.id, n.id], self.width())
+    }
+    /// `self ? a : b`.
+    #[track_caller]
+    pub fn mux(self, a: Self, b: Self) -> Self {
+        a.same(b, "mux");
+        self.b.push(Op::Mux, vec![self.id, a.id, b.id], a.width())
+    }
+    /// `width` bits from `lo` up.
+    #[track_caller]
+    pub fn slice(self, lo: impl Into<Expr>, width: impl Into<Expr>) -> Self {
+        let (lo, width) = (lo.into(), width.into());
+        {
+            let st = self.b.st.borrow();
+            let have = st.m.node(self.id).width.eval(&st.defaults);
+            let top = (&lo + &width).eval(&st.defaults);
+            assert!(top <= have, "slice up to bit {top} of {have} bits");
+        }
+        self.unary(Op::Slice { lo }, width)
+    }
+    /// One bit.
+    #[track_caller]
+    pub fn bit(self, i: impl Into<Expr>) -> Self {
+        self.slice(i, 1)
+    }
+    /// The top bit.
+    #[track_caller]
+    pub fn msb(self) -> Self {
+        self.bit(self.width() - 1)
+    }
+    /// Zeros on top, to `w` bits.
+    #[track_caller]
+    pub fn zext(self, w: impl Into<Expr>) -> Self {
+        let w = w.into();
+        if w == self.width() { self } else { self.unary(Op::Zext, w) }
+    }
+    /// Copies of the sign on top, to `w` bits.
+    #[track_caller]
+    pub fn sext(self, w: impl Into<Expr>) -> Self {
+        let w = w.into();
+        if w == self.width() { self } else { self.unary(Op::Sext, w) }
+    }
+    /// `w` copies of one bit.
+    #[track_caller]
+    pub fn rep(self, w: impl Into<Expr>) -> Self {
+        self.unary(Op::Rep, w.into())
+    }
+    /// OR of all bits.
+    #[track_caller]
+    pub fn any(self) -> Self {
+        self.unary(Op::RedOr, Expr::from(1))
+    }
+    /// AND of all bits.
+    #[track_caller]
+    pub fn all(self) -> Self {
+        self.unary(Op::RedAnd, Expr::from(1))
+    }
+    /// No bit set.
+    #[track_caller]
+    pub fn none(self) -> Self {
+        !self.any()
+    }
+    /// The builder it belongs to.
+    pub fn builder(self) -> &'b Builder {
+        self.b
+    }
+}
+
+macro_rules! operator {
+    ($tr:ident, $f:ident, $op:ident) => {
+        impl<'b> $tr for Sig<'b> {
+            type Output = Sig<'b>;
+            #[track_caller]
+            fn $f(self, o: Self) -> Self {
+                self.binary(Op::$op, o)
+            }
+        }
+    };
+}
+operator!(BitAnd, bitand, And);
+operator!(BitOr, bitor, Or);
+operator!(BitXor, bitxor, Xor);
+operator!(Add, add, Add);
+operator!(Sub, sub, Sub);
+
+impl<'b> Not for Sig<'b> {
+    type Output = Sig<'b>;
+    #[track_caller]
+    fn not(self) -> Self {
+        self.unary(Op::Not, self.width())
+    }
+}

@@ -1,0 +1,259 @@
+//! The rules a module keeps, checked before anything is printed or run; all problems at once.
+use super::expr::{Binding, Expr};
+use super::module::*;
+use crate::bits::MAX_WIDTH;
+use std::collections::BTreeSet;
+
+/// Words that can't be names in Verilog-2005 or its successors (the common ones).
+const RESERVED: &[&str] = &[
+    "always",
+    "and",
+    "assign",
+    "begin",
+    "bit",
+    "buf",
+    "byte",
+    "case",
+    "cell",
+    "config",
+    "cross",
+    "default",
+    "design",
+    "disable",
+    "edge",
+    "else",
+    "end",
+    "endmodule",
+    "event",
+    "final",
+    "for",
+    "force",
+    "function",
+    "generate",
+    "global",
+    "if",
+    "initial",
+    "inout",
+    "input",
+    "inside",
+    "int",
+    "integer",
+    "join",
+    "large",
+    "local",
+    "logic",
+    "macromodule",
+    "medium",
+    "module",
+    "nand",
+    "negedge",
+    "new",
+    "nor",
+    "not",
+    "or",
+    "output",
+    "packed",
+    "parameter",
+    "posedge",
+    "primitive",
+    "priority",
+    "property",
+    "pull0",
+    "pull1",
+    "real",
+    "reg",
+    "release",
+    "repeat",
+    "return",
+    "scalared",
+    "sequence",
+    "signed",
+    "small",
+    "specify",
+    "static",
+    "string",
+    "strong0",
+    "strong1",
+    "struct",
+    "super",
+    "supply0",
+    "supply1",
+    "table",
+    "task",
+    "this",
+    "time",
+    "tri",
+    "type",
+    "union",
+    "unique",
+    "unsigned",
+    "use",
+    "vectored",
+    "virtual",
+    "void",
+    "wait",
+    "wand",
+    "weak0",
+    "weak1",
+    "while",
+    "wire",
+    "with",
+    "within",
+    "wor",
+    "xnor",
+    "xor",
+];
+
+/// Checks `m` at its defaults and at `bindings`; returns every problem found.
+pub fn verify(m: &Module, bindings: &[Binding]) -> Vec<String> {
+    let mut bad = Vec::new();
+    names(m, &mut bad);
+    if m.body != Body::Graph {
+        return bad;
+    }
+    structure(m, &mut bad);
+    stages(m, &mut bad);
+    unused(m, &mut bad);
+    let mut all = vec![m.default_binding()];
+    all.extend(bindings.iter().map(|b| m.binding_with(b)));
+    for b in all.iter().filter(|b| m.failed_checks(b).is_empty()) {
+        widths(m, b, &mut bad);
+    }
+    bad.dedup();
+    bad
+}
+
+fn label(m: &Module, id: NodeId) -> String {
+    let n = m.node(id);
+    format!("{} {}", n.op.name(), n.name.clone().unwrap_or_else(|| format!("#{}", id.0)))
+}
+
+fn names(m: &Module, bad: &mut Vec<String>) {
+    let legal = |n: &str| {
+        n.starts_with(|c: char| c.is_ascii_alphabetic())
+            && n.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+            && !RESERVED.contains(&n)
+    };
+    let mut seen = BTreeSet::new();
+    for p in &m.ports {
+        if !legal(&p.name) {
+            bad.push(format!("port name {} is not usable in Verilog", p.name));
+        }
+        if !seen.insert(p.name.clone()) {
+            bad.push(format!("port {} is declared twice", p.name));
+        }
+    }
+    let mut staged = BTreeSet::new();
+    for n in m.nodes.iter().filter(|n| !matches!(n.op, Op::Input(_))) {
+        if let Some(name) = &n.name {
+            if !legal(name) {
+                bad.push(format!("name {name} is not usable in Verilog"));
+            }
+            if !staged.insert((name.clone(), n.stage)) {
+                bad.push(format!("two values are named {name} in stage {:?}", n.stage));
+            }
+        }
+    }
+}
+
+fn structure(m: &Module, bad: &mut Vec<String>) {
+    for (i, p) in m.ports.iter().enumerate().filter(|(_, p)| p.dir == Dir::Out) {
+        match m.outputs.iter().filter(|o| o.0 == i).count() {
+            1 => {}
+            k => bad.push(format!("output {} is driven {k} times", p.name)),
+        }
+    }
+    for (i, n) in m.nodes.iter().enumerate() {
+        if matches!(n.op, Op::Reg { .. }) {
+            if n.args.len() != 1 {
+                bad.push(format!("{} is not driven", label(m, NodeId(i as u32))));
+            }
+        } else if n.args.iter().any(|a| a.0 as usize >= i) {
+            bad.push(format!("{} reads a later value: a loop", label(m, NodeId(i as u32))));
+        }
+    }
+}
+
+fn stages(m: &Module, bad: &mut Vec<String>) {
+    for (i, n) in m.nodes.iter().enumerate() {
+        let me = label(m, NodeId(i as u32));
+        for a in &n.args {
+            let (Some(sa), Some(sn)) = (m.node(*a).stage, n.stage) else { continue };
+            let want = match n.op {
+                Op::Reg { wrap: true, .. } => continue,
+                Op::Reg { .. } => sn.checked_sub(1),
+                _ => Some(sn),
+            };
+            if want != Some(sa) {
+                bad.push(format!("{me} of stage {sn} reads {} of stage {sa} without a delay", label(m, *a)));
+            }
+        }
+    }
+    for inst in &m.insts {
+        for (port, v) in &inst.inputs {
+            let (Some(sv), Some(si)) = (m.node(*v).stage, inst.stage) else { continue };
+            if inst.module.ports[*port].stage.is_some() && sv != si {
+                bad.push(format!("{} of stage {si} reads {} of stage {sv} without a delay", inst.name, label(m, *v)));
+            }
+        }
+    }
+}
+
+fn unused(m: &Module, bad: &mut Vec<String>) {
+    let mut used = vec![false; m.nodes.len()];
+    let reads = m.nodes.iter().flat_map(|n| n.args.iter().copied());
+    let reads = reads.chain(m.outputs.iter().map(|o| o.1)).chain(m.unused.iter().copied());
+    let reads = reads.chain(m.insts.iter().flat_map(|i| i.inputs.iter().map(|x| x.1)));
+    reads.for_each(|id| used[id.0 as usize] = true);
+    for (i, n) in m.nodes.iter().enumerate().filter(|(i, _)| !used[*i]) {
+        let control = matches!(n.op, Op::Input(p) if [m.ce, m.rst].contains(&Some(p)));
+        if !control {
+            bad.push(format!("{} is never used", label(m, NodeId(i as u32))));
+        }
+    }
+}
+
+fn widths(m: &Module, b: &Binding, bad: &mut Vec<String>) {
+    let w = |id: NodeId| m.node(id).width.eval(b);
+    let at = || b.iter().map(|(k, v)| format!("{k}={v}")).collect::<Vec<_>>().join(" ");
+    for (i, n) in m.nodes.iter().enumerate() {
+        let id = NodeId(i as u32);
+        let width = n.width.eval(b);
+        let a: Vec<i64> = n.args.iter().map(|x| w(*x)).collect();
+        let mut fail = |why: String| bad.push(format!("{}: {why} (at {})", label(m, id), at()));
+        if width < 1 || width > i64::from(MAX_WIDTH) {
+            fail(format!("{width} bits; 1 to {MAX_WIDTH} are possible"));
+            continue;
+        }
+        let ok = match &n.op {
+            Op::Lit(v) => width == 64 || *v < 1 << width,
+            Op::Not | Op::Reg { .. } => a == [width],
+            Op::And | Op::Or | Op::Xor | Op::Add | Op::Sub => a == [width, width],
+            Op::RedOr | Op::RedAnd => width == 1,
+            Op::Mul => width == a[0] + a[1],
+            Op::Eq | Op::Ult | Op::Slt => a[0] == a[1] && width == 1,
+            Op::Shl | Op::Shr | Op::Sar => a[0] == width,
+            Op::Mux => a == [1, width, width],
+            Op::Concat => a.iter().sum::<i64>() == width,
+            Op::Slice { lo } => lo.eval(b) >= 0 && lo.eval(b) + width <= a[0],
+            Op::Zext | Op::Sext => a[0] <= width,
+            Op::Rep => a == [1],
+            Op::InstOut(..) | Op::Input(_) | Op::Zeros | Op::Ones | Op::Konst(_) => true,
+        };
+        if !ok {
+            fail(format!("operands of {a:?} bits do not give {width} bits"));
+        }
+    }
+    for inst in &m.insts {
+        let map = inst.params.iter().cloned().collect();
+        for (p, v) in &inst.inputs {
+            let want = inst.module.ports[*p].width.substitute(&map).eval(b);
+            if want != w(*v) {
+                let port = &inst.module.ports[*p].name;
+                bad.push(format!("{}.{port} has {want} bits, its driver {} (at {})", inst.name, w(*v), at()));
+            }
+        }
+        let inner: Binding = inst.params.iter().map(|(n, e): &(String, Expr)| (n.clone(), e.eval(b))).collect();
+        bad.extend(inst.module.failed_checks(&inner).into_iter().map(|c| format!("{}: {c} (at {})", inst.name, at())));
+    }
+}
