@@ -302,6 +302,11 @@ impl Builder {
         d.id
     }
 
+    /// Ends a primitive module.
+    pub fn finish_with(self, body: Body, latency: u32) -> Arc<Module> {
+        self.st.borrow_mut().m.body = body;
+        self.finish(Some(latency), &[])
+    }
     /// Ends the module: verifies it at its defaults and at `bindings`.
     ///
     /// # Panics

@@ -88,12 +88,12 @@ impl Expr {
         Self::call(Func::Clog2, vec![self.clone()])
     }
     /// The larger of two.
-    pub fn max(&self, o: impl Into<Expr>) -> Self {
+    pub fn larger(&self, o: impl Into<Expr>) -> Self {
         let o = o.into();
         if *self == o { o } else { Self::call(Func::Max, vec![self.clone(), o]) }
     }
     /// The smaller of two.
-    pub fn min(&self, o: impl Into<Expr>) -> Self {
+    pub fn smaller(&self, o: impl Into<Expr>) -> Self {
         let o = o.into();
         if *self == o { o } else { Self::call(Func::Min, vec![self.clone(), o]) }
     }
@@ -143,6 +143,10 @@ impl Expr {
                 Atom::Param(_) => {}
             }
         }
+    }
+    /// The expression in terms of parameters only (ports stand before any `localparam`).
+    pub fn expanded(&self) -> Self {
+        self.substitute(&BTreeMap::new())
     }
     /// The expression with every parameter replaced (used when an instance binds parameters).
     pub fn substitute(&self, map: &BTreeMap<String, Expr>) -> Self {

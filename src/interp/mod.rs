@@ -1,0 +1,9 @@
+//! Runs the very graph that is emitted: elaborated at any parameter values, levelized once.
+mod elaborate;
+mod eval;
+mod lanes;
+mod netlist;
+
+pub use elaborate::elaborate;
+pub use lanes::Lanes;
+pub use netlist::{FlatOp, FlatPort, Kind, Netlist, Slot};

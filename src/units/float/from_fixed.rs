@@ -1,0 +1,66 @@
+//! `fp_from_int`, `fp_from_fixed`: a signed integer, or fixed-point number, to the nearest float (ties to even).
+use super::fields::FormatParams;
+use super::round::{Special, Unrounded, round_pack};
+use crate::format::FloatFormat;
+use crate::ir::{Builder, Expr, Module};
+use crate::units::lzc::lzc;
+use std::sync::Arc;
+
+/// Builds `fp_from_int`: `a` is a signed integer of `int_w` bits (parameter INT_W).
+pub fn fp_from_int(format: FloatFormat, int_w: u32, latency: u32) -> Arc<Module> {
+    build(format, int_w, None, latency)
+}
+
+/// Builds `fp_from_fixed`: `a` is signed, INT_W bits of which FRAC_W stand behind the point.
+pub fn fp_from_fixed(format: FloatFormat, int_w: u32, frac_w: u32, latency: u32) -> Arc<Module> {
+    build(format, int_w, Some(frac_w), latency)
+}
+
+fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32) -> Arc<Module> {
+    let (name, what) = match frac_w {
+        None => ("fp_from_int", "signed integer to the nearest floating-point number"),
+        Some(_) => ("fp_from_fixed", "signed fixed-point number to the nearest floating-point number"),
+    };
+    let b = Builder::new(name, file!(), what);
+    let f = FormatParams::declare(&b, format);
+    let int = b.param("INT_W", int_w, "bits of the signed operand");
+    b.require(2, &int);
+    b.require(&int, 32);
+    let frac = match frac_w {
+        None => Expr::from(0),
+        Some(k) => {
+            let frac = b.param("FRAC_W", k, "of these, bits behind the point");
+            b.require(0, &frac);
+            b.require(&frac, &int);
+            frac
+        }
+    };
+    let lz_w = (&int + 1).clog2();
+    let e_w = b.local("ExpSumW", f.exp.larger(&lz_w) + 2);
+    b.clock();
+    b.clock_enable();
+    let a = b.input("a", &int, if frac_w.is_some() { "fixed point" } else { "integer" }, "signed operand");
+    let out = b.output("result", &f.width, "float", "a, rounded to nearest even");
+    b.plan(latency, &[("magnitude", 3), ("normalize", 7), ("round", 6)]);
+
+    b.section("magnitude", "");
+    let minus = a.msb().named("minus");
+    let flip = minus.rep(&int);
+    let mag = ((a ^ flip) + minus.zext(&int)).named("mag");
+
+    b.section("normalize", "Zeros below make room for guard and sticky bits whatever INT_W is.");
+    let lz = lzc(&b, "u_lzc", mag, "lead");
+    let norm = b.cat(&[mag.shl(lz), b.zeros(&f.man + 3)]).named("norm");
+    let is_zero = (!norm.msb()).named("is_zero");
+    let top = b.konst(f.bias() + &int - 1 - &frac, &e_w).named("top_exp");
+    let exp = (top - lz.zext(&e_w)).named("norm_exp");
+
+    b.section("round", "");
+    let sig = norm.slice(&int + 2, &f.man + 1).named("sig");
+    let x = Unrounded { sign: minus, exp, sig, guard: norm.bit(&int + 1), sticky: norm.slice(0, &int + 1).any() };
+    let never = b.zeros(1);
+    let s = Special { nan: never, inf: never, inf_sign: never, zero: is_zero, zero_sign: never };
+    let packed = round_pack(&b, &f, &x, &s);
+    b.drive(out, packed, Some(latency));
+    b.finish(Some(latency), &super::bindings())
+}

@@ -1,0 +1,25 @@
+//! Floating-point units: format by Verilog parameter, latency by configuration.
+mod add;
+mod div;
+mod fields;
+mod from_fixed;
+mod lt;
+mod mul;
+mod round;
+mod to_fixed;
+
+pub use add::fp_add;
+pub use div::fp_div;
+pub use fields::{Fields, FormatParams};
+pub use from_fixed::{fp_from_fixed, fp_from_int};
+pub use lt::fp_lt;
+pub use mul::fp_mul;
+pub use to_fixed::{fp_to_fixed, fp_to_int};
+
+use crate::ir::Binding;
+
+/// Parameter values at which every floating-point module is verified besides its defaults.
+fn bindings() -> Vec<Binding> {
+    let at = |e: i64, m: i64| Binding::from([("EXP_W".into(), e), ("MAN_W".into(), m)]);
+    vec![at(7, 16), at(5, 10), at(8, 23), at(4, 3), at(3, 2), at(2, 2), at(11, 28)]
+}

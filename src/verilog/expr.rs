@@ -1,0 +1,169 @@
+//! One operation as a Verilog expression.
+//!
+//! Rules that keep the text's meaning equal to the graph's: only nets are indexed, signed operations and constants
+//! with a name stand on their own wire, a mixed pair of operators always has parentheses, and widening is written out.
+use super::layout::{fill, group, literal, range, tight};
+use crate::ir::{Expr, Module, Node, NodeId, Op};
+
+/// How tightly an expression binds.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Binds {
+    /// A name, a literal, a concatenation, an indexed name.
+    Primary,
+    /// `~x`.
+    Unary,
+    /// An associative operator, which may stand beside itself.
+    Assoc(&'static str),
+    /// Anything else: always in parentheses as an operand.
+    Loose,
+}
+
+/// Printed names of a module's nodes.
+pub struct Names<'m> {
+    pub m: &'m Module,
+    /// True when names carry their stage.
+    pub staged: bool,
+    /// Stage under which each node is printed.
+    pub stage: Vec<u32>,
+}
+
+impl<'m> Names<'m> {
+    pub fn new(m: &'m Module) -> Self {
+        let mut stage: Vec<u32> = Vec::with_capacity(m.nodes.len());
+        for n in &m.nodes {
+            let of_args = n.args.iter().filter_map(|a| stage.get(a.0 as usize)).copied().max();
+            stage.push(n.stage.unwrap_or(if matches!(n.op, Op::Reg { .. }) { 0 } else { of_args.unwrap_or(0) }));
+        }
+        let staged = m.nodes.iter().any(|n| n.stage.is_some_and(|s| s > 0));
+        Self { m, staged, stage }
+    }
+
+    /// The net that carries a node, if it has one.
+    pub fn net(&self, id: NodeId) -> Option<String> {
+        let n = self.m.node(id);
+        match (&n.op, &n.name) {
+            (Op::Input(p), _) => Some(self.m.ports[*p].name.clone()),
+            (op, _) if op.is_const() => None,
+            (_, Some(name)) => Some(match n.stage {
+                Some(s) if self.staged => format!("s{s}_{name}"),
+                _ if self.m.port(name).is_some() => format!("{name}_net"),
+                _ => name.clone(),
+            }),
+            (Op::Slice { .. } | Op::Not, None) => None,
+            _ => None,
+        }
+    }
+
+    /// A node as an operand: its net, or its expression.
+    pub fn operand(&self, id: NodeId) -> (String, Binds) {
+        match self.net(id) {
+            Some(n) => (n, Binds::Primary),
+            None => self.expr(self.m.node(id)),
+        }
+    }
+
+    /// A node as an operand of a binary operator.
+    fn tight(&self, id: NodeId, beside: &'static str) -> String {
+        let (s, b) = self.operand(id);
+        match b {
+            Binds::Primary | Binds::Unary => s,
+            Binds::Assoc(o) if o == beside => s,
+            _ => format!("({s})"),
+        }
+    }
+
+    fn net_of(&self, id: NodeId, n: &Node) -> String {
+        self.net(id).unwrap_or_else(|| panic!("{}: {} needs a named operand", self.m.name, n.op.name()))
+    }
+
+    /// The expression that computes a node.
+    pub fn expr(&self, n: &Node) -> (String, Binds) {
+        let a = |i: usize| n.args[i];
+        let bin = |op: &'static str, assoc: bool| {
+            let s = format!("{} {op} {}", self.tight(a(0), op), self.tight(a(1), if assoc { op } else { "" }));
+            (s, if assoc { Binds::Assoc(op) } else { Binds::Loose })
+        };
+        let width = |id: NodeId| self.m.node(id).width.clone();
+        match &n.op {
+            Op::Zeros => (fill(&n.width, 0), Binds::Primary),
+            Op::Ones => (fill(&n.width, 1), Binds::Primary),
+            Op::Lit(v) => (literal(*v, &n.width), Binds::Primary),
+            Op::Konst(_) => {
+                let name = konst_name(n);
+                (
+                    format!("{name}{}", if n.width.as_const() == Some(1) { "[0]".into() } else { range(&n.width) }),
+                    Binds::Primary,
+                )
+            }
+            Op::Not => (format!("~{}", self.tight(a(0), "")), Binds::Unary),
+            Op::And => bin("&", true),
+            Op::Or => bin("|", true),
+            Op::Xor => bin("^", true),
+            Op::RedOr => (format!("|{}", self.tight(a(0), "")), Binds::Loose),
+            Op::RedAnd => (format!("&{}", self.tight(a(0), "")), Binds::Loose),
+            Op::Add => bin("+", false),
+            Op::Sub => bin("-", false),
+            Op::Eq => bin("==", false),
+            Op::Ult => bin("<", false),
+            Op::Shl => bin("<<", false),
+            Op::Shr => bin(">>", false),
+            Op::Sar => (format!("$signed({}) >>> {}", self.operand(a(0)).0, self.tight(a(1), "")), Binds::Loose),
+            Op::Slt => (format!("$signed({}) < $signed({})", self.operand(a(0)).0, self.operand(a(1)).0), Binds::Loose),
+            Op::Mul => {
+                let (x, y) = (self.operand(a(0)).0, self.operand(a(1)).0);
+                let (zx, zy) = (fill(&width(a(1)), 0), fill(&width(a(0)), 0));
+                (format!("{{{zx}, {x}}} * {{{zy}, {y}}}"), Binds::Loose)
+            }
+            Op::Mux => {
+                let (t, bt) = self.operand(a(1));
+                let t = if matches!(bt, Binds::Primary | Binds::Unary) { t } else { format!("({t})") };
+                let (e, be) = self.operand(a(2));
+                let chain = self.net(a(2)).is_none() && self.m.node(a(2)).op == Op::Mux;
+                let e = if chain || matches!(be, Binds::Primary | Binds::Unary) { e } else { format!("({e})") };
+                (format!("{} ? {t} : {e}", self.tight(a(0), "")), Binds::Loose)
+            }
+            Op::Concat => {
+                let parts: Vec<String> = n.args.iter().map(|x| self.operand(*x).0).collect();
+                (format!("{{{}}}", parts.join(", ")), Binds::Primary)
+            }
+            Op::Slice { lo } => {
+                let net = self.net_of(a(0), n);
+                let full = *lo == Expr::from(0) && n.width == width(a(0));
+                let hi = lo + n.width.clone() - 1;
+                (
+                    match (full, n.width.as_const()) {
+                        (true, _) => net,
+                        (_, Some(1)) => format!("{net}[{}]", tight(lo)),
+                        _ => format!("{net}[{}:{}]", tight(&hi), tight(lo)),
+                    },
+                    Binds::Primary,
+                )
+            }
+            Op::Zext => {
+                let more = n.width.clone() - width(a(0));
+                (format!("{{{}, {}}}", fill(&more, 0), self.operand(a(0)).0), Binds::Primary)
+            }
+            Op::Sext => {
+                let (net, w) = (self.net_of(a(0), n), width(a(0)));
+                let top =
+                    if w.as_const() == Some(1) { net.clone() } else { format!("{net}[{}]", tight(&(w.clone() - 1))) };
+                (format!("{{{{{}{{{top}}}}}, {net}}}", group(&(n.width.clone() - w))), Binds::Primary)
+            }
+            Op::Rep => {
+                let (x, _) = self.operand(a(0));
+                if n.width.as_const() == Some(1) {
+                    return (x, Binds::Loose);
+                }
+                (format!("{{{}{{{x}}}}}", group(&n.width)), Binds::Primary)
+            }
+            Op::Reg { .. } | Op::InstOut(..) | Op::Input(_) => unreachable!("{} always has a net", n.op.name()),
+        }
+    }
+}
+
+/// The `localparam` that holds a constant expression.
+pub fn konst_name(n: &Node) -> String {
+    let name = n.name.as_ref().expect("constant expressions have names");
+    let word = |w: &str| w[..1].to_uppercase() + &w[1..];
+    name.split('_').map(word).collect()
+}

@@ -1,0 +1,8 @@
+//! Verilog-2005 text of a module: prepared names first, then a walk that never changes the graph.
+mod expr;
+mod layout;
+mod prim;
+mod text;
+
+pub use expr::Names;
+pub use text::print_module;

@@ -1,0 +1,84 @@
+//! Verilog bodies of the primitives: the only text that is not printed from a graph.
+use crate::ir::Prim;
+
+/// The body of a primitive module, between header and `endmodule`.
+pub fn body(p: Prim) -> &'static str {
+    match p {
+        Prim::Lzc => LZC,
+        Prim::Interleave => INTERLEAVE,
+        Prim::DivRows => DIV_ROWS,
+        Prim::Memory => MEMORY,
+    }
+}
+
+const LZC: &str = r#"
+  // Ones below the last bit: the count of an all-zero word comes out as W by itself.
+  localparam integer PadW = 1 << CountW;
+  wire [PadW-1:0] padded = {bits, {(PadW - W){1'b1}}};
+
+  // Step s looks at PadW >> s bits: if the upper half is zero it counts, and the lower half goes on.
+  genvar s;
+  generate
+    for (s = 0; s < CountW; s = s + 1) begin : gen_step
+      localparam integer Half = PadW >> (s + 1);
+      wire [2*Half-1:0] here;
+      wire              upper_is_zero = (here[2*Half-1:Half] == {Half{1'b0}});
+      wire [Half-1:0]   next = upper_is_zero ? here[Half-1:0] : here[2*Half-1:Half];
+      if (s == 0) begin : gen_first
+        assign here = padded;
+      end else begin : gen_later
+        assign here = gen_step[s-1].next;
+      end
+      assign count[CountW-1-s] = upper_is_zero;
+    end
+  endgenerate
+
+  // verilator lint_off UNUSED
+  wire unused_last = &{1'b0, gen_step[CountW-1].next};
+  // verilator lint_on UNUSED
+"#;
+
+const INTERLEAVE: &str = r#"
+  genvar i;
+  generate
+    for (i = 0; i < W; i = i + 1) begin : gen_bit
+      assign result[2*i]   = a[i];
+      assign result[2*i+1] = b[i];
+    end
+  endgenerate
+"#;
+
+const DIV_ROWS: &str = r#"
+  // Each row: subtract if it fits, digit 1 if it did, and double what is left.
+  genvar r;
+  generate
+    for (r = 0; r < ROWS; r = r + 1) begin : gen_row
+      wire [W:0]   here;
+      wire [W+1:0] diff = {1'b0, here} - {2'b00, div};
+      wire         fits = ~diff[W+1];
+      wire [W:0]   next = {fits ? diff[W-1:0] : here[W-1:0], 1'b0};
+      if (r == 0) begin : gen_first
+        assign here = rem_in;
+      end else begin : gen_later
+        assign here = gen_row[r-1].next;
+      end
+      assign quot[ROWS-1-r] = fits;
+      // verilator lint_off UNUSED
+      wire unused_top = &{1'b0, diff[W]};
+      // verilator lint_on UNUSED
+    end
+  endgenerate
+  assign rem_out = gen_row[ROWS-1].next;
+"#;
+
+const MEMORY: &str = r#"
+  reg [DATA_W-1:0] mem [0:DEPTH-1];
+  reg [DATA_W-1:0] read_q;
+
+  always @(posedge clk) begin
+    if (write_en) mem[write_addr] <= write_data;
+    read_q <= mem[read_addr];
+  end
+
+  assign read_data = read_q;
+"#;
