@@ -22,7 +22,8 @@ pub fn fp_div(format: FloatFormat, latency: u32) -> Arc<Module> {
     let a_in = b.input("a", &f.width, "float", "dividend");
     let b_in = b.input("b", &f.width, "float", "divisor");
     let out = b.output("result", &f.width, "float", "a / b");
-    let chunks = latency.clamp(1, 24);
+    let chunks = latency.clamp(1, format.man + 3);
+    b.require(chunks.saturating_sub(3), &f.man);
     let titles: Vec<String> = (0..chunks).map(|c| format!("rows {c}")).collect();
     let mut plan: Vec<(&str, u32)> = titles.iter().map(|t| (t.as_str(), 60 / chunks + 1)).collect();
     plan.push(("round", 5));

@@ -35,7 +35,7 @@ pub fn fp_mul(format: FloatFormat, latency: u32) -> Arc<Module> {
     b.section("normalize", "A product of two numbers in [1, 2) lies in [1, 4).");
     let top = prod.msb().named("top");
     let exp = (exp0 + top.zext(&e_w)).named("norm_exp");
-    let norm = top.mux(prod.slice(1, &p + &p - 1), b.cat(&[prod.slice(0, &p + &p - 2), b.zeros(1)])).named("norm");
+    let norm = top.mux(prod.slice(1, &p + &p - 1), prod.slice(0, &p + &p - 1)).named("norm");
     let lost = (top & prod.bit(0)).named("lost");
 
     b.section("round", "");
