@@ -3,6 +3,7 @@ pub mod bits;
 pub mod config;
 pub mod error;
 pub mod format;
+pub mod golden;
 pub mod interp;
 pub mod ir;
 pub mod units;

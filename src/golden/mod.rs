@@ -1,0 +1,14 @@
+//! The golden model: what every unit must return, to the bit, computed without any thought of hardware.
+//!
+//! It implements `docs/datapath.md` on its own: exact integers times a power of two and one rounding, no guard bits,
+//! no pipelines. It shares only the format's constants and the configuration with the units it judges.
+pub mod float;
+mod level;
+mod pyramid;
+mod setup;
+mod traverse;
+
+pub use level::{Crossing, descend_levels, level_up, start_level};
+pub use pyramid::{Pyramid, address};
+pub use setup::{Axis, RayInput, Setup};
+pub use traverse::{Decision, Golden, Iteration, RayHit};

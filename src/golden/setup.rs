@@ -1,0 +1,130 @@
+//! What is computed once per ray, before the first iteration.
+use super::float::{self, Value};
+use super::level::start_level;
+use super::traverse::Golden;
+use crate::format::FloatFormat;
+
+/// A ray as it enters the unit; every field is an encoded number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct RayInput {
+    /// Entry point on the top plane along u, in tiles; [0, 1).
+    pub u: u64,
+    /// Entry point along v, in tiles; [0, 1).
+    pub v: u64,
+    /// Tiles travelled along u while the height falls from 1 to 0; less than 2^TILE_W either way.
+    pub du: u64,
+    /// As `du`, along v.
+    pub dv: u64,
+}
+
+impl RayInput {
+    /// The ray whose fields are nearest to the given ones.
+    pub fn from_f64(fmt: FloatFormat, u: f64, v: f64, du: f64, dv: f64) -> Self {
+        let [u, v, du, dv] = [u, v, du, dv].map(|x| float::from_f64(fmt, x));
+        Self { u, v, du, dv }
+    }
+}
+
+/// One axis of a ray after setup. All but flags and `x` are encoded numbers; lengths are in texels, parameters in height codes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Axis {
+    /// P: entry point.
+    pub p: u64,
+    /// Dn: texels travelled while the ray parameter runs from 0 to M.
+    pub dn: u64,
+    /// The ray runs toward lower indices (sign bit of d).
+    pub neg: bool,
+    /// R = M / Dn: ray parameter per texel.
+    pub r: u64,
+    /// The ray never meets a plane of this axis.
+    pub never: bool,
+    /// Dt: texels per unit of the ray parameter, about Dn / M.
+    pub dt: u64,
+    /// B: how far the position estimate is moved backwards, at least its error.
+    pub b: u64,
+    /// Pb: entry point for the position estimate, `p` moved backwards by `b`.
+    pub pb: u64,
+    /// X: texel of the entry point.
+    pub x: i64,
+    /// Xa: texel of the point where the ray meets the bottom plane, as far as rounding lets it be known; for the start level.
+    pub xa: i64,
+}
+
+/// All that setup computes for a ray. Of an invalid ray only `valid` means anything; the rest is 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Setup {
+    /// The ray may be traced.
+    pub valid: bool,
+    /// Along u.
+    pub u: Axis,
+    /// Along v.
+    pub v: Axis,
+    /// The level to start on.
+    pub level: u32,
+}
+
+impl Golden {
+    /// Setup of one ray.
+    pub fn setup(&self, ray: &RayInput) -> Setup {
+        if !(self.entry_ok(ray.u) && self.entry_ok(ray.v) && self.travel_ok(ray.du) && self.travel_ok(ray.dv)) {
+            return Setup::default();
+        }
+        let (u, v) = (self.axis(ray.u, ray.du), self.axis(ray.v, ray.dv));
+        let n = self.design.traverse.levels;
+        let level = if self.design.mode.start_level { start_level(n, self.idx_w, u.x, v.x, u.xa, v.xa) } else { n };
+        Setup { valid: true, u, v, level }
+    }
+
+    /// An entry point lies in [0, 1); both zeros are fine, and subnormals are zeros.
+    fn entry_ok(&self, p: u64) -> bool {
+        let fmt = self.design.format;
+        match float::decode(fmt, p) {
+            Value::Zero(_) => true,
+            Value::Finite(x) => !x.negative && float::lt(fmt, p, self.one),
+            Value::Nan | Value::Infinite(_) => false,
+        }
+    }
+
+    /// A ray travels less than 2^TILE_W tiles, either way.
+    fn travel_ok(&self, d: u64) -> bool {
+        let fmt = self.design.format;
+        match float::decode(fmt, d) {
+            Value::Zero(_) => true,
+            Value::Finite(_) => float::lt(fmt, d & !fmt.sign_bit(), self.travel_end),
+            Value::Nan | Value::Infinite(_) => false,
+        }
+    }
+
+    fn axis(&self, p: u64, d: u64) -> Axis {
+        let fmt = self.design.format;
+        let neg = d & fmt.sign_bit() != 0;
+        // A multiplication by 2^n is exact, and neither operand is large enough to overflow.
+        let p = float::mul(fmt, p & !fmt.sign_bit(), self.texels_per_tile);
+        let dn = float::mul(fmt, d, self.texels_per_tile);
+        let r = float::div(fmt, self.bottom, dn);
+        let never = matches!(float::decode(fmt, r), Value::Infinite(_));
+        let dt = float::mul(fmt, dn, self.inv_bottom);
+        let b = self.bias(dn);
+        let pb = float::add(fmt, p, if neg { b } else { float::neg(fmt, b) });
+        let x = float::to_int(fmt, p, self.idx_w);
+        let xa = float::to_int(fmt, float::add(fmt, p, dn), self.idx_w);
+        Axis { p, dn, neg, r, never, dt, b, pb, x, xa }
+    }
+
+    /// B, at least the error of the position estimate: a power of two that grows with map and travel.
+    fn bias(&self, dn: u64) -> u64 {
+        let fmt = self.design.format;
+        let n = self.design.traverse.levels as i32;
+        let k = match float::decode(fmt, dn) {
+            // |dn| < 2^e with e one above its exponent; exp is that of the significand's last bit.
+            Value::Finite(x) => (n + 2).max(x.exp + fmt.man as i32 + 1 + 4),
+            _ => n + 2,
+        };
+        power_of_two(fmt, k - fmt.man as i32 - 1)
+    }
+}
+
+/// 2^e, encoded.
+pub(super) fn power_of_two(fmt: FloatFormat, e: i32) -> u64 {
+    float::from_f64(fmt, 2f64.powi(e))
+}

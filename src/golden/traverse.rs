@@ -1,0 +1,322 @@
+//! The traversal: from a ray to the texel it hits.
+use super::float;
+use super::level::{Crossing, descend_levels, level_up};
+use super::pyramid::Pyramid;
+use super::setup::{Axis, RayInput, Setup, power_of_two};
+use crate::config::Design;
+use crate::error::{Error, Result};
+
+/// A tracer for one design, with the design's constants at hand.
+#[derive(Clone, Debug)]
+pub struct Golden {
+    pub(super) design: Design,
+    /// IDX_W.
+    pub(super) idx_w: u32,
+    /// 1, encoded.
+    pub(super) one: u64,
+    /// 2^TILE_W, encoded: what a ray's travel stays below.
+    pub(super) travel_end: u64,
+    /// 2^n, encoded.
+    pub(super) texels_per_tile: u64,
+    /// M = 2^HEIGHT_W - 1, encoded: the ray parameter at the bottom plane.
+    pub(super) bottom: u64,
+    /// C = 1 / M, encoded.
+    pub(super) inv_bottom: u64,
+}
+
+/// What the unit returns for a ray.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct RayHit {
+    /// Texel along u, 0 to 2^n - 1.
+    pub i: u32,
+    /// Texel along v.
+    pub j: u32,
+    /// Position inside the texel along u, in units of 2^-FRAC_W.
+    pub fu: u32,
+    /// Position inside the texel along v.
+    pub fv: u32,
+    /// Ray parameter in height codes, encoded.
+    pub t: u64,
+    /// The ray met a side wall of the texel, not its top.
+    pub wall: bool,
+    /// No hit: the ray was invalid (then all else is 0) or was given up at the step limit.
+    pub limit: bool,
+    /// Iterations.
+    pub steps: u32,
+    /// Iterations that crossed.
+    pub crossings: u32,
+    /// Crossings that went a level up.
+    pub ups: u32,
+}
+
+/// What an iteration does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Decision {
+    /// The ray ends in this texel.
+    Hit,
+    /// The ray meets the node's top inside: look closer.
+    Descend,
+    /// The ray leaves the node through a plane of constant u.
+    CrossX,
+    /// The ray leaves the node through a plane of constant v.
+    CrossY,
+}
+
+/// Everything an iteration reads and computes. Parameters `t`.. and `m` are encoded height codes, texels are unwrapped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Iteration {
+    /// Level of the node.
+    pub level: u32,
+    /// Texel along u.
+    pub x: i64,
+    /// Texel along v.
+    pub y: i64,
+    /// Ray parameter on entry.
+    pub t: u64,
+    /// H: the node's maximum height code.
+    pub height: u32,
+    /// Parameter where the ray meets the node's top.
+    pub t_v: u64,
+    /// Plane of constant u by which the ray can leave, in texels.
+    pub b_x: i64,
+    /// As `b_x`, along v.
+    pub b_y: i64,
+    /// Parameter at plane `b_x`.
+    pub t_x: u64,
+    /// Parameter at plane `b_y`.
+    pub t_y: u64,
+    /// The larger of `t` and `t_v`.
+    pub m: u64,
+    /// Biased estimate of the texel at `m`, along u.
+    pub e_x: i64,
+    /// As `e_x`, along v.
+    pub e_y: i64,
+    /// What follows.
+    pub decision: Decision,
+    /// Level after the iteration.
+    pub next_level: u32,
+    /// Texel along u after the iteration.
+    pub next_x: i64,
+    /// Texel along v after the iteration.
+    pub next_y: i64,
+    /// Ray parameter after the iteration; of a hit, the hit's.
+    pub next_t: u64,
+}
+
+impl Golden {
+    /// A tracer for `design`.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if the sizes are outside of the ranges of `docs/datapath.md`.
+    pub fn new(design: &Design) -> Result<Self> {
+        let (fmt, size) = (design.format, design.traverse);
+        let bias = u32::try_from(fmt.bias()).unwrap_or(0);
+        let (n, h, tile) = (size.levels, size.height_bits, size.tile_bits);
+        let legal = (2..=11).contains(&fmt.exp)
+            && (7..=52).contains(&fmt.man)
+            && (2..=12).contains(&n)
+            && (2..=16).contains(&h)
+            && h <= fmt.man + 1
+            && (1..=8).contains(&tile)
+            && size.idx_bits() <= 24
+            && n + tile + 8 <= bias
+            && h + 2 <= bias
+            && (1..=16).contains(&size.frac_bits)
+            && (1..=4).contains(&design.mode.levels_down)
+            && (1..=65535).contains(&size.step_limit);
+        if !legal {
+            return Err(Error::input(format!(
+                "no datapath of {n} levels, {h} height bits, {tile} tile bits and format {fmt}: see docs/datapath.md, Parameters"
+            )));
+        }
+        let m = (1u64 << h) - 1;
+        Ok(Self {
+            design: *design,
+            idx_w: size.idx_bits(),
+            one: power_of_two(fmt, 0),
+            travel_end: power_of_two(fmt, tile as i32),
+            texels_per_tile: power_of_two(fmt, n as i32),
+            bottom: float::from_int(fmt, m as i64),
+            inv_bottom: float::recip_int(fmt, m),
+        })
+    }
+
+    /// The design this tracer is for.
+    pub fn design(&self) -> &Design {
+        &self.design
+    }
+
+    /// Traces a ray.
+    ///
+    /// # Panics
+    /// If the pyramid has other levels or height bits than the design.
+    pub fn trace(&self, pyramid: &Pyramid, ray: &RayInput) -> RayHit {
+        self.run::<false>(pyramid, ray, &mut |_| ())
+    }
+
+    /// Traces a ray and shows every iteration to `see`.
+    ///
+    /// # Panics
+    /// As [`Golden::trace`].
+    pub fn trace_with(&self, pyramid: &Pyramid, ray: &RayInput, mut see: impl FnMut(&Iteration)) -> RayHit {
+        self.run::<true>(pyramid, ray, &mut see)
+    }
+
+    /// `SEEN`: somebody looks at the iterations, so that what no decision needs is computed too.
+    fn run<const SEEN: bool>(&self, pyramid: &Pyramid, ray: &RayInput, see: &mut dyn FnMut(&Iteration)) -> RayHit {
+        let size = &self.design.traverse;
+        assert_eq!((pyramid.levels(), pyramid.height_bits()), (size.levels, size.height_bits), "wrong pyramid");
+        let setup = self.setup(ray);
+        if !setup.valid {
+            return RayHit { limit: true, ..RayHit::default() };
+        }
+        let mut state = State { level: setup.level, x: setup.u.x, y: setup.v.x, t: 0, crossed: false, prev: false };
+        let mut hit = RayHit::default();
+        loop {
+            let it = self.iterate::<SEEN>(pyramid, &setup, &state);
+            if SEEN {
+                see(&it);
+            }
+            hit.steps += 1;
+            let crossing = matches!(it.decision, Decision::CrossX | Decision::CrossY);
+            hit.crossings += u32::from(crossing);
+            hit.ups += u32::from(crossing && it.next_level > it.level);
+            state = State {
+                level: it.next_level,
+                x: it.next_x,
+                y: it.next_y,
+                t: it.next_t,
+                crossed: state.crossed || crossing,
+                prev: crossing,
+            };
+            if it.decision == Decision::Hit {
+                hit.wall = float::lt(self.design.format, it.t_v, it.t);
+                break;
+            }
+            if hit.steps == size.step_limit {
+                hit.limit = true;
+                break;
+            }
+        }
+        hit.t = state.t;
+        (hit.i, hit.fu) = self.leave(&setup.u, state.x, state.t);
+        (hit.j, hit.fv) = self.leave(&setup.v, state.y, state.t);
+        hit
+    }
+
+    /// Wrapped texel and position inside it.
+    fn leave(&self, axis: &Axis, x: i64, t: u64) -> (u32, u32) {
+        let (fmt, size) = (self.design.format, &self.design.traverse);
+        let at = float::add(fmt, axis.p, float::mul(fmt, axis.dt, t));
+        let at = float::to_fixed(fmt, at, self.idx_w + size.frac_bits, size.frac_bits);
+        let inside = (at - (x << size.frac_bits)).clamp(0, (1 << size.frac_bits) - 1);
+        (wrap(x, size.levels), inside as u32)
+    }
+
+    fn iterate<const SEEN: bool>(&self, pyramid: &Pyramid, setup: &Setup, s: &State) -> Iteration {
+        let (fmt, n, rule) = (self.design.format, self.design.traverse.levels, self.design.mode.level_up);
+        let k = s.level;
+        let height = pyramid.node(k, wrap(s.x, n) >> k, wrap(s.y, n) >> k);
+        let m_code = (1i64 << self.design.traverse.height_bits) - 1;
+        let t_v = float::from_int(fmt, m_code - i64::from(height));
+        let (b_x, t_x) = self.exit(&setup.u, k, s.x);
+        let (b_y, t_y) = self.exit(&setup.v, k, s.y);
+        let m = self.later(s.t, t_v);
+        let inside = float::lt(fmt, m, t_x) && float::lt(fmt, m, t_y);
+        let estimates = SEEN || (inside && k > 0) || (!inside && rule == crate::config::LevelUp::Selective);
+        let (e_x, e_y) = if estimates { (self.estimate(&setup.u, m), self.estimate(&setup.v, m)) } else { (0, 0) };
+
+        let mut it = Iteration {
+            level: k,
+            x: s.x,
+            y: s.y,
+            t: s.t,
+            height,
+            t_v,
+            b_x,
+            b_y,
+            t_x,
+            t_y,
+            m,
+            e_x,
+            e_y,
+            decision: Decision::Hit,
+            next_level: k,
+            next_x: s.x,
+            next_y: s.y,
+            next_t: m,
+        };
+        if inside && k == 0 {
+            return it;
+        }
+        let mask = (1i64 << k) - 1;
+        if inside {
+            it.decision = Decision::Descend;
+            it.next_level = k - descend_levels(self.design.mode.levels_down, k, s.crossed);
+            // The child is one of this node's, whatever the estimate says.
+            it.next_x = e_x.clamp(s.x & !mask, s.x | mask);
+            it.next_y = e_y.clamp(s.y & !mask, s.y | mask);
+            return it;
+        }
+        // x goes first on a tie.
+        let x_first = !float::lt(fmt, t_y, t_x);
+        let (t_e, plane) = if x_first { (t_x, b_x) } else { (t_y, b_y) };
+        if x_first {
+            it.decision = Decision::CrossX;
+            it.next_x = beyond(&setup.u, b_x);
+        } else {
+            it.decision = Decision::CrossY;
+            it.next_y = beyond(&setup.v, b_y);
+        }
+        it.next_t = self.later(s.t, t_e);
+        let c = Crossing { level: k, plane, x: s.x, y: s.y, e_x, e_y, previous: s.prev };
+        it.next_level = n.min(k + u32::from(level_up(rule, &c)));
+        it
+    }
+
+    /// The plane by which the ray can leave the level-k node of texel `x`, and the parameter there.
+    fn exit(&self, axis: &Axis, k: u32, x: i64) -> (i64, u64) {
+        let fmt = self.design.format;
+        let mask = (1i64 << k) - 1;
+        let b = if axis.neg { x & !mask } else { (x | mask) + 1 };
+        if axis.never {
+            return (b, fmt.infinity());
+        }
+        let away = float::add(fmt, float::from_int(fmt, b), float::neg(fmt, axis.p));
+        (b, float::mul(fmt, away, axis.r))
+    }
+
+    /// The texel where the ray is at `t`, or one that it has left already: never one that it has yet to reach.
+    fn estimate(&self, axis: &Axis, t: u64) -> i64 {
+        let fmt = self.design.format;
+        float::to_int(fmt, float::add(fmt, axis.pb, float::mul(fmt, axis.dt, t)), self.idx_w)
+    }
+
+    /// The larger of two parameters; the first when they are equal.
+    fn later(&self, a: u64, b: u64) -> u64 {
+        if float::lt(self.design.format, a, b) { b } else { a }
+    }
+}
+
+/// What one iteration hands to the next.
+#[derive(Clone, Copy, Debug)]
+struct State {
+    level: u32,
+    x: i64,
+    y: i64,
+    t: u64,
+    /// Something was crossed so far.
+    crossed: bool,
+    /// The last iteration crossed.
+    prev: bool,
+}
+
+/// The texel behind plane `b`, seen along the ray.
+fn beyond(axis: &Axis, b: i64) -> i64 {
+    if axis.neg { b - 1 } else { b }
+}
+
+/// The map repeats.
+fn wrap(x: i64, n: u32) -> u32 {
+    x.rem_euclid(1 << n) as u32
+}
