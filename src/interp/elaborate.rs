@@ -157,7 +157,7 @@ impl Flat {
         let names = crate::verilog::Names::new(m);
         let mut slot: Vec<Slot> = vec![Slot::MAX; m.nodes.len()];
         let mut inst_outs: Vec<Option<BTreeMap<usize, Slot>>> = vec![None; m.insts.len()];
-        let mut pending = Vec::new();
+        let (mut pending, mut wires) = (Vec::new(), Vec::new());
         for (i, n) in m.nodes.iter().enumerate() {
             let width = n.width.eval(b) as u32;
             let s = match &n.op {
@@ -166,6 +166,11 @@ impl Flat {
                     let q = self.source(width);
                     pending.push((q, n.args[0], *reset));
                     q
+                }
+                Op::Wire => {
+                    let w = self.source(width);
+                    wires.push((w, n.args[0]));
+                    w
                 }
                 Op::InstOut(k, port) => {
                     let inst = &m.insts[k.0 as usize];
@@ -186,6 +191,18 @@ impl Flat {
             if let Some(net) = names.net(NodeId(i as u32)) {
                 self.name(&format!("{path}{net}"), s);
             }
+        }
+        for (w, d) in wires {
+            self.ops.push((
+                w,
+                FlatOp {
+                    kind: Kind::Copy,
+                    args: [slot[d.0 as usize]; 3],
+                    width: self.widths[w as usize],
+                    arg_width: 1,
+                    aux: 0,
+                },
+            ));
         }
         let control = |p: Option<usize>| p.map(|p| inputs[&p]);
         let enable = control(m.ce).filter(|e| self.const_of.get(e) != Some(&1));
@@ -232,7 +249,7 @@ impl Flat {
             Op::Mux => Kind::Mux,
             Op::Sext => Kind::Sext,
             Op::Rep => Kind::Rep,
-            Op::Input(_) | Op::Reg { .. } | Op::InstOut(..) => unreachable!("handled by the caller"),
+            Op::Input(_) | Op::Reg { .. } | Op::Wire | Op::InstOut(..) => unreachable!("handled by the caller"),
         };
         self.op(kind, args, width, 0)
     }

@@ -7,6 +7,7 @@ use crate::bits::{div_rows, interleave, lzc, mask, sar, shl, shr, signed};
 pub fn eval(op: &FlatOp, a: u64, b: u64, c: u64) -> u64 {
     let m = mask(op.width);
     match op.kind {
+        Kind::Copy => a,
         Kind::Not => !a & m,
         Kind::And => a & b,
         Kind::Or => a | b,

@@ -157,7 +157,7 @@ fn run(op: &FlatOp, a: &[u64], b: &[u64], c: &[u64], out: &mut [u64]) {
         };
     }
     kinds!(
-        Not, And, Or, Xor, RedOr, RedAnd, Add, Sub, Mul, Eq, Ult, Slt, Shl, Shr, Sar, Mux, Join, Slice, Sext, Rep, Lzc,
-        Interleave, DivRem, DivQuot
+        Copy, Not, And, Or, Xor, RedOr, RedAnd, Add, Sub, Mul, Eq, Ult, Slt, Shl, Shr, Sar, Mux, Join, Slice, Sext,
+        Rep, Lzc, Interleave, DivRem, DivQuot
     );
 }

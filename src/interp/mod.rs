@@ -3,7 +3,9 @@ mod elaborate;
 mod eval;
 mod lanes;
 mod netlist;
+mod stream;
 
 pub use elaborate::elaborate;
 pub use lanes::Lanes;
 pub use netlist::{FlatOp, FlatPort, Kind, Netlist, Slot};
+pub use stream::{Stream, StreamRun, Traffic};

@@ -8,6 +8,7 @@ pub type Slot = u32;
 /// What a flat operation computes; widths are numbers now.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Kind {
+    Copy,
     Not,
     And,
     Or,

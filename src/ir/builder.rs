@@ -173,6 +173,14 @@ impl Builder {
         let w = parts.iter().fold(Expr::from(0), |s, p| s + p.width());
         self.push(Op::Concat, parts.iter().map(|p| p.id).collect(), w)
     }
+    /// A net that is driven later by [`Builder::connect`]: for handshakes that run against the flow of the data.
+    pub fn wire(&self, name: &str, width: impl Into<Expr>) -> Sig<'_> {
+        self.push_at(Op::Wire, vec![], width.into(), None).named(name)
+    }
+    /// Drives a wire.
+    pub fn connect(&self, wire: Sig<'_>, v: Sig<'_>) {
+        self.st.borrow_mut().m.nodes[wire.id.0 as usize].args = vec![v.id];
+    }
     /// A register of a loop: read in stage 0, written by [`Builder::close`].
     pub fn loop_reg(&self, name: &str, width: impl Into<Expr>, valid: bool) -> Sig<'_> {
         let s = self.push_at(Op::Reg { reset: valid, wrap: true }, vec![], width.into(), Some(0));
@@ -302,6 +310,10 @@ impl Builder {
         d.id
     }
 
+    /// A value by its id (closures can't name a value's lifetime).
+    pub fn sig(&self, id: NodeId) -> Sig<'_> {
+        Sig { b: self, id }
+    }
     /// Ends a primitive module.
     pub fn finish_with(self, body: Body, latency: u32) -> Arc<Module> {
         self.st.borrow_mut().m.body = body;

@@ -76,6 +76,8 @@ pub enum Op {
         /// True when d comes from the last stage of the loop instead of the stage before.
         wrap: bool,
     },
+    /// A net declared before what drives it; w = a.
+    Wire,
     /// Output `port` (index into the instantiated module's ports) of an instance.
     InstOut(InstId, usize),
 }
@@ -111,6 +113,7 @@ impl Op {
             Self::Sext => "sext",
             Self::Rep => "replicate",
             Self::Reg { .. } => "register",
+            Self::Wire => "wire",
             Self::InstOut(..) => "instance output",
         }
     }

@@ -175,6 +175,10 @@ impl<'b> Sig<'b> {
     pub fn none(self) -> Self {
         !self.any()
     }
+    /// Its index in the module.
+    pub fn id(self) -> crate::ir::NodeId {
+        self.id
+    }
     /// The builder it belongs to.
     pub fn builder(self) -> &'b Builder {
         self.b

@@ -149,7 +149,9 @@ fn names(m: &Module, bad: &mut Vec<String>) {
             if !legal(name) {
                 bad.push(format!("name {name} is not usable in Verilog"));
             }
-            if !staged.insert((name.clone(), n.stage)) {
+            let twin = |o: &Node| o.name == n.name && matches!(o.op, Op::Konst(_)) && o.op == n.op;
+            let same_constant = m.nodes.iter().filter(|o| o.name == n.name).all(twin);
+            if !staged.insert((name.clone(), n.stage)) && !same_constant {
                 bad.push(format!("two values are named {name} in stage {:?}", n.stage));
             }
         }
@@ -164,7 +166,7 @@ fn structure(m: &Module, bad: &mut Vec<String>) {
         }
     }
     for (i, n) in m.nodes.iter().enumerate() {
-        if matches!(n.op, Op::Reg { .. }) {
+        if matches!(n.op, Op::Reg { .. } | Op::Wire) {
             if n.args.len() != 1 {
                 bad.push(format!("{} is not driven", label(m, NodeId(i as u32))));
             }
@@ -227,7 +229,7 @@ fn widths(m: &Module, b: &Binding, bad: &mut Vec<String>) {
         }
         let ok = match &n.op {
             Op::Lit(v) => width == 64 || *v < 1 << width,
-            Op::Not | Op::Reg { .. } => a == [width],
+            Op::Not | Op::Reg { .. } | Op::Wire => a == [width],
             Op::And | Op::Or | Op::Xor | Op::Add | Op::Sub => a == [width, width],
             Op::RedOr | Op::RedAnd => width == 1,
             Op::Mul => width == a[0] + a[1],

@@ -3,3 +3,4 @@ pub mod div_rows;
 pub mod float;
 pub mod interleave;
 pub mod lzc;
+pub mod traversal;

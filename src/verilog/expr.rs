@@ -31,8 +31,13 @@ impl<'m> Names<'m> {
     pub fn new(m: &'m Module) -> Self {
         let mut stage: Vec<u32> = Vec::with_capacity(m.nodes.len());
         for n in &m.nodes {
-            let of_args = n.args.iter().filter_map(|a| stage.get(a.0 as usize)).copied().max();
-            stage.push(n.stage.unwrap_or(if matches!(n.op, Op::Reg { .. }) { 0 } else { of_args.unwrap_or(0) }));
+            let of_args =
+                n.args.iter().filter(|_| n.op != Op::Wire).filter_map(|a| stage.get(a.0 as usize)).copied().max();
+            stage.push(n.stage.unwrap_or(if matches!(n.op, Op::Reg { .. } | Op::Wire) {
+                0
+            } else {
+                of_args.unwrap_or(0)
+            }));
         }
         let staged = m.nodes.iter().any(|n| n.stage.is_some_and(|s| s > 0));
         Self { m, staged, stage }
@@ -156,7 +161,9 @@ impl<'m> Names<'m> {
                 }
                 (format!("{{{}{{{x}}}}}", group(&n.width)), Binds::Primary)
             }
-            Op::Reg { .. } | Op::InstOut(..) | Op::Input(_) => unreachable!("{} always has a net", n.op.name()),
+            Op::Reg { .. } | Op::Wire | Op::InstOut(..) | Op::Input(_) => {
+                unreachable!("{} always has a net", n.op.name())
+            }
         }
     }
 }

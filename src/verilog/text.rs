@@ -199,7 +199,7 @@ impl Printer<'_> {
                     }
                     continue;
                 }
-                let plain = !matches!(n.op, Op::Reg { .. } | Op::Input(_)) && !n.op.is_const();
+                let plain = !matches!(n.op, Op::Reg { .. } | Op::Wire | Op::Input(_)) && !n.op.is_const();
                 if self.names.stage[i] != stage || !plain {
                     continue;
                 }
@@ -214,6 +214,10 @@ impl Printer<'_> {
         self.loop_registers();
         self.sinks();
         self.out += "\n";
+        for (net, _, driver) in self.wires() {
+            let (e, _) = self.names.operand(driver);
+            self.line(&format!("  assign {net} = {e};"));
+        }
         for (p, id) in &m.outputs {
             let (e, _) = self.names.operand(*id);
             self.line(&format!("  assign {} = {e};", m.ports[*p].name));
@@ -246,10 +250,19 @@ impl Printer<'_> {
         if ids.is_empty() {
             return;
         }
-        self.out += "\n  // ---- state that comes back from the last stage\n";
+        self.out += "\n  // ---- state that comes back from the last stage, and handshakes\n";
         for id in ids {
             self.declare_reg(id);
         }
+        for (net, width, _) in self.wires() {
+            self.line(&format!("  wire {}{}{net};", range(&width), if width.as_const() == Some(1) { "" } else { " " }));
+        }
+    }
+
+    /// Wires that are declared before what drives them: net, width, driver.
+    fn wires(&self) -> Vec<(String, crate::ir::Expr, NodeId)> {
+        let all = self.m.nodes.iter().enumerate().filter(|(_, n)| n.op == Op::Wire);
+        all.map(|(i, n)| (self.names.net(NodeId(i as u32)).unwrap_or_default(), n.width.clone(), n.args[0])).collect()
     }
 
     fn regs(&self, keep: impl Fn(bool, u32) -> bool) -> Vec<NodeId> {

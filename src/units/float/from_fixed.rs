@@ -25,7 +25,7 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32) -> 
     let f = FormatParams::declare(&b, format);
     let int = b.param("INT_W", int_w, "bits of the signed operand");
     b.require(2, &int);
-    b.require(&int, 32);
+    b.require(&int + &f.man + 3, 64);
     let frac = match frac_w {
         None => Expr::from(0),
         Some(k) => {

@@ -19,7 +19,7 @@ pub use to_fixed::{fp_to_fixed, fp_to_int};
 use crate::ir::Binding;
 
 /// Parameter values at which every floating-point module is verified besides its defaults.
-fn bindings() -> Vec<Binding> {
+pub fn bindings() -> Vec<Binding> {
     let at = |e: i64, m: i64| Binding::from([("EXP_W".into(), e), ("MAN_W".into(), m)]);
     vec![at(7, 16), at(5, 10), at(8, 23), at(4, 3), at(3, 2), at(2, 2), at(11, 28)]
 }

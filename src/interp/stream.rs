@@ -1,0 +1,139 @@
+//! Drives a valid/ready design in the interpreter: many lanes, each with its own share of the items.
+use super::lanes::Lanes;
+use super::netlist::{Netlist, Slot};
+use crate::error::{Error, Result};
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use std::sync::Arc;
+
+/// How the bench behaves on both sides of the design.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Traffic {
+    /// Chance, in 256ths, that an item is held back in a clock.
+    pub gaps: u8,
+    /// Chance, in 256ths, that a result is not taken in a clock.
+    pub stalls: u8,
+    /// Seed of both (ChaCha8).
+    pub seed: u64,
+}
+
+/// What a run gave.
+#[derive(Clone, Debug, Default)]
+pub struct StreamRun {
+    /// Results of each item, in the order of `columns`.
+    pub results: Vec<Vec<u64>>,
+    /// Clocks that passed.
+    pub cycles: u64,
+    /// Clocks, summed over the lanes, in which items were waiting and the pipeline had been filled once.
+    pub loaded: u64,
+    /// Of these, clocks in which `slot_busy` was set.
+    pub busy: u64,
+}
+
+/// Clocks without any result after which outstanding items count as lost.
+const PATIENCE: u64 = 400_000;
+
+/// A stream design: ports `in_valid`, `in_ready`, `in_tag`, `out_valid`, `out_ready`, `out_tag`, `slot_busy`, `rst`.
+pub struct Stream<'n> {
+    net: &'n Netlist,
+    ins: Vec<Slot>,
+    outs: Vec<Slot>,
+    tags: usize,
+    warm_up: u64,
+}
+
+impl<'n> Stream<'n> {
+    /// Names the data ports; `warm_up` is the number of clocks until the pipeline can be full.
+    pub fn new(net: &'n Netlist, ins: &[&str], outs: &[&str], warm_up: u64) -> Self {
+        let tag = net.inputs.iter().find(|p| p.name == "in_tag").map_or(1, |p| p.width);
+        let ins = ins.iter().map(|n| net.input(n)).collect();
+        let outs = outs.iter().map(|n| net.output(n)).collect();
+        Self { net, ins, outs, tags: 1 << tag.min(16), warm_up }
+    }
+
+    /// Runs `items` (rows of `ins`) through `lanes` copies; `image` is the content of the memory.
+    ///
+    /// # Errors
+    /// A result that never comes, or one that nobody waits for.
+    pub fn run(&self, items: &[Vec<u64>], image: &Arc<Vec<u64>>, lanes: usize, traffic: Traffic) -> Result<StreamRun> {
+        let lanes = lanes.clamp(1, items.len().max(1));
+        let mut sim = Lanes::new(self.net, lanes);
+        (0..self.net.mems.len()).for_each(|i| sim.load(i, image.clone()));
+        sim.set(self.net.input("rst")).fill(1);
+        sim.eval();
+        sim.clock();
+        sim.set(self.net.input("rst")).fill(0);
+        let mut lane: Vec<Lane> = (0..lanes).map(|l| Lane::new(l, self.tags)).collect();
+        let mut rng = ChaCha8Rng::seed_from_u64(traffic.seed);
+        let mut run = StreamRun { results: vec![Vec::new(); items.len()], ..StreamRun::default() };
+        let (mut left, mut quiet) = (items.len(), 0);
+        let [iv, it, or] = ["in_valid", "in_tag", "out_ready"].map(|n| self.net.input(n));
+        let [ir, ov, ot, busy] = ["in_ready", "out_valid", "out_tag", "slot_busy"].map(|n| self.net.output(n));
+        while left > 0 {
+            for (l, state) in lane.iter_mut().enumerate() {
+                let hold = traffic.gaps > 0 && rng.random::<u8>() < traffic.gaps;
+                state.offer = if hold || state.next >= items.len() { None } else { state.free_tag() };
+                sim.set(iv)[l] = u64::from(state.offer.is_some());
+                if let Some(tag) = state.offer {
+                    sim.set(it)[l] = tag as u64;
+                    self.ins.iter().zip(&items[state.next]).for_each(|(s, v)| sim.set(*s)[l] = *v);
+                }
+                let take = traffic.stalls == 0 || rng.random::<u8>() >= traffic.stalls;
+                sim.set(or)[l] = u64::from(take);
+            }
+            sim.eval();
+            quiet += 1;
+            for (l, state) in lane.iter_mut().enumerate() {
+                if state.next < items.len() && run.cycles >= self.warm_up {
+                    run.loaded += 1;
+                    run.busy += sim.get(busy)[l];
+                }
+                if let Some(tag) = state.offer.filter(|_| sim.get(ir)[l] == 1) {
+                    state.tags[tag] = Some(state.next);
+                    state.next += lanes;
+                }
+                if sim.get(ov)[l] == 1 && sim.get(or)[l] == 1 {
+                    let tag = sim.get(ot)[l] as usize;
+                    let Some(item) = state.tags[tag].take() else {
+                        return Err(Error::Extra(format!(
+                            "a result with tag {tag} came that no ray waits for (lane {l})"
+                        )));
+                    };
+                    run.results[item] = self.outs.iter().map(|s| sim.get(*s)[l]).collect();
+                    left -= 1;
+                    quiet = 0;
+                }
+            }
+            if quiet > PATIENCE {
+                let lost = lane.iter().flat_map(|s| s.tags.iter().flatten()).min().copied().unwrap_or(0);
+                return Err(Error::Dropped(format!(
+                    "ray {lost} went in and never came out ({left} of {} missing)",
+                    items.len()
+                )));
+            }
+            sim.clock();
+            run.cycles += 1;
+        }
+        Ok(run)
+    }
+}
+
+/// One lane's bookkeeping.
+struct Lane {
+    next: usize,
+    tags: Vec<Option<usize>>,
+    last_tag: usize,
+    offer: Option<usize>,
+}
+
+impl Lane {
+    fn new(first: usize, tags: usize) -> Self {
+        Self { next: first, tags: vec![None; tags], last_tag: 0, offer: None }
+    }
+    fn free_tag(&mut self) -> Option<usize> {
+        let n = self.tags.len();
+        let tag = (1..=n).map(|k| (self.last_tag + k) % n).find(|t| self.tags[*t].is_none())?;
+        self.last_tag = tag;
+        Some(tag)
+    }
+}

@@ -1,0 +1,26 @@
+//! `height_memory`: the pyramid's heights on chip: one write port, one read port with a register behind it.
+use crate::ir::{Builder, Expr, Module, Prim};
+use crate::units::lzc::finish_primitive;
+use std::sync::Arc;
+
+/// Builds the memory (parameters ADDR_W, DATA_W, DEPTH).
+pub fn height_memory(addr: u32, data: u32, depth: u32) -> Arc<Module> {
+    let b = Builder::new("height_memory", file!(), "on-chip memory with a write port and a registered read");
+    b.note("A read of the word that is being written gives the old word. Written for block RAM inference.");
+    let addr_w = b.param("ADDR_W", addr, "address bits");
+    let data_w = b.param("DATA_W", data, "bits of a word");
+    let depth = b.param("DEPTH", depth, "words");
+    b.require(&depth, addr_w.pow2());
+    b.clock();
+    b.input_static("write_en", 1, "bit", "write at the next edge");
+    b.input_static("write_addr", &addr_w, "words", "where");
+    b.input_static("write_data", &data_w, "bits", "what");
+    b.input("read_addr", &addr_w, "words", "where to read");
+    b.output("read_data", &data_w, "bits", "the word, one clock later");
+    finish_primitive(b, Prim::Memory, 1)
+}
+
+/// Words of a pyramid of LEVELS levels below its root: (4^(LEVELS+1) - 1) / 3.
+pub fn pyramid_words(levels: &Expr) -> Expr {
+    ((levels.clone() * 2 + 2).pow2() - 1).div(3)
+}

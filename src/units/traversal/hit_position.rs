@@ -1,0 +1,50 @@
+//! `hit_position`: where in its texel a ray hit, along one axis, as a fraction that never leaves the texel.
+use super::params::index_width;
+use crate::config::{Design, LatencyConfig};
+use crate::ir::{Binding, Builder, Module};
+use crate::units::float::{FormatParams, fp_add, fp_mul, fp_to_fixed};
+use std::sync::Arc;
+
+/// Clocks through `hit_position`.
+pub fn latency(l: &LatencyConfig) -> u32 {
+    l.mul + l.add + l.to_int
+}
+
+/// Builds `hit_position`.
+pub fn hit_position(d: &Design) -> Arc<Module> {
+    let b =
+        Builder::new("hit_position", file!(), "position of the hit inside its texel: p + d * t - x, kept in [0, 1)");
+    let f = FormatParams::declare(&b, d.format);
+    let idx = index_width(&b, &d.traverse, None);
+    let frac = b.param("FRAC_W", d.traverse.frac_bits, "fraction bits of the position");
+    b.require(1, &frac);
+    b.require(&frac, 16);
+    b.require(2, &idx);
+    b.require(&idx + &frac + &f.man, 60);
+    b.clock();
+    b.clock_enable();
+    let p = b.input("p", &f.width, "float, texels", "entry point");
+    let dir = b.input("d", &f.width, "float, texels per height code", "direction");
+    let t = b.input("t", &f.width, "float, height codes", "parameter of the hit");
+    let x = b.input("x", &idx, "texels", "hit texel, unwrapped");
+    let out = b.output("fraction", &frac, "1/2^FRAC_W texel", "position inside the texel");
+    b.section("position", "");
+    let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", t)])[0].named("way");
+    let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)])[0].named("position");
+    let to =
+        fp_to_fixed(d.format, d.traverse.idx_bits() + d.traverse.frac_bits, d.traverse.frac_bits, d.latency.to_int);
+    let int = [("INT_W", &idx + &frac), ("FRAC_W", frac.clone())];
+    let fixed = b.inst(&to, "u_to_fixed", &int, &[("a", pos)])[0].named("fixed");
+
+    b.section("clamp", "A hit on a wall lies exactly on a border: the integer texel decides, the fraction follows.");
+    let wide = &idx + &frac + 1;
+    let l = latency(&d.latency);
+    let corner = b.cat(&[x.at(l), b.zeros(&frac)]).named("corner");
+    let off = (fixed.sext(&wide) - corner.sext(&wide)).named("offset");
+    let past = off.slice(&frac, &idx + 1).any().named("past");
+    let inside = off.slice(0, &frac).named("low_part");
+    let kept = off.msb().mux(b.zeros(&frac), past.mux(b.ones(&frac), inside)).named("kept");
+    b.drive(out, kept, Some(l));
+    let at = |e: i64, m: i64| Binding::from([("EXP_W".into(), e), ("MAN_W".into(), m)]);
+    b.finish(Some(l), &[at(8, 23), at(5, 10), at(6, 12)])
+}

@@ -1,0 +1,51 @@
+//! `level_decision`: hit, descend or cross; the node, level and parameter of the next iteration (PIDM-HW section 4.2).
+use super::params::{LevelParams, bindings, index_width};
+use crate::config::Design;
+use crate::ir::{Builder, Module};
+use crate::units::float::FormatParams;
+use std::sync::Arc;
+
+/// Builds `level_decision`, combinational.
+pub fn level_decision(d: &Design) -> Arc<Module> {
+    let t = &d.traverse;
+    let b = Builder::new("level_decision", file!(), "hit, descend or cross: the next node, level and parameter");
+    let f = FormatParams::declare(&b, d.format);
+    let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
+    let idx = index_width(&b, t, Some(&levels));
+    let inside = b.input("is_inside", 1, "bit", "the node's height is met before the ray leaves");
+    let x_first = b.input("x_first", 1, "bit", "it leaves by the u plane");
+    let up = b.input("up", 1, "bit", "a crossing goes one level up");
+    let level = b.input("level", &level_w, "levels", "level of this node");
+    let level_down = b.input("level_down", &level_w, "levels", "level of a descent");
+    let m = b.input("m", &f.width, "float, height codes", "parameter of a hit or a descent");
+    let t_next = b.input("t_next", &f.width, "float, height codes", "parameter of a crossing");
+    let mut axes = Vec::new();
+    for axis in ["x", "y"] {
+        let at = b.input(&format!("{axis}_at"), &idx, "texels", "a texel of this node");
+        let down = b.input(&format!("{axis}_down"), &idx, "texels", "texel of the child");
+        let beyond = b.input(&format!("{axis}_beyond"), &idx, "texels", "texel behind the exit plane");
+        axes.push((at, down, beyond));
+    }
+    let o_hit = b.output("hit", 1, "bit", "the ray ends here");
+    let o_cross = b.output("crosses", 1, "bit", "the ray goes to the neighbour");
+    let o_level = b.output("level_next", &level_w, "levels", "level of the next iteration");
+    let o_x = b.output("x_next", &idx, "texels", "texel of the next node");
+    let o_y = b.output("y_next", &idx, "texels", "texel of the next node");
+    let o_t = b.output("t_out", &f.width, "float, height codes", "parameter of the next iteration, or of the hit");
+
+    let hit = (inside & level.none()).named("is_hit");
+    let risen = (level + up.zext(&level_w)).named("risen");
+    let next = inside.mux(hit.mux(level, level_down), risen).named("level_chosen");
+    let keep_x = (!x_first).named("keep_x");
+    let x = inside.mux(hit.mux(axes[0].0, axes[0].1), keep_x.mux(axes[0].0, axes[0].2)).named("x_chosen");
+    let y = inside.mux(hit.mux(axes[1].0, axes[1].1), x_first.mux(axes[1].0, axes[1].2)).named("y_chosen");
+    b.drive(o_hit, hit, None);
+    b.drive(o_cross, !inside, None);
+    b.drive(o_level, next, None);
+    b.drive(o_x, x, None);
+    b.drive(o_y, y, None);
+    b.drive(o_t, inside.mux(m, t_next), None);
+    let mut at = bindings();
+    at.extend(crate::units::float::bindings());
+    b.finish(Some(0), &at)
+}

@@ -1,0 +1,54 @@
+//! `level_up`: does a crossing go one level up? (PIDM-HW section 3.3; the rules stand in `docs/datapath.md`.)
+use super::params::{LevelParams, bindings, index_width};
+use crate::config::{LevelUp, TraverseConfig};
+use crate::ir::{Builder, Module, Sig};
+use std::sync::Arc;
+
+/// Builds `level_up` for a rule, combinational; `None` for the rule that never ascends.
+pub fn level_up(t: &TraverseConfig, rule: LevelUp) -> Option<Arc<Module>> {
+    let text = match rule {
+        LevelUp::None => return None,
+        LevelUp::Tevs => "level-up test: the crossing leaves the parent node",
+        LevelUp::Selective => "level-up test: the crossing leaves the parent, and the predicted hit is no neighbour",
+        LevelUp::Coherent => "level-up test: the iteration before was a crossing too",
+        LevelUp::Always => "level-up test: every crossing goes up",
+    };
+    let b = Builder::new("level_up", file!(), text);
+    let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
+    let level = b.input("level", &level_w, "levels", "level of the crossed node");
+    let below_root = level.eq(b.konst(&levels, &level_w).named("root"));
+    let below_root = (!below_root).named("below_root");
+    let go = match rule {
+        LevelUp::None => unreachable!("returned above"),
+        LevelUp::Always => None,
+        LevelUp::Coherent => Some(b.input("prev_crossed", 1, "bit", "the iteration before was a crossing")),
+        LevelUp::Tevs => Some(b.input("even", 1, "bit", "the crossed plane also bounds the parent")),
+        LevelUp::Selective => {
+            let idx = index_width(&b, t, Some(&levels));
+            let even = b.input("even", 1, "bit", "the crossed plane also bounds the parent");
+            let mut near = Vec::new();
+            for axis in ["x", "y"] {
+                let at = b.input(&format!("{axis}_at"), &idx, "texels", "a texel of the node");
+                let hit = b.input(&format!("{axis}_hit"), &idx, "texels", "predicted hit");
+                near.push(distance(&b, at, hit, level, axis));
+            }
+            let neighbour = near[0].1 & near[1].1 & !(near[0].0 & near[1].0);
+            Some(even & !neighbour.named("is_neighbour"))
+        }
+    };
+    let out = b.output("up", 1, "bit", "one level up; never at the root");
+    b.drive(out, go.map_or(below_root, |g| g & below_root), None);
+    Some(b.finish(Some(0), &bindings()))
+}
+
+/// (same node, at most one node apart) along one axis.
+fn distance<'b>(b: &'b Builder, at: Sig<'b>, hit: Sig<'b>, level: Sig<'b>, axis: &str) -> (Sig<'b>, Sig<'b>) {
+    let here = at.sar(level).named(&format!("{axis}_node"));
+    let there = hit.sar(level).named(&format!("{axis}_hit_node"));
+    let diff = (there - here).named(&format!("{axis}_diff"));
+    let same = diff.none().named(&format!("{axis}_same"));
+    let one = diff.eq(b.lit(1, diff.width()));
+    let minus_one = diff.all();
+    let near = (same | one | minus_one).named(&format!("{axis}_near"));
+    (same, near)
+}

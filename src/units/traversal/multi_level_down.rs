@@ -1,0 +1,58 @@
+//! `multi_level_down`: the level and the child to descend into (PIDM-HW section 3.2).
+//!
+//! Until the first crossing the step is `levels_down` levels where that many are left, afterwards one.
+use super::params::{LevelParams, bindings, index_width};
+use crate::config::{ModeConfig, TraverseConfig};
+use crate::ir::{Builder, Module, Sig};
+use std::sync::Arc;
+
+/// Builds `multi_level_down`, combinational.
+pub fn multi_level_down(t: &TraverseConfig, mode: &ModeConfig) -> Arc<Module> {
+    let what = match mode.levels_down {
+        1 => "level and child of a descent by one level".to_string(),
+        n => format!("level and child of a descent: {n} levels until the first crossing, then one"),
+    };
+    let b = Builder::new("multi_level_down", file!(), &what);
+    let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
+    let idx = index_width(&b, t, Some(&levels));
+    let many = u64::from(mode.levels_down);
+    let level = b.input("level", &level_w, "levels", "1 .. LEVELS (the result is not used at 0)");
+    let crossed = (many > 1).then(|| b.input("crossed", 1, "bit", "the ray has crossed a node boundary already"));
+    let mut axes = Vec::new();
+    for axis in ["x", "y"] {
+        let low = b.input(&format!("{axis}_low"), &idx, "texels", "least texel of the node that is not behind the ray");
+        let high = b.input(&format!("{axis}_high"), &idx, "texels", "greatest texel of the node that is not behind the ray");
+        let e = b.input(&format!("{axis}_hit"), &idx, "texels", "predicted hit");
+        axes.push((axis, low, high, e));
+    }
+    let out = b.output("level_down", &level_w, "levels", "level after the descent");
+    let outs: Vec<usize> = axes
+        .iter()
+        .map(|a| b.output(&format!("{}_down", a.0), &idx, "texels", "predicted hit, kept between the two"))
+        .collect();
+
+    let one = b.lit(1, &level_w);
+    let next = match crossed {
+        None => level - one,
+        Some(crossed) => {
+            // LEVELS may be less than levels_down at other parameter values, so the count is compared, not assumed.
+            let count = b.lit(many, level_w.clone() + 3).named("count");
+            let wide = level.zext(level_w.clone() + 3);
+            let jump = ((!crossed) & !wide.lt(count)).named("jump");
+            let few = (wide - count).named("jumped");
+            b.unused(few.slice(level_w.clone(), 3));
+            jump.mux(few.slice(0, &level_w), level - one)
+        }
+    };
+    b.drive(out, next.named("next_level"), None);
+    for ((axis, low, high, e), out) in axes.into_iter().zip(outs) {
+        b.drive(out, clamp(e, low, high, axis), None);
+    }
+    b.finish(Some(0), &bindings())
+}
+
+fn clamp<'b>(e: Sig<'b>, low: Sig<'b>, high: Sig<'b>, axis: &str) -> Sig<'b> {
+    let before = e.slt(low).named(&format!("{axis}_before"));
+    let behind = high.slt(e).named(&format!("{axis}_behind"));
+    before.mux(low, behind.mux(high, e)).named(&format!("{axis}_child"))
+}

@@ -1,0 +1,38 @@
+//! Parameters that the traversal's units share.
+use crate::config::TraverseConfig;
+use crate::ir::{Binding, Builder, Expr};
+
+/// LEVELS, with the width of a level number.
+pub struct LevelParams {
+    /// LEVELS: log2 of the map's side.
+    pub levels: Expr,
+    /// Bits of a level number.
+    pub level_w: Expr,
+}
+
+impl LevelParams {
+    /// Declares LEVELS and what it may be.
+    pub fn declare(b: &Builder, t: &TraverseConfig) -> Self {
+        let levels = b.param("LEVELS", t.levels, "the map has 2^LEVELS x 2^LEVELS texels");
+        b.require(2, &levels);
+        b.require(&levels, 12);
+        let level_w = b.local("LevelW", (&levels + 1).clog2());
+        Self { levels, level_w }
+    }
+}
+
+/// Declares IDX_W, the width of a signed, unwrapped texel coordinate.
+pub fn index_width(b: &Builder, t: &TraverseConfig, levels: Option<&Expr>) -> Expr {
+    let idx = b.param("IDX_W", t.idx_bits(), "bits of a signed, unwrapped texel coordinate");
+    if let Some(l) = levels {
+        b.require(l + 2, &idx);
+    }
+    b.require(&idx, 24);
+    idx
+}
+
+/// Parameter values at which the integer units are verified besides their defaults.
+pub fn bindings() -> Vec<Binding> {
+    let at = |l: i64| Binding::from([("LEVELS".into(), l), ("IDX_W".into(), l + 6), ("HEIGHT_W".into(), 8)]);
+    (2..=12).map(at).collect()
+}

@@ -1,0 +1,34 @@
+//! `predicted_hit`: the texel coordinate, along one axis, that the ray has reached at parameter m; never ahead of it.
+//!
+//! The entry point that comes in is biased backwards by more than the estimate can err (`docs/datapath.md`).
+use super::params::index_width;
+use crate::config::{Design, LatencyConfig};
+use crate::ir::{Builder, Module};
+use crate::units::float::{FormatParams, bindings, fp_add, fp_mul, fp_to_int};
+use std::sync::Arc;
+
+/// Clocks through `predicted_hit`.
+pub fn latency(l: &LatencyConfig) -> u32 {
+    l.mul + l.add + l.to_int
+}
+
+/// Builds `predicted_hit`.
+pub fn predicted_hit(d: &Design) -> Arc<Module> {
+    let b = Builder::new("predicted_hit", file!(), "texel coordinate reached at parameter m: floor(p_back + d * m)");
+    let f = FormatParams::declare(&b, d.format);
+    let idx = index_width(&b, &d.traverse, None);
+    b.require(2, &idx);
+    b.clock();
+    b.clock_enable();
+    let p = b.input("p_back", &f.width, "float, texels", "entry point, biased backwards");
+    let dir = b.input("d", &f.width, "float, texels per height code", "direction");
+    let m = b.input("m", &f.width, "float, height codes", "parameter");
+    let out = b.output("e", &idx, "texels", "signed coordinate");
+    let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", m)])[0].named("way");
+    let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)])[0].named("position");
+    let to = fp_to_int(d.format, d.traverse.idx_bits(), d.latency.to_int);
+    let e = b.inst(&to, "u_to_int", &[("INT_W", idx)], &[("a", pos)])[0].named("texel");
+    let l = latency(&d.latency);
+    b.drive(out, e, Some(l));
+    b.finish(Some(l), &bindings())
+}

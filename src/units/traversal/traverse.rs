@@ -1,0 +1,149 @@
+//! `traverse`: the looping pipeline (PIDM-HW section 4.2, figure 7).
+//!
+//! A ray is set up once, then goes round the loop, one node an iteration, one iteration a clock. A slot that is free, or
+//! whose ray has just left, takes the next ray. A ray that is done goes round unchanged until it can leave, so
+//! back-pressure stops neither the others nor loses anything. The number of stages follows from the latencies.
+use super::loop_state::{Ray, Sizes};
+use super::stream_delay::{stream_delay, valid_delay, word_delay};
+use super::*;
+use crate::config::Design;
+use crate::ir::{Binding, Builder, Module, Sig};
+use std::sync::Arc;
+
+/// The traverse unit and what its schedule came out at.
+pub struct Traverse {
+    /// The top module.
+    pub module: Arc<Module>,
+    /// Slots of the loop: stages that an iteration passes.
+    pub slots: u32,
+    /// Clocks from a ray's acceptance to the loop.
+    pub setup: u32,
+    /// Clocks from the loop to the output.
+    pub finish: u32,
+}
+
+/// Builds `traverse`.
+pub fn traverse(d: &Design) -> Traverse {
+    let b =
+        Builder::new("traverse", file!(), "traces rays against a height field: a looping pipeline, one node a clock");
+    b.throughput("one iteration (one node) per clock; a ray takes as many iterations as its path needs");
+    let s = Sizes::declare(&b, d);
+    b.clock();
+    b.reset();
+    let load = Load {
+        en: b.input_static("load_en", 1, "bit", "write a word of the pyramid (while no ray is inside)"),
+        addr: b.input_static("load_addr", s.levels.clone() * 2 + 1, "words", "where: level 0 first, the root last"),
+        data: b.input_static("load_data", &s.height, "height codes", "largest height in that node"),
+    };
+    let in_valid = b.input("in_valid", 1, "bit", "a ray is offered");
+    let o_in_ready = b.output("in_ready", 1, "bit", "it is taken at the next edge");
+    let in_tag = b.input("in_tag", &s.tag, "bits", "comes back with the result");
+    let u = b.input("in_u", &s.f.width, "float, tiles", "entry point at the top plane, 0 <= u < 1");
+    let v = b.input("in_v", &s.f.width, "float, tiles", "entry point at the top plane, 0 <= v < 1");
+    let du = b.input("in_du", &s.f.width, "float, tiles", "u travelled while the height falls from 1 to 0");
+    let dv = b.input("in_dv", &s.f.width, "float, tiles", "v travelled while the height falls from 1 to 0");
+    let o_valid = b.output("out_valid", 1, "bit", "a result is offered");
+    let out_ready = b.input_static("out_ready", 1, "bit", "it is taken at the next edge");
+    let o = Outputs::declare(&b, &s);
+    let o_busy = b.output("slot_busy", 1, "bit", "the slot that starts now holds a ray: counts the loop's load");
+
+    // The state registers are declared first; what they hold is decided at the end of the loop.
+    let back = Ray::registers(&b, &s, d);
+    let clocks_setup = super::ray_setup::latency(d);
+    let clocks_hit = super::hit_position::latency(&d.latency);
+
+    b.section("leave", "A ray that is done leaves when the output pipeline moves.");
+    let hit_valid = b.wire("hit_valid", 1);
+    let hit_ce = (!hit_valid | out_ready).unstaged().named("hit_ce");
+    let leaves = (back.valid & back.done & hit_ce).named("leaves");
+    let is_free = (!back.valid | leaves).named("is_free");
+
+    b.section("set up", "The setup pipeline holds while its ray finds no free slot.");
+    let setup_valid = b.wire("setup_valid", 1);
+    let setup_ce = (!setup_valid | is_free).unstaged().named("setup_ce");
+    let module = ray_setup(d);
+    let ins = [("u", u), ("v", v), ("du", du), ("dv", dv), ("ce", setup_ce)];
+    let setup = b.inst(&module, "u_setup", &[], &ins);
+    let names = ["ok", "level", "p_x", "pb_x", "d_x", "r_x", "never_x", "neg_x", "first_x"].into_iter();
+    let names = names.chain(["p_y", "pb_y", "d_y", "r_y", "never_y", "neg_y", "first_y"]);
+    let setup: Vec<Sig<'_>> =
+        setup.into_iter().zip(names).map(|(x, n)| x.restage(0).named(&format!("new_{n}"))).collect();
+    let track = stream_delay("setup_delay", clocks_setup, d.traverse.tag_bits);
+    let ins = [("in_valid", in_valid), ("in_data", in_tag), ("ce", setup_ce)];
+    let o_track = b.inst(&track, "u_setup_delay", &[("W", s.tag.clone())], &ins);
+    b.connect(setup_valid, o_track[0].restage(0).named("setup_tracked"));
+    let new_tag = o_track[1].restage(0).named("new_tag");
+    b.drive(o_in_ready, setup_ce, None);
+    let admits = (setup_valid & is_free).named("admits");
+
+    b.section("slot", "The new ray, or the one that comes back.");
+    let new = Ray::fresh(&b, &s, d, &setup, new_tag);
+    let ray = back.or_new(admits, &new, (back.valid & !leaves) | admits);
+    b.drive(o_busy, ray.valid, None);
+
+    let next = super::iteration::iteration(&b, &s, d, &ray, &load);
+    let slots = b.close(&back.pairs(&next));
+
+    b.section("result", "The ray that leaves, from the state registers.");
+    let hit = hit_position(d);
+    let mut fractions = Vec::new();
+    for (axis, p, dir, at) in [("u", back.p_x, back.d_x, back.x), ("v", back.p_y, back.d_y, back.y)] {
+        let ins = [("p", p), ("d", dir), ("t", back.t), ("x", at), ("ce", hit_ce)];
+        let f = b.inst(&hit, &format!("u_hit_{axis}"), &[("IDX_W", s.idx.clone())], &ins)[0];
+        fractions.push(f.unstaged().named(&format!("hit_f{axis}")));
+    }
+    let (i, j) = (back.x.slice(0, &s.levels), back.y.slice(0, &s.levels));
+    let parts = [back.tag, i, j, back.t, back.wall, back.limit, back.steps, back.crossings, back.ups];
+    let mut outs = Vec::new();
+    for (part, name) in parts.iter().zip(Outputs::CARRIED) {
+        let delay = word_delay("hit_delay", clocks_hit, 1);
+        let ins = [("in_data", *part), ("ce", hit_ce)];
+        let r = b.inst(&delay, &format!("u_hit_{name}"), &[("W", part.width())], &ins);
+        outs.push(r[0].unstaged().named(&format!("hit_{name}")));
+    }
+    let delay = valid_delay("hit_valid_delay", clocks_hit);
+    let r = b.inst(&delay, "u_hit_valid", &[], &[("in_valid", leaves), ("ce", hit_ce)]);
+    b.connect(hit_valid, r[0].unstaged().named("hit_tracked"));
+    b.drive(o_valid, hit_valid, None);
+    o.drive(&b, &outs, &fractions);
+    let at = |l: i64, h: i64| Binding::from([("LEVELS".into(), l), ("HEIGHT_W".into(), h)]);
+    let module = b.finish(None, &[at(2, 8), at(3, 16), at(12, 8), at(12, 16)]);
+    Traverse { module, slots, setup: clocks_setup, finish: clocks_hit }
+}
+
+/// The load port.
+pub(super) struct Load<'b> {
+    pub en: Sig<'b>,
+    pub addr: Sig<'b>,
+    pub data: Sig<'b>,
+}
+
+/// Output ports of a result.
+struct Outputs {
+    carried: [usize; 9],
+    fractions: [usize; 2],
+}
+
+impl Outputs {
+    const CARRIED: [&'static str; 9] = ["tag", "i", "j", "t", "wall", "limit", "steps", "crossings", "ups"];
+
+    fn declare(b: &Builder, s: &Sizes) -> Self {
+        let tag = b.output("out_tag", &s.tag, "bits", "tag of the ray");
+        let i = b.output("out_i", &s.levels, "texels", "hit texel, column (u)");
+        let j = b.output("out_j", &s.levels, "texels", "hit texel, row (v)");
+        let fu = b.output("out_fu", &s.frac, "1/2^FRAC_W texel", "position in the texel along u");
+        let fv = b.output("out_fv", &s.frac, "1/2^FRAC_W texel", "position in the texel along v");
+        let t = b.output("out_t", &s.f.width, "float, height codes", "ray parameter: 0 at the top plane");
+        let wall = b.output("out_wall", 1, "bit", "the hit is on the side of a texel");
+        let limit = b.output("out_limit", 1, "bit", "given up: STEP_LIMIT reached, or not a ray (steps 0)");
+        let steps = b.output("out_steps", 16, "iterations", "nodes visited");
+        let crossings = b.output("out_crossings", 16, "iterations", "of these, node crossings");
+        let ups = b.output("out_ups", 16, "levels", "levels gone up");
+        Self { carried: [tag, i, j, t, wall, limit, steps, crossings, ups], fractions: [fu, fv] }
+    }
+
+    fn drive(&self, b: &Builder, carried: &[Sig<'_>], fractions: &[Sig<'_>]) {
+        self.carried.iter().zip(carried).for_each(|(p, v)| b.drive(*p, *v, None));
+        self.fractions.iter().zip(fractions).for_each(|(p, v)| b.drive(*p, *v, None));
+    }
+}
