@@ -3,3 +3,4 @@ pub mod config;
 pub mod error;
 pub mod format;
 pub mod golden;
+pub mod oracle;
