@@ -175,9 +175,8 @@ impl Golden {
         if inside {
             it.decision = Decision::Descend;
             it.next_level = k - descend_levels(self.design.mode.levels_down, k, s.crossed);
-            // The child is one of this node's, whatever the estimate says.
-            it.next_x = e_x.clamp(s.x & !mask, s.x | mask);
-            it.next_y = e_y.clamp(s.y & !mask, s.y | mask);
+            it.next_x = descend(&setup.u, s.x, mask, e_x);
+            it.next_y = descend(&setup.v, s.y, mask, e_y);
             return it;
         }
         // x goes first on a tie.
@@ -231,6 +230,14 @@ struct State {
     crossed: bool,
     /// The last iteration crossed.
     prev: bool,
+}
+
+/// The texel to go on from inside the node of `x`: the estimate, but still in the node, and never before `x`.
+///
+/// The estimate may lie behind a plane that was crossed already. Going back there would cost steps on an axis that moves,
+/// could repeat for ever when each crossing goes a level up, and on an axis that never crosses would be wrong for good.
+fn descend(axis: &Axis, x: i64, mask: i64, e: i64) -> i64 {
+    if axis.neg { e.clamp(x & !mask, x) } else { e.clamp(x, x | mask) }
 }
 
 /// The texel behind plane `b`, seen along the ray.

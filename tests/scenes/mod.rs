@@ -164,39 +164,35 @@ impl Rays {
         self.sign()
     }
 
-    fn encode(&self, x: f64) -> u64 {
-        reliefrtl::golden::float::from_f64(self.fmt, x)
-    }
-
     fn entry(&mut self) -> u64 {
-        let p = self.encode(self.rng.random_range(0.0..1.0));
+        let p = encode(self.fmt, self.rng.random_range(0.0..1.0));
         // What rounds up to 1 is the largest number below it instead.
-        p.min(self.encode(1.0) - 1)
+        p.min(encode(self.fmt, 1.0) - 1)
     }
 
     fn travel(&mut self) -> u64 {
         let scale = 0.5f64.powi(self.rng.random_range(0..6));
-        self.encode(self.rng.random_range(-1.0..1.0) * scale)
+        encode(self.fmt, self.rng.random_range(-1.0..1.0) * scale)
     }
 
     /// A multiple of a power of two no finer than an eighth of a texel.
     fn lattice_entry(&mut self) -> u64 {
         let k = self.rng.random_range(0..=(self.n + 3).min(self.fmt.man + 1));
-        self.encode(f64::from(self.rng.random_range(0..1u32 << k)) * 0.5f64.powi(k as i32))
+        encode(self.fmt, f64::from(self.rng.random_range(0..1u32 << k)) * 0.5f64.powi(k as i32))
     }
 
     fn lattice_travel(&mut self) -> u64 {
         let k = self.rng.random_range(0..=self.n + 3);
         let most = (1i32 << self.rng.random_range(0..=(k + self.tile).min(self.fmt.man))) - 1;
-        self.encode(f64::from(self.rng.random_range(-most..=most)) * 0.5f64.powi(k as i32))
+        encode(self.fmt, f64::from(self.rng.random_range(-most..=most)) * 0.5f64.powi(k as i32))
     }
 
     fn border(&mut self) -> u64 {
         let texel = self.rng.random_range(0..1u64 << self.n) as f64;
-        let p = self.encode(texel * 0.5f64.powi(self.n as i32)).min(self.encode(1.0) - 1);
+        let p = encode(self.fmt, texel * 0.5f64.powi(self.n as i32)).min(encode(self.fmt, 1.0) - 1);
         let aside = self.rng.random_range(-3i64..=3).max(-(p as i64));
         // A code just below the smallest normal number reads as zero, which is a border too.
-        ((p as i64 + aside) as u64).min(self.encode(1.0) - 1)
+        ((p as i64 + aside) as u64).min(encode(self.fmt, 1.0) - 1)
     }
 
     fn small(&mut self) -> u64 {
@@ -212,4 +208,8 @@ impl Rays {
             self.with_exponent(field)
         }
     }
+}
+
+fn encode(fmt: FloatFormat, x: f64) -> u64 {
+    reliefrtl::golden::float::from_f64(fmt, x)
 }
