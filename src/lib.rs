@@ -6,5 +6,6 @@ pub mod format;
 pub mod golden;
 pub mod interp;
 pub mod ir;
+pub mod oracle;
 pub mod units;
 pub mod verilog;

@@ -5,10 +5,12 @@
 pub mod float;
 mod level;
 mod pyramid;
+mod record;
 mod setup;
 mod traverse;
 
 pub use level::{Crossing, descend_levels, level_up, start_level};
 pub use pyramid::{Pyramid, address};
+pub use record::{Decision, Iteration, RayHit};
 pub use setup::{Axis, RayInput, Setup};
-pub use traverse::{Decision, Golden, Iteration, RayHit};
+pub use traverse::Golden;

@@ -2,6 +2,7 @@
 use super::float;
 use super::level::{Crossing, descend_levels, level_up};
 use super::pyramid::Pyramid;
+use super::record::{Decision, Iteration, RayHit};
 use super::setup::{Axis, RayInput, Setup, power_of_two};
 use crate::config::Design;
 use crate::error::{Error, Result};
@@ -22,85 +23,6 @@ pub struct Golden {
     pub(super) bottom: u64,
     /// C = 1 / M, encoded.
     pub(super) inv_bottom: u64,
-}
-
-/// What the unit returns for a ray.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct RayHit {
-    /// Texel along u, 0 to 2^n - 1.
-    pub i: u32,
-    /// Texel along v.
-    pub j: u32,
-    /// Position inside the texel along u, in units of 2^-FRAC_W.
-    pub fu: u32,
-    /// Position inside the texel along v.
-    pub fv: u32,
-    /// Ray parameter in height codes, encoded.
-    pub t: u64,
-    /// The ray met a side wall of the texel, not its top.
-    pub wall: bool,
-    /// No hit: the ray was invalid (then all else is 0) or was given up at the step limit.
-    pub limit: bool,
-    /// Iterations.
-    pub steps: u32,
-    /// Iterations that crossed.
-    pub crossings: u32,
-    /// Crossings that went a level up.
-    pub ups: u32,
-}
-
-/// What an iteration does.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Decision {
-    /// The ray ends in this texel.
-    Hit,
-    /// The ray meets the node's top inside: look closer.
-    Descend,
-    /// The ray leaves the node through a plane of constant u.
-    CrossX,
-    /// The ray leaves the node through a plane of constant v.
-    CrossY,
-}
-
-/// Everything an iteration reads and computes. Parameters `t`.. and `m` are encoded height codes, texels are unwrapped.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Iteration {
-    /// Level of the node.
-    pub level: u32,
-    /// Texel along u.
-    pub x: i64,
-    /// Texel along v.
-    pub y: i64,
-    /// Ray parameter on entry.
-    pub t: u64,
-    /// H: the node's maximum height code.
-    pub height: u32,
-    /// Parameter where the ray meets the node's top.
-    pub t_v: u64,
-    /// Plane of constant u by which the ray can leave, in texels.
-    pub b_x: i64,
-    /// As `b_x`, along v.
-    pub b_y: i64,
-    /// Parameter at plane `b_x`.
-    pub t_x: u64,
-    /// Parameter at plane `b_y`.
-    pub t_y: u64,
-    /// The larger of `t` and `t_v`.
-    pub m: u64,
-    /// Biased estimate of the texel at `m`, along u.
-    pub e_x: i64,
-    /// As `e_x`, along v.
-    pub e_y: i64,
-    /// What follows.
-    pub decision: Decision,
-    /// Level after the iteration.
-    pub next_level: u32,
-    /// Texel along u after the iteration.
-    pub next_x: i64,
-    /// Texel along v after the iteration.
-    pub next_y: i64,
-    /// Ray parameter after the iteration; of a hit, the hit's.
-    pub next_t: u64,
 }
 
 impl Golden {
@@ -253,9 +175,8 @@ impl Golden {
         if inside {
             it.decision = Decision::Descend;
             it.next_level = k - descend_levels(self.design.mode.levels_down, k, s.crossed);
-            // The child is one of this node's, whatever the estimate says.
-            it.next_x = e_x.clamp(s.x & !mask, s.x | mask);
-            it.next_y = e_y.clamp(s.y & !mask, s.y | mask);
+            it.next_x = descend(&setup.u, s.x, mask, e_x);
+            it.next_y = descend(&setup.v, s.y, mask, e_y);
             return it;
         }
         // x goes first on a tie.
@@ -309,6 +230,14 @@ struct State {
     crossed: bool,
     /// The last iteration crossed.
     prev: bool,
+}
+
+/// The texel to go on from inside the node of `x`: the estimate, but still in the node, and never before `x`.
+///
+/// The estimate may lie behind a plane that was crossed already. Going back there would cost steps on an axis that moves,
+/// could repeat for ever when each crossing goes a level up, and on an axis that never crosses would be wrong for good.
+fn descend(axis: &Axis, x: i64, mask: i64, e: i64) -> i64 {
+    if axis.neg { e.clamp(x & !mask, x) } else { e.clamp(x, x | mask) }
 }
 
 /// The texel behind plane `b`, seen along the ray.
