@@ -1,3 +1,74 @@
 //! The configuration: one description of the design, the input and the vectors.
+//!
+//! A [`Config`] comes from its defaults, a TOML file ([`Config::load`]) and `--set key=value` ([`Config::apply_set`]), in this order.
+//! Both check names, types and ranges where the place of the mistake is still known; what holds between keys is
+//! checked once by [`Config::validate`].
+mod check;
+mod commented;
 mod design;
+mod input;
+pub mod keys;
+mod source;
+mod validate;
+
 pub use design::{Design, LatencyConfig, LevelUp, ModeConfig, TraverseConfig};
+pub use input::{
+    EmitConfig, FormatConfig, Generator, MapConfig, MapKind, NanRule, Rounding, Subnormals, VectorsConfig, View,
+    ViewConfig,
+};
+
+use serde::{Deserialize, Serialize};
+
+/// The complete configuration; every key has a default.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Config {
+    /// Number format of the datapath.
+    pub format: FormatConfig,
+    /// Sizes of the traverse unit.
+    pub traverse: TraverseConfig,
+    /// Choices of the traversal.
+    pub mode: ModeConfig,
+    /// Clocks of each kind of unit.
+    pub latency: LatencyConfig,
+    /// The height map.
+    pub map: MapConfig,
+    /// The views whose rays are traced.
+    pub view: ViewConfig,
+    /// How many vectors, and their seed.
+    pub vectors: VectorsConfig,
+    /// What the emitted files look like.
+    pub emit: EmitConfig,
+}
+
+impl Config {
+    /// What shapes the hardware; maps, views and vectors left out.
+    pub fn design(&self) -> Design {
+        Design { format: self.format.float(), traverse: self.traverse, mode: self.mode, latency: self.latency }
+    }
+
+    /// Twelve hex digits that name this configuration: blake3 of its canonical JSON.
+    ///
+    /// Only the file name of `map.file` counts, so that the same project gives the same digits in any directory.
+    pub fn hash(&self) -> String {
+        let mut canonical = self.clone();
+        canonical.map.file = self.map.file.as_ref().and_then(|path| path.file_name()).map(Into::into);
+        let json = serde_json::to_string(&canonical).expect("a configuration is plain data");
+        blake3::hash(json.as_bytes()).to_hex()[..12].to_owned()
+    }
+
+    /// The JSON schema of the TOML file, with the legal ranges.
+    pub fn schema() -> serde_json::Value {
+        let mut schema = serde_json::to_value(schemars::schema_for!(Self)).expect("a schema is plain data");
+        for key in keys::KEYS {
+            let (section, name) = key.split();
+            let reference = schema["properties"][section]["$ref"].as_str().unwrap_or_default();
+            let place = format!("{}/properties/{name}", reference.trim_start_matches('#'));
+            // schemars writes a section with a description of its own as a $ref beside that description.
+            if let Some(serde_json::Value::Object(entry)) = schema.pointer_mut(&place) {
+                key.legal.describe(entry);
+            }
+        }
+        schema
+    }
+}

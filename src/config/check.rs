@@ -1,0 +1,103 @@
+//! One value against what its key accepts, as a sentence.
+use super::keys::{Key, Legal};
+use toml::Value;
+
+/// What is wrong with `value` for `key`; `None` if nothing is.
+///
+/// The sentence names the key, the value and what is legal; the caller adds where it stands.
+pub(super) fn problem(key: &Key, value: &Value) -> Option<String> {
+    let path = key.path;
+    let legal = key.legal;
+    let shown = show(value);
+    match (legal, value) {
+        (Legal::Whole(low, high), Value::Integer(number)) => range(path, &shown, legal, *number < low, *number > high),
+        (Legal::Whole(..), _) => Some(format!("{path} = {shown} is not a whole number: {legal} are legal")),
+        (Legal::Real(low, high), Value::Integer(number)) => {
+            let number = *number as f64;
+            range(path, &shown, legal, number < low, number > high)
+        }
+        (Legal::Real(low, high), Value::Float(number)) if !number.is_nan() => {
+            range(path, &shown, legal, *number < low, *number > high)
+        }
+        (Legal::Real(..), _) => Some(format!("{path} = {shown} is not a number: {legal} are legal")),
+        (Legal::Flag, Value::Boolean(_)) | (Legal::Path, Value::String(_)) => None,
+        (Legal::Flag, _) => Some(format!("{path} = {shown} is neither true nor false")),
+        (Legal::Path, _) => Some(format!("{path} = {shown} is not a path in quotes")),
+        (Legal::Word(words), Value::String(word)) => word_problem(path, word, words),
+        (Legal::Word(_), _) => Some(format!("{path} = {shown} is not one of {legal}")),
+        (Legal::Words(words), Value::Array(list)) => words_problem(path, list, words),
+        (Legal::Words(_), _) => Some(format!("{path} = {shown} is not a list in brackets of {legal}")),
+        (Legal::Prefix, Value::String(text)) if is_prefix(text) => None,
+        (Legal::Prefix, _) => Some(format!("{path} = {shown} can't start a Verilog name: {legal}")),
+    }
+}
+
+fn range(path: &str, shown: &str, legal: Legal, below: bool, above: bool) -> Option<String> {
+    let side = match (below, above) {
+        (true, _) => "small",
+        (_, true) => "large",
+        _ => return None,
+    };
+    // One legal value reads as "is", a range as "are"; there are only ranges today.
+    Some(format!("{path} = {shown} is too {side}: {legal} are legal"))
+}
+
+fn word_problem(path: &str, word: &str, words: &[&str]) -> Option<String> {
+    if words.contains(&word) {
+        return None;
+    }
+    let list = words.join(", ");
+    let near = words.iter().rev().max_by(|a, b| similarity(word, a).total_cmp(&similarity(word, b)))?;
+    // A guess that shares next to nothing with what was typed only distracts.
+    let guess = if similarity(word, near) > 0.4 && words.len() > 1 {
+        format!("; did you mean {near:?}?")
+    } else {
+        String::new()
+    };
+    let one_of = if words.len() == 1 { "" } else { "one of " };
+    Some(format!("{path} = {word:?} is not {one_of}{list}{guess}"))
+}
+
+fn similarity(a: &str, b: &str) -> f64 {
+    strsim::normalized_damerau_levenshtein(a, b)
+}
+
+fn words_problem(path: &str, list: &[Value], words: &[&str]) -> Option<String> {
+    if list.is_empty() {
+        return Some(format!("{path} is empty: at least one of {} is needed", words.join(", ")));
+    }
+    let mut seen = Vec::new();
+    for value in list {
+        let Value::String(word) = value else {
+            return Some(format!("{path} holds {}, which is not one of {}", show(value), words.join(", ")));
+        };
+        if let Some(problem) = word_problem(path, word, words) {
+            return Some(problem);
+        }
+        if seen.contains(&word) {
+            return Some(format!("{path} names {word:?} twice: once is enough"));
+        }
+        seen.push(word);
+    }
+    None
+}
+
+fn is_prefix(text: &str) -> bool {
+    text.len() <= 32
+        && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+        && !text.starts_with(|c: char| c.is_ascii_digit())
+}
+
+/// A value as it would stand in the file, cut if it is long.
+pub(super) fn show(value: &Value) -> String {
+    let text = match value {
+        Value::String(text) => format!("{text:?}"),
+        Value::Float(number) => format!("{number}"),
+        other => other.to_string(),
+    };
+    let mut line = text.replace('\n', " ");
+    if line.chars().count() > 60 {
+        line = line.chars().take(57).chain("...".chars()).collect();
+    }
+    line
+}

@@ -1,0 +1,35 @@
+//! The configuration as a TOML file that explains itself.
+use super::Config;
+use super::keys::{KEYS, Legal, SECTIONS};
+use std::fmt::Write;
+
+impl Config {
+    /// The complete configuration with a comment above every key: meaning and legal values. It reads back as the same
+    /// configuration. A key without a value (`map.file`) is shown as a comment.
+    ///
+    /// # Panics
+    /// If a seed is above 2^63 - 1, which [`Config::validate`] refuses.
+    pub fn to_commented_toml(&self) -> String {
+        let table = self.table().expect("a valid configuration can be written");
+        let mut text = String::from(
+            "# Configuration of reliefrtl. Every key is optional; what is missing has the default value.\n",
+        );
+        for (section, heading) in SECTIONS {
+            // Writing to a string can't fail, here and below.
+            let _ = write!(text, "\n# {heading}\n[{section}]\n");
+            for key in KEYS.iter().filter(|key| key.split().0 == *section) {
+                let name = key.split().1;
+                let _ = match key.legal {
+                    Legal::Flag | Legal::Path => writeln!(text, "# {}.", key.about),
+                    legal => writeln!(text, "# {}: {legal}.", key.about.replace(':', ",")),
+                };
+                let value = table.get(*section).and_then(|entries| entries.get(name));
+                let _ = match value {
+                    Some(value) => writeln!(text, "{name} = {value}"),
+                    None => writeln!(text, "# {name} = \"map.png\""),
+                };
+            }
+        }
+        text
+    }
+}

@@ -1,0 +1,219 @@
+//! The sections of the configuration that do not shape the hardware, and the named choices of the number format.
+use crate::format::FloatFormat;
+use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
+
+/// How results are rounded.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Rounding {
+    /// To the nearest number, ties to the even one.
+    #[default]
+    NearestEven,
+}
+
+/// What becomes of numbers below the smallest normal one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Subnormals {
+    /// Zero of their sign, as operand and as result.
+    #[default]
+    Flush,
+}
+
+/// Which NaN comes out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum NanRule {
+    /// One: sign 0, top fraction bit 1, rest 0.
+    #[default]
+    Canonical,
+}
+
+/// The number format, and its policies by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct FormatConfig {
+    /// EXP_W: exponent bits; 2 to 8.
+    pub exp: u32,
+    /// MAN_W: fraction bits, the hidden one not counted; 2 to 23 (the traverse unit needs 7).
+    pub man: u32,
+    /// Rounding.
+    pub rounding: Rounding,
+    /// Numbers below the smallest normal one.
+    pub subnormals: Subnormals,
+    /// The NaN of results.
+    pub nan: NanRule,
+}
+
+impl FormatConfig {
+    /// The format's two widths.
+    pub const fn float(&self) -> FloatFormat {
+        FloatFormat::new(self.exp, self.man)
+    }
+}
+
+impl Default for FormatConfig {
+    fn default() -> Self {
+        Self {
+            exp: FloatFormat::FP24.exp,
+            man: FloatFormat::FP24.man,
+            rounding: Rounding::NearestEven,
+            subnormals: Subnormals::Flush,
+            nan: NanRule::Canonical,
+        }
+    }
+}
+
+/// A number of words, each with its name in the TOML file.
+macro_rules! words {
+    ($type:ident: $($variant:ident = $word:literal),+ $(,)?) => {
+        impl $type {
+            /// All, in the order of the documentation.
+            pub const ALL: &'static [Self] = &[$(Self::$variant),+];
+            /// Their words in the TOML file, in the same order.
+            pub const WORDS: &'static [&'static str] = &[$($word),+];
+            /// The word in the TOML file and on the command line.
+            pub const fn word(self) -> &'static str {
+                match self { $(Self::$variant => $word),+ }
+            }
+        }
+        impl std::fmt::Display for $type {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str(self.word())
+            }
+        }
+        impl std::str::FromStr for $type {
+            type Err = crate::error::Error;
+            fn from_str(word: &str) -> crate::error::Result<Self> {
+                Self::ALL.iter().copied().find(|one| one.word() == word).ok_or_else(|| {
+                    crate::error::Error::input(format!("{word:?} is not one of {}", Self::WORDS.join(", ")))
+                })
+            }
+        }
+    };
+}
+
+/// Where the height map comes from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum MapKind {
+    /// Rounded stones of several sizes with rough faces.
+    #[default]
+    Rocks,
+    /// A wall of bricks in running bond, with mortar.
+    Bricks,
+    /// Asymmetric wind ripples.
+    Dunes,
+    /// A field of cones.
+    Spikes,
+    /// Terraces that wind up a square tower.
+    Stairs,
+    /// Everything at mid height.
+    Flat,
+    /// One texel at full height, the rest at 0.
+    Spike,
+    /// One texel at 0, the rest at full height.
+    Pit,
+    /// Texels alternate between 0 and full height.
+    Checker,
+    /// The image `map.file`.
+    File,
+}
+words!(MapKind: Rocks = "rocks", Bricks = "bricks", Dunes = "dunes", Spikes = "spikes", Stairs = "stairs", Flat = "flat",
+    Spike = "spike", Pit = "pit", Checker = "checker", File = "file");
+
+/// The height map and how it lies in the world.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct MapConfig {
+    /// A procedural map, or `file`.
+    pub kind: MapKind,
+    /// The image if `kind` is `file`; a relative path in a TOML file starts at that file's directory.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub file: Option<PathBuf>,
+    /// Seed of the procedural maps.
+    pub seed: u64,
+    /// Height of a full-height texel, in world units (the quad is 200 x 200); 0 to 1000.
+    pub scale: f64,
+    /// How many times the map repeats along each side of the quad; 1 to 64.
+    pub repeat: u32,
+    /// Whether an image of another size or depth may be resampled to 2^levels texels and height_bits bits.
+    pub resample: bool,
+}
+
+impl Default for MapConfig {
+    fn default() -> Self {
+        Self { kind: MapKind::Rocks, file: None, seed: 1, scale: 20.0, repeat: 1, resample: false }
+    }
+}
+
+/// The three standard views of the 200 x 200 quad.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum View {
+    /// From straight above.
+    Front,
+    /// 22 degrees above the plane.
+    Oblique,
+    /// 3 degrees above the plane.
+    Grazing,
+}
+words!(View: Front = "front", Oblique = "oblique", Grazing = "grazing");
+
+/// The pictures whose pixels give the rays.
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct ViewConfig {
+    /// Which views.
+    pub names: Vec<View>,
+    /// Width in pixels; 1 to 8192.
+    pub width: u32,
+    /// Height in pixels; 1 to 8192.
+    pub height: u32,
+    /// Every n-th pixel in each direction is traced; 1 to 256.
+    pub stride: u32,
+}
+
+impl Default for ViewConfig {
+    fn default() -> Self {
+        Self { names: View::ALL.to_vec(), width: 1024, height: 768, stride: 4 }
+    }
+}
+
+/// Where random bits come from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Generator {
+    /// ChaCha with 8 rounds: the same bits on every machine.
+    #[default]
+    Chacha8,
+}
+
+/// How many vectors are made, and from which random bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct VectorsConfig {
+    /// The generator's name.
+    pub generator: Generator,
+    /// The generator's seed.
+    pub seed: u64,
+    /// Vectors of each arithmetic unit; 1 to 1000000.
+    pub arithmetic: u32,
+    /// Rays of each view; 1 to 1000000.
+    pub rays: u32,
+}
+
+impl Default for VectorsConfig {
+    fn default() -> Self {
+        Self { generator: Generator::Chacha8, seed: 1, arithmetic: 2000, rays: 300 }
+    }
+}
+
+/// What the emitted files look like.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct EmitConfig {
+    /// Put before the name of every emitted module; empty, or a Verilog identifier.
+    pub prefix: String,
+}

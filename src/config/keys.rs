@@ -1,0 +1,164 @@
+//! Every key of the configuration in one table: its meaning, its legal values.
+//!
+//! The commented file, the schema's ranges, the checks and their sentences all come from here.
+use super::{MapKind, View};
+use std::fmt;
+
+/// What a key accepts.
+#[derive(Clone, Copy, Debug)]
+pub enum Legal {
+    /// A whole number, both ends included.
+    Whole(i64, i64),
+    /// A finite number, both ends included.
+    Real(f64, f64),
+    /// `true` or `false`.
+    Flag,
+    /// One of these words.
+    Word(&'static [&'static str]),
+    /// One or more of these words, none twice.
+    Words(&'static [&'static str]),
+    /// A path; the key may be absent.
+    Path,
+    /// Nothing, or a Verilog identifier of at most 32 characters.
+    Prefix,
+}
+
+impl fmt::Display for Legal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Whole(low, i64::MAX) => write!(f, "{low} to 2^63 - 1"),
+            Self::Whole(low, high) => write!(f, "{low} to {high}"),
+            Self::Real(low, high) => write!(f, "{low} to {high}"),
+            Self::Flag => f.write_str("true or false"),
+            Self::Word(words) | Self::Words(words) => f.write_str(&words.join(", ")),
+            Self::Path => f.write_str("a path"),
+            Self::Prefix => f.write_str("empty, or letters, digits and _ with no digit first, at most 32"),
+        }
+    }
+}
+
+impl Legal {
+    /// Adds the range to a JSON schema entry; types and words are there already.
+    pub(super) fn describe(&self, entry: &mut serde_json::Map<String, serde_json::Value>) {
+        match *self {
+            Self::Whole(low, high) => {
+                entry.insert("minimum".into(), low.into());
+                entry.insert("maximum".into(), high.into());
+            }
+            Self::Real(low, high) => {
+                entry.insert("minimum".into(), low.into());
+                entry.insert("maximum".into(), high.into());
+            }
+            Self::Words(_) => {
+                entry.insert("minItems".into(), 1.into());
+                entry.insert("uniqueItems".into(), true.into());
+            }
+            Self::Prefix => {
+                entry.insert("pattern".into(), "^([A-Za-z_][A-Za-z0-9_]{0,31})?$".into());
+            }
+            Self::Flag | Self::Word(_) | Self::Path => {}
+        }
+    }
+}
+
+/// One key.
+#[derive(Clone, Copy, Debug)]
+pub struct Key {
+    /// `section.name`.
+    pub path: &'static str,
+    /// What it means, for the comment above it.
+    pub about: &'static str,
+    /// What it accepts.
+    pub legal: Legal,
+}
+
+impl Key {
+    /// Section and name.
+    pub fn split(&self) -> (&'static str, &'static str) {
+        self.path.split_once('.').expect("every key stands in a section")
+    }
+}
+
+const fn key(path: &'static str, about: &'static str, legal: Legal) -> Key {
+    Key { path, about, legal }
+}
+
+/// The sections in the order of the file, with their headings.
+pub const SECTIONS: &[(&str, &str)] = &[
+    ("format", "Number format of the datapath: 1 sign bit, exp exponent bits, man fraction bits."),
+    ("traverse", "Sizes of the traverse unit; each is a Verilog parameter."),
+    ("mode", "Choices of the traversal. They change the number of steps, never the hit."),
+    ("latency", "Clocks from operand to result of each kind of unit; the pipelines rebalance around them."),
+    ("map", "The height map, and how it lies on the quad of 200 x 200 world units."),
+    ("view", "The pictures whose pixels give the rays."),
+    ("vectors", "Stimulus: how much, and from which random bits."),
+    ("emit", "What the emitted files look like."),
+];
+
+const CLOCKS: Legal = Legal::Whole(0, 16);
+const SEED: Legal = Legal::Whole(0, i64::MAX);
+
+/// Every key, in the order of the file.
+pub const KEYS: &[Key] = &[
+    key("format.exp", "EXP_W: exponent bits", Legal::Whole(2, 8)),
+    key("format.man", "MAN_W: fraction bits, the hidden one not counted; traversal needs 7", Legal::Whole(2, 23)),
+    key("format.rounding", "rounding: to nearest, ties to even", Legal::Word(&["nearest-even"])),
+    key(
+        "format.subnormals",
+        "numbers below the smallest normal one become zero of their sign",
+        Legal::Word(&["flush"]),
+    ),
+    key("format.nan", "one NaN comes out: sign 0, top fraction bit 1, rest 0", Legal::Word(&["canonical"])),
+    key("traverse.levels", "LEVELS: the map has 2^levels x 2^levels texels", Legal::Whole(2, 12)),
+    key("traverse.height_bits", "HEIGHT_W: bits of a height code; at most format.man + 1", Legal::Whole(2, 16)),
+    key("traverse.tile_bits", "TILE_W: a ray travels less than 2^tile_bits tiles along each axis", Legal::Whole(1, 8)),
+    key("traverse.frac_bits", "FRAC_W: fraction bits of the hit position inside its texel", Legal::Whole(1, 16)),
+    key("traverse.tag_bits", "TAG_W: bits of a ray's tag", Legal::Whole(1, 32)),
+    key("traverse.step_limit", "STEP_LIMIT: iterations after which a ray is given up", Legal::Whole(1, 65535)),
+    key("mode.start_level", "start at the lowest level whose node holds the whole ray, not at the root", Legal::Flag),
+    key("mode.levels_down", "levels per descent until the first crossing", Legal::Whole(1, 4)),
+    key(
+        "mode.level_up",
+        "when a crossing goes one level up",
+        Legal::Word(&["none", "tevs", "selective", "coherent", "always"]),
+    ),
+    key("latency.add", "fp_add, in clocks", CLOCKS),
+    key("latency.mul", "fp_mul, in clocks", CLOCKS),
+    key("latency.div", "fp_div, in clocks", Legal::Whole(0, 32)),
+    key("latency.compare", "fp_lt, in clocks", CLOCKS),
+    key("latency.from_int", "fp_from_int and fp_from_fixed, in clocks", CLOCKS),
+    key("latency.to_int", "fp_to_int and fp_to_fixed, in clocks", CLOCKS),
+    key("latency.decision", "level_decision and what stands before it, in clocks", Legal::Whole(1, 4)),
+    key("map.kind", "a procedural map, or file", Legal::Word(MapKind::WORDS)),
+    key("map.file", "the image if kind is file; relative to this file", Legal::Path),
+    key("map.seed", "seed of the procedural maps", SEED),
+    key("map.scale", "height of a full-height texel, in world units", Legal::Real(0.0, 1000.0)),
+    key("map.repeat", "how many times the map repeats along each side of the quad", Legal::Whole(1, 64)),
+    key("map.resample", "whether an image of another size or depth may be resampled to fit", Legal::Flag),
+    key("view.names", "which views", Legal::Words(View::WORDS)),
+    key("view.width", "width of the picture, in pixels", Legal::Whole(1, 8192)),
+    key("view.height", "height of the picture, in pixels", Legal::Whole(1, 8192)),
+    key("view.stride", "every n-th pixel in each direction is traced", Legal::Whole(1, 256)),
+    key("vectors.generator", "where random bits come from", Legal::Word(&["chacha8"])),
+    key("vectors.seed", "its seed", SEED),
+    key("vectors.arithmetic", "vectors of each arithmetic unit", Legal::Whole(1, 1_000_000)),
+    key("vectors.rays", "rays of each view", Legal::Whole(1, 1_000_000)),
+    key("emit.prefix", "put before the name of every emitted module", Legal::Prefix),
+];
+
+/// The key of this path.
+pub fn find(path: &str) -> Option<&'static Key> {
+    KEYS.iter().find(|key| key.path == path)
+}
+
+/// The known key nearest to a mistyped one; a right name in the wrong section counts almost as much as a near path.
+pub fn nearest(path: &str) -> &'static str {
+    let score = |key: &Key| {
+        let name = path.rsplit('.').next().unwrap_or(path);
+        let whole = strsim::normalized_damerau_levenshtein(path, key.path);
+        let last = 0.95 * strsim::normalized_damerau_levenshtein(name, key.split().1);
+        whole.max(last)
+    };
+    // The first of equals, so that the answer does not depend on the search's direction.
+    KEYS.iter().rev().max_by(|a, b| score(a).total_cmp(&score(b))).map_or("", |key| key.path)
+}

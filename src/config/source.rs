@@ -1,0 +1,171 @@
+//! Reading: a TOML file, and `--set`.
+use super::check;
+use super::keys::{self, Legal, SECTIONS};
+use super::{Config, validate};
+use crate::error::{Error, Result};
+use std::collections::HashMap;
+use std::path::Path;
+use toml::{Table, Value};
+
+impl Config {
+    /// Reads a TOML file over the defaults. Every key is optional; an unknown key, a wrong type or a value out of range
+    /// is an error that names file and line. A relative `map.file` starts at the file's directory.
+    ///
+    /// # Errors
+    /// [`Error::File`] if the file can't be read, [`Error::Input`] with all problems if its text is wrong.
+    pub fn load(path: impl AsRef<Path>) -> Result<Self> {
+        let path = path.as_ref();
+        let bytes = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
+        let name = path.display().to_string();
+        let text = String::from_utf8(bytes).map_err(|error| {
+            Error::input(format!(
+                "{name} is not UTF-8 text: the byte at offset {} is no part of it",
+                error.utf8_error().valid_up_to()
+            ))
+        })?;
+        let mut config = Self::from_toml(&text, &name)?;
+        if let (Some(file), Some(directory)) = (&config.map.file, path.parent()) {
+            config.map.file = Some(directory.join(file));
+        }
+        Ok(config)
+    }
+
+    /// As [`Config::load`], from text; `name` stands for the file in the sentences.
+    ///
+    /// # Errors
+    /// [`Error::Input`] with all problems.
+    pub fn from_toml(text: &str, name: &str) -> Result<Self> {
+        let lines = Lines::of(text, name)?;
+        let table: Table = toml::from_str(text).map_err(|error| syntax(text, name, &error))?;
+        let mut problems = Vec::new();
+        for (section, value) in &table {
+            if !SECTIONS.iter().any(|(known, _)| known == section) {
+                problems.push(unknown_section(section, value, &lines));
+                continue;
+            }
+            let Value::Table(entries) = value else {
+                let shown = check::show(value);
+                problems.push(format!(
+                    "{section} = {shown} is not a section: write [{section}] and its keys below ({})",
+                    lines.at(section)
+                ));
+                continue;
+            };
+            for (entry, value) in entries {
+                let path = format!("{section}.{entry}");
+                let place = lines.at(&path);
+                match keys::find(&path) {
+                    None => problems.push(unknown(&path, &place)),
+                    Some(key) => problems.extend(check::problem(key, value).map(|text| format!("{text} ({place})"))),
+                }
+            }
+        }
+        validate::report(problems)?;
+        // Everything below was checked above, so an error here is a key that the table describes wrongly.
+        toml::from_str(text).map_err(|error| syntax(text, name, &error))
+    }
+
+    /// Applies one `key.path=value` as given to `--set`. The value is TOML; a bare word is a string, and a list of words
+    /// may be written without brackets and quotes: `view.names=front,grazing`. An empty `map.file=` removes the file.
+    ///
+    /// # Errors
+    /// [`Error::Input`]: no `=`, an unknown key, a wrong type, a value out of range. The configuration is then unchanged.
+    pub fn apply_set(&mut self, assignment: &str) -> Result<()> {
+        let Some((path, text)) = assignment.split_once('=') else {
+            return Err(Error::input(format!("--set {assignment} has no value: write --set key=value")));
+        };
+        let (path, text) = (path.trim(), text.trim());
+        let key = keys::find(path).ok_or_else(|| Error::input(unknown(path, "--set")))?;
+        let mut table = self.table()?;
+        let (section, name) = key.split();
+        let Some(Value::Table(entries)) = table.get_mut(section) else {
+            unreachable!("every section is written");
+        };
+        if matches!(key.legal, Legal::Path) && text.is_empty() {
+            entries.remove(name);
+        } else {
+            let value = parse(text, key.legal);
+            if let Some(problem) = check::problem(key, &value) {
+                return Err(Error::input(format!("{problem} (--set)")));
+            }
+            entries.insert(name.to_owned(), value);
+        }
+        *self = table
+            .try_into()
+            .map_err(|error: toml::de::Error| Error::input(format!("{} (--set {assignment})", error.message())))?;
+        Ok(())
+    }
+
+    /// The configuration as plain TOML values.
+    pub(super) fn table(&self) -> Result<Table> {
+        // TOML has signed 64-bit integers only; a larger seed can come from code, never from a file.
+        Table::try_from(self)
+            .map_err(|error| Error::input(format!("the configuration can't be written as TOML: {error}")))
+    }
+}
+
+/// The value of `--set`: TOML if it is, else a string.
+fn parse(text: &str, legal: Legal) -> Value {
+    let parsed = toml::from_str::<Table>(&format!("value = {text}")).ok().filter(|table| table.len() == 1);
+    let value = parsed.and_then(|mut table| table.remove("value")).unwrap_or_else(|| Value::String(text.to_owned()));
+    match (legal, value) {
+        // `map.file=1` or `emit.prefix=true` is a name that happens to read as something else.
+        (Legal::Path | Legal::Word(_) | Legal::Prefix, value) if !value.is_str() => Value::String(text.to_owned()),
+        (Legal::Words(_), Value::String(words)) => Value::Array(
+            words.trim_matches(['[', ']']).split(',').map(|word| Value::String(word.trim().to_owned())).collect(),
+        ),
+        (_, value) => value,
+    }
+}
+
+fn unknown(path: &str, place: &str) -> String {
+    format!("unknown key {path} ({place}): did you mean {}?", keys::nearest(path))
+}
+
+fn unknown_section(section: &str, value: &Value, lines: &Lines) -> String {
+    if !value.is_table() {
+        return unknown(section, &lines.at(section));
+    }
+    let near = |known: &str| strsim::normalized_damerau_levenshtein(section, known);
+    let known = SECTIONS.iter().map(|(known, _)| *known).max_by(|a, b| near(a).total_cmp(&near(b))).unwrap_or_default();
+    format!("unknown section [{section}] ({}): did you mean [{known}]?", lines.at(section))
+}
+
+/// The line on which each section and key stands.
+struct Lines {
+    name: String,
+    of: HashMap<String, usize>,
+}
+
+impl Lines {
+    fn of(text: &str, name: &str) -> Result<Self> {
+        let table = toml::de::DeTable::parse(text).map_err(|error| syntax(text, name, &error))?;
+        let mut of = HashMap::new();
+        for (section, value) in table.get_ref() {
+            of.insert(section.get_ref().to_string(), line(text, section.span().start));
+            for (entry, _) in value.get_ref().as_table().into_iter().flatten() {
+                of.insert(format!("{}.{}", section.get_ref(), entry.get_ref()), line(text, entry.span().start));
+            }
+        }
+        Ok(Self { name: name.to_owned(), of })
+    }
+
+    fn at(&self, path: &str) -> String {
+        match self.of.get(path) {
+            Some(line) => format!("{}, line {line}", self.name),
+            None => self.name.clone(),
+        }
+    }
+}
+
+fn line(text: &str, offset: usize) -> usize {
+    1 + text.as_bytes()[..offset.min(text.len())].iter().filter(|&&byte| byte == b'\n').count()
+}
+
+fn syntax(text: &str, name: &str, error: &toml::de::Error) -> Error {
+    let place = match error.span() {
+        Some(span) => format!("{name}, line {}", line(text, span.start)),
+        None => name.to_owned(),
+    };
+    Error::input(format!("not TOML ({place}): {}", error.message().trim().replace('\n', " ")))
+}

@@ -1,0 +1,93 @@
+//! What must hold of a whole configuration.
+use super::keys::KEYS;
+use super::{Config, MapKind, check};
+use crate::error::{Error, Result};
+
+impl Config {
+    /// Checks every value and what holds between them, and reports all problems at once.
+    ///
+    /// # Errors
+    /// [`Error::Input`]; each problem names its keys, their values and the legal range.
+    pub fn validate(&self) -> Result<()> {
+        let mut problems = self.range_problems()?;
+        // A sum of numbers that are out of range themselves tells nothing new.
+        if problems.is_empty() {
+            self.width_problems(&mut problems);
+            self.map_problems(&mut problems);
+        }
+        report(problems)
+    }
+
+    fn range_problems(&self) -> Result<Vec<String>> {
+        for (key, seed) in [("map.seed", self.map.seed), ("vectors.seed", self.vectors.seed)] {
+            if i64::try_from(seed).is_err() {
+                return Err(Error::input(format!("{key} = {seed} is too large: 0 to 2^63 - 1 are legal")));
+            }
+        }
+        let table = self.table()?;
+        let value = |section: &str, name: &str| table.get(section)?.as_table()?.get(name);
+        Ok(KEYS
+            .iter()
+            .filter_map(|key| {
+                let (section, name) = key.split();
+                check::problem(key, value(section, name)?)
+            })
+            .collect())
+    }
+
+    /// The bounds that keep every intermediate result of the datapath inside its width (`docs/datapath.md`, Parameters).
+    fn width_problems(&self, problems: &mut Vec<String>) {
+        let (exp, man) = (self.format.exp, self.format.man);
+        let (levels, height, tiles) = (self.traverse.levels, self.traverse.height_bits, self.traverse.tile_bits);
+        let bias = (1u32 << (exp - 1)) - 1;
+        if man < 7 {
+            problems.push(format!("format.man = {man} is too small for the traverse unit: 7 to 23 are legal"));
+        }
+        if height > man + 1 {
+            problems.push(format!(
+                "traverse.height_bits = {height} is too large for format.man = {man}: at most format.man + 1 = {} is legal, so that a height code is exact",
+                man + 1
+            ));
+        }
+        let index = self.traverse.idx_bits();
+        if index > 24 {
+            problems.push(format!(
+                "traverse.levels = {levels} and traverse.tile_bits = {tiles} make a texel coordinate of {index} bits: levels + tile_bits + 2 may be at most 24"
+            ));
+        }
+        if levels + tiles + 8 > bias {
+            problems.push(format!(
+                "format.exp = {exp} is too small for traverse.levels = {levels} and traverse.tile_bits = {tiles}: levels + tile_bits + 8 = {} may be at most 2^(exp-1) - 1 = {bias}",
+                levels + tiles + 8
+            ));
+        }
+        if height + 2 > bias {
+            problems.push(format!(
+                "format.exp = {exp} is too small for traverse.height_bits = {height}: height_bits + 2 = {} may be at most 2^(exp-1) - 1 = {bias}",
+                height + 2
+            ));
+        }
+    }
+
+    fn map_problems(&self, problems: &mut Vec<String>) {
+        match (self.map.kind, &self.map.file) {
+            (MapKind::File, None) => problems.push("map.kind = \"file\" needs an image: set map.file".to_owned()),
+            (kind, Some(_)) if kind != MapKind::File => problems.push(format!(
+                "map.file is set but map.kind = \"{kind}\" does not read it: set map.kind = \"file\" or remove map.file"
+            )),
+            _ => {}
+        }
+    }
+}
+
+/// No problem, one sentence, or a list.
+pub(super) fn report(problems: Vec<String>) -> Result<()> {
+    match problems.as_slice() {
+        [] => Ok(()),
+        [one] => Err(Error::input(one.clone())),
+        all => {
+            let list: String = all.iter().map(|problem| format!("\n  - {problem}")).collect();
+            Err(Error::input(format!("{} problems in the configuration:{list}", all.len())))
+        }
+    }
+}
