@@ -27,7 +27,7 @@ fn main() {
     std::fs::create_dir_all("/tmp/rtl").unwrap();
     for m in all {
         for m in m.hierarchy() {
-            std::fs::write(format!("/tmp/rtl/{}.v", m.name), print_module(&m, "test")).unwrap();
+            std::fs::write(format!("/tmp/rtl/{}.v", m.name), print_module(&m, &Default::default())).unwrap();
         }
     }
 }

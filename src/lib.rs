@@ -1,11 +1,13 @@
 //! reliefrtl: parameterized Verilog for ray / height-field traversal, with golden vectors and an interpreter of the same datapath.
 pub mod bits;
 pub mod config;
+pub mod emit;
 pub mod error;
 pub mod format;
 pub mod golden;
 pub mod interp;
 pub mod ir;
 pub mod oracle;
+pub mod trace;
 pub mod units;
 pub mod verilog;

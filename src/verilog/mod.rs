@@ -5,4 +5,4 @@ mod prim;
 mod text;
 
 pub use expr::Names;
-pub use text::print_module;
+pub use text::{Style, print_module};

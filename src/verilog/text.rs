@@ -4,18 +4,25 @@ use super::layout::{COLUMNS, is_wide, range, wide, wrap};
 use super::prim;
 use crate::ir::{Body, Dir, Module, NodeId, Op};
 
-/// Prints a module. `config` is the line of the banner that names the configuration.
-///
-/// The same module gives the same bytes: no date, path, host or hash order reaches the text.
-pub fn print_module(m: &Module, config: &str) -> String {
-    let mut p = Printer { names: Names::new(m), m, out: String::new() };
+/// What the text has besides the module itself.
+#[derive(Clone, Debug, Default)]
+pub struct Style {
+    /// The line of the banner that names the configuration.
+    pub config: String,
+    /// Stands before every module name.
+    pub prefix: String,
+}
+
+/// Prints a module. The same module gives the same bytes: no date, path, host or hash order reaches the text.
+pub fn print_module(m: &Module, style: &Style) -> String {
+    let mut p = Printer { names: Names::new(m), m, style, out: String::new() };
     match m.body {
         Body::Graph => p.graph(),
         Body::Prim(prim) => p.out += prim::body(prim),
     }
     p.out += "endmodule\n`default_nettype wire\n";
     let body = std::mem::take(&mut p.out);
-    p.banner(config);
+    p.banner();
     p.header();
     p.constants(&body);
     p.checks();
@@ -29,6 +36,7 @@ fn has_word(text: &str, word: &str) -> bool {
 struct Printer<'m> {
     names: Names<'m>,
     m: &'m Module,
+    style: &'m Style,
     out: String,
 }
 
@@ -53,11 +61,11 @@ impl Printer<'_> {
         self.out.push('\n');
     }
 
-    fn banner(&mut self, config: &str) {
+    fn banner(&mut self) {
         let m = self.m;
-        self.comment("", &format!("{}:", m.name), &m.summary);
+        self.comment("", &format!("{}{}:", self.style.prefix, m.name), &m.summary);
         self.comment("", "Source     ", &format!("{} (emitted: do not edit)", m.source));
-        self.comment("", "Config     ", config);
+        self.comment("", "Config     ", &self.style.config);
         let latency = match m.latency {
             Some(0) => "none, combinational".to_string(),
             Some(1) => "1 clock".to_string(),
@@ -76,7 +84,7 @@ impl Printer<'_> {
     fn header(&mut self) {
         let m = self.m;
         self.out += "`default_nettype none\n";
-        self.out += &format!("module {}", m.name);
+        self.out += &format!("module {}{}", self.style.prefix, m.name);
         if !m.params.is_empty() {
             self.out += " #(\n";
             let wide = m.params.iter().map(|p| p.name.len() + p.default.to_string().len()).max().unwrap_or(0);
@@ -347,16 +355,17 @@ impl Printer<'_> {
             pins.push((c, "clk".into()));
         }
         pins.sort();
+        let module = format!("{}{}", self.style.prefix, inst.module.name);
         let params: Vec<String> = inst.params.iter().map(|(n, e)| format!(".{n}({e})")).collect();
         let head = if params.is_empty() {
-            format!("  {} {} (", inst.module.name, inst.name)
+            format!("  {} {} (", module, inst.name)
         } else {
-            format!("  {} #({}) {} (", inst.module.name, params.join(", "), inst.name)
+            format!("  {} #({}) {} (", module, params.join(", "), inst.name)
         };
         if head.len() <= COLUMNS {
             self.out += &format!("{head}\n");
         } else {
-            self.out += &format!("  {} #(\n", inst.module.name);
+            self.out += &format!("  {module} #(\n");
             let n = params.len();
             for (i, p) in params.iter().enumerate() {
                 self.out += &format!("    {p}{}\n", if i + 1 < n { "," } else { "" });

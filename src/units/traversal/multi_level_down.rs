@@ -21,7 +21,8 @@ pub fn multi_level_down(t: &TraverseConfig, mode: &ModeConfig) -> Arc<Module> {
     let mut axes = Vec::new();
     for axis in ["x", "y"] {
         let low = b.input(&format!("{axis}_low"), &idx, "texels", "least texel of the node that is not behind the ray");
-        let high = b.input(&format!("{axis}_high"), &idx, "texels", "greatest texel of the node that is not behind the ray");
+        let high =
+            b.input(&format!("{axis}_high"), &idx, "texels", "greatest texel of the node that is not behind the ray");
         let e = b.input(&format!("{axis}_hit"), &idx, "texels", "predicted hit");
         axes.push((axis, low, high, e));
     }

@@ -1,0 +1,62 @@
+//! What a configuration emits: the modules, their Verilog files, the file list and the manifest.
+//!
+//! Everything is made in memory first; the same configuration gives the same bytes.
+mod manifest;
+
+pub use manifest::manifest;
+
+use crate::config::Config;
+use crate::error::{Error, Result};
+use crate::ir::Module;
+use crate::verilog::{Style, print_module};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// Files by their path from the output directory.
+pub type Files = BTreeMap<String, String>;
+
+/// The modules of `tops` and all below them, leaves first, each name once: the first module of a name wins, so the
+/// units' own defaults stand before those of their users.
+///
+/// # Errors
+/// If the configuration does not fit its own modules' conditions on parameters.
+pub fn modules(tops: &[Arc<Module>]) -> Result<Vec<Arc<Module>>> {
+    let mut out: Vec<Arc<Module>> = Vec::new();
+    for top in tops {
+        for m in top.hierarchy() {
+            let failed = m.failed_checks(&m.default_binding());
+            if !failed.is_empty() {
+                return Err(Error::input(format!("the configuration is illegal for {}", failed.join("; "))));
+            }
+            if !out.iter().any(|o| o.name == m.name) {
+                out.push(m);
+            }
+        }
+    }
+    Ok(out)
+}
+
+/// The line of each banner that names the configuration.
+pub fn config_line(c: &Config) -> String {
+    let (t, m, l) = (&c.traverse, &c.mode, &c.latency);
+    let start = if m.start_level { "start level" } else { "from the root" };
+    format!(
+        "float {}, levels {}, heights {} bits, {start}, {} down, up {}; clocks add {} mul {} div {} compare {} from_int {} to_int {}",
+        c.format.float(), t.levels, t.height_bits, m.levels_down, format!("{:?}", m.level_up).to_lowercase(), l.add, l.mul, l.div,
+        l.compare, l.from_int, l.to_int
+    )
+}
+
+/// `rtl/*.v` and `rtl/filelist.f` of `modules`.
+pub fn rtl(c: &Config, modules: &[Arc<Module>]) -> Files {
+    let style = Style { config: config_line(c), prefix: c.emit.prefix.clone() };
+    let mut files = Files::new();
+    let mut list = String::new();
+    for m in modules {
+        let path = format!("rtl/{}{}.v", style.prefix, m.name);
+        list += &format!("{path}\n");
+        files.insert(path, print_module(m, &style));
+    }
+    files.insert("rtl/filelist.f".into(), list);
+    files
+}

@@ -1,0 +1,20 @@
+//! Rays in, hits out, by the golden model or by the interpreter of the emitted datapath.
+mod csv;
+mod interp;
+
+pub use csv::{HEADER, hits_csv};
+pub use interp::{Pipeline, trace_interp};
+
+use crate::config::Design;
+use crate::error::Result;
+use crate::golden::{Golden, Pyramid, RayHit, RayInput};
+use rayon::prelude::*;
+
+/// Traces rays with the golden model, on all threads; hits come in the order of the rays.
+///
+/// # Errors
+/// If the design is not a legal one.
+pub fn trace_golden(design: &Design, pyramid: &Pyramid, rays: &[RayInput]) -> Result<Vec<RayHit>> {
+    let golden = Golden::new(design)?;
+    Ok(rays.par_iter().map(|r| golden.trace(pyramid, r)).collect())
+}
