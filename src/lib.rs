@@ -1,8 +1,10 @@
 //! reliefrtl: parameterized Verilog for ray / height-field traversal, with golden vectors and an interpreter of the same datapath.
 pub mod bits;
+pub mod cli;
 pub mod config;
 pub mod emit;
 pub mod error;
+pub mod files;
 pub mod format;
 pub mod golden;
 pub mod interp;

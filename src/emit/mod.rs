@@ -42,8 +42,17 @@ pub fn config_line(c: &Config) -> String {
     let start = if m.start_level { "start level" } else { "from the root" };
     format!(
         "float {}, levels {}, heights {} bits, {start}, {} down, up {}; clocks add {} mul {} div {} compare {} from_int {} to_int {}",
-        c.format.float(), t.levels, t.height_bits, m.levels_down, format!("{:?}", m.level_up).to_lowercase(), l.add, l.mul, l.div,
-        l.compare, l.from_int, l.to_int
+        c.format.float(),
+        t.levels,
+        t.height_bits,
+        m.levels_down,
+        format!("{:?}", m.level_up).to_lowercase(),
+        l.add,
+        l.mul,
+        l.div,
+        l.compare,
+        l.from_int,
+        l.to_int
     )
 }
 

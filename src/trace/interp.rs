@@ -10,9 +10,8 @@ use std::sync::Arc;
 /// Data inputs of `traverse`, in the order of a ray's row.
 pub const INPUTS: [&str; 4] = ["in_u", "in_v", "in_du", "in_dv"];
 /// Data outputs of `traverse`, in the order of a hit's row.
-pub const OUTPUTS: [&str; 10] = [
-    "out_i", "out_j", "out_fu", "out_fv", "out_t", "out_wall", "out_limit", "out_steps", "out_crossings", "out_ups",
-];
+pub const OUTPUTS: [&str; 10] =
+    ["out_i", "out_j", "out_fu", "out_fv", "out_t", "out_wall", "out_limit", "out_steps", "out_crossings", "out_ups"];
 
 /// The traverse unit of a design, elaborated.
 pub struct Pipeline {

@@ -1,0 +1,37 @@
+//! `reliefrtl config`: the configuration as it stands, with comments, or its schema.
+use super::args::{Cli, ConfigArgs};
+use crate::config::Config;
+use crate::error::{Error, Result};
+
+/// The configuration of this call: defaults, then the file, then `--set`.
+///
+/// # Errors
+/// Unknown keys, wrong types, illegal values: one sentence each.
+pub fn load(cli: &Cli) -> Result<Config> {
+    let mut c = match &cli.config {
+        Some(path) => Config::load(path)?,
+        None => Config::default(),
+    };
+    cli.sets.iter().try_for_each(|s| c.apply_set(s))?;
+    c.validate()?;
+    Ok(c)
+}
+
+/// Runs `config`.
+pub fn run(cli: &Cli, a: &ConfigArgs) -> Result<()> {
+    if a.schema {
+        let text = serde_json::to_string_pretty(&Config::schema()).expect("a schema is plain data");
+        println!("{text}");
+        return Ok(());
+    }
+    let c = load(cli)?;
+    if cli.json {
+        println!("{}", serde_json::to_string_pretty(&c).expect("a configuration is plain data"));
+        return Ok(());
+    }
+    if !a.print {
+        return Err(Error::input("config needs --print (the configuration) or --schema (its JSON schema)"));
+    }
+    print!("{}", c.to_commented_toml());
+    Ok(())
+}

@@ -1,0 +1,46 @@
+//! The command line: verbs, shared options, exit codes.
+mod args;
+mod config;
+mod emit;
+mod list;
+mod output;
+mod trace;
+
+pub use args::Cli;
+
+use crate::error::{Result, exit};
+use args::Verb;
+use clap::{CommandFactory, Parser};
+
+/// Runs the command line; returns the exit code (0 ok, 1 mismatch, 2 usage or input, 3 tool missing, 4 tool failed,
+/// 5 nothing ran, 6 a result never came, 7 a result too many).
+pub fn main() -> i32 {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(e) => {
+            let code = if e.use_stderr() { exit::USAGE } else { exit::OK };
+            let _ = e.print();
+            return code;
+        }
+    };
+    match run(&cli) {
+        Ok(()) => exit::OK,
+        Err(e) => {
+            output::error(&cli, &e);
+            e.exit_code()
+        }
+    }
+}
+
+fn run(cli: &Cli) -> Result<()> {
+    match &cli.verb {
+        Verb::Emit(a) => emit::run(cli, a),
+        Verb::List => list::run(cli),
+        Verb::Config(a) => config::run(cli, a),
+        Verb::Trace(a) => trace::run(cli, a),
+        Verb::Completions { shell } => {
+            clap_complete::generate(*shell, &mut Cli::command(), "reliefrtl", &mut std::io::stdout());
+            Ok(())
+        }
+    }
+}

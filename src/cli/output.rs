@@ -1,0 +1,63 @@
+//! How results and errors reach the user.
+use super::args::Cli;
+use crate::emit::Files;
+use crate::error::{Error, Result};
+use crate::files::OutDir;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::IsTerminal;
+use std::path::Path;
+use std::time::Duration;
+
+/// Prints an error: one sentence, or one JSON object.
+pub fn error(cli: &Cli, e: &Error) {
+    if cli.json {
+        println!("{}", serde_json::json!({"error": e.to_string(), "exit_code": e.exit_code()}));
+    } else {
+        eprintln!("reliefrtl: {e}");
+    }
+}
+
+/// Writes `files` under `out`: all of them, or none.
+///
+/// # Errors
+/// If the directory can't be written.
+pub fn write_tree(out: &Path, files: &Files) -> Result<()> {
+    let mut dir = OutDir::new(out)?;
+    files.iter().try_for_each(|(path, text)| dir.add(path, text.as_bytes()))?;
+    dir.commit().map(|_| ())
+}
+
+/// A spinner with a text, on a terminal only.
+pub fn spinner(cli: &Cli, text: impl Into<String>) -> ProgressBar {
+    let bar = ProgressBar::new_spinner();
+    if cli.json || !std::io::stderr().is_terminal() {
+        bar.set_draw_target(ProgressDrawTarget::hidden());
+    }
+    bar.set_style(ProgressStyle::with_template("{spinner} {msg} {elapsed}").expect("template is well formed"));
+    bar.set_message(text.into());
+    bar.enable_steady_tick(Duration::from_millis(120));
+    bar
+}
+
+/// Rows as a table with aligned columns; numbers to the right.
+pub fn table(head: &[&str], rows: &[Vec<String>]) -> String {
+    let width = |c: usize| rows.iter().map(|r| r[c].chars().count()).chain([head[c].len()]).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..head.len()).map(width).collect();
+    let numeric = |c: usize| {
+        let is_number = |s: &String| s.is_empty() || s.starts_with(|x: char| x.is_ascii_digit() || x == '-');
+        !rows.is_empty() && rows.iter().all(|r| is_number(&r[c]))
+    };
+    let line = |cells: Vec<&str>| {
+        let parts: Vec<String> = cells
+            .iter()
+            .enumerate()
+            .map(
+                |(c, s)| if numeric(c) { format!("{s:>w$}", w = widths[c]) } else { format!("{s:<w$}", w = widths[c]) },
+            )
+            .collect();
+        parts.join("  ").trim_end().to_string() + "\n"
+    };
+    let mut out = line(head.to_vec());
+    rows.iter().for_each(|r| out += &line(r.iter().map(String::as_str).collect()));
+    out
+}
