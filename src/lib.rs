@@ -10,6 +10,7 @@ pub mod golden;
 pub mod interp;
 pub mod ir;
 pub mod oracle;
+pub mod report;
 pub mod trace;
 pub mod units;
 pub mod verilog;

@@ -1,8 +1,10 @@
 //! Rays in, hits out, by the golden model or by the interpreter of the emitted datapath.
 mod csv;
+mod diagnose;
 mod interp;
 
 pub use csv::{HEADER, hits_csv};
+pub use diagnose::{Divergence, decode, diagnose};
 pub use interp::{Pipeline, trace_interp};
 
 use crate::config::Design;
