@@ -14,3 +14,4 @@ pub mod report;
 pub mod trace;
 pub mod units;
 pub mod verilog;
+pub mod scene;
