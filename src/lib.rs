@@ -11,7 +11,7 @@ pub mod interp;
 pub mod ir;
 pub mod oracle;
 pub mod report;
+pub mod scene;
 pub mod trace;
 pub mod units;
 pub mod verilog;
-pub mod scene;
