@@ -1,5 +1,7 @@
-//! reliefrtl: parameterized Verilog for ray / height-field traversal, with golden vectors and an interpreter of the same datapath.
+//! reliefrtl: parameterized Verilog for ray / height-field traversal, with golden vectors and an interpreter of the same
+//! datapath.
 pub mod bits;
+pub mod catalogue;
 pub mod cli;
 pub mod config;
 pub mod emit;
@@ -14,4 +16,5 @@ pub mod report;
 pub mod scene;
 pub mod trace;
 pub mod units;
+pub mod vectors;
 pub mod verilog;

@@ -5,7 +5,7 @@ mod interp;
 
 pub use csv::{HEADER, hits_csv};
 pub use diagnose::{Divergence, decode, diagnose};
-pub use interp::{Pipeline, trace_interp};
+pub use interp::{INPUTS, OUTPUTS, Pipeline, hit, trace_interp};
 
 use crate::config::Design;
 use crate::error::Result;

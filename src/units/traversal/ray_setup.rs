@@ -56,6 +56,7 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     b.require(&levels.levels + &tile + 2, 24);
     b.require(&levels.levels + &tile + 8, f.bias());
     b.require(&height + 2, f.bias());
+    b.require(&f.man + 1, f.bias());
     let idx = b.local("IdxW", &levels.levels + &tile + 2);
     let s = Sizes { f, levels: levels.levels.clone(), height, tile, idx };
     b.clock();
