@@ -30,7 +30,10 @@ fn units_equal_their_models() {
 fn units_equal_their_models_in_every_mode() {
     for level_up in LevelUp::ALL {
         for levels_down in 1..=4 {
-            let mut d = Design { mode: ModeConfig { start_level: levels_down % 2 == 0, levels_down, level_up }, ..Design::default() };
+            let mut d = Design {
+                mode: ModeConfig { start_level: levels_down % 2 == 0, levels_down, level_up },
+                ..Design::default()
+            };
             d.latency.add = levels_down;
             d.latency.div = 6 * levels_down;
             check_all(&d, 300);

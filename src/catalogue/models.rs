@@ -137,7 +137,13 @@ fn up(d: &Design, x: &[u64], s: impl Fn(u64) -> i64) -> bool {
 pub fn legal(unit: &str, d: &Design, b: &Binding, mut x: Vec<u64>) -> Vec<u64> {
     let n = u64::from(d.traverse.levels);
     match unit {
-        "height_address" | "node_planes" | "level_up" => x[0] %= n + 1,
+        "height_address" | "node_planes" => x[0] %= n + 1,
+        "level_up" => {
+            // Coordinates keep a bit of headroom: IDX_W holds any sum of an entry point and a travel.
+            let idx = b.get("IDX_W").map_or(d.traverse.idx_bits(), |v| *v as u32);
+            x[0] %= n + 1;
+            x.iter_mut().skip(2).for_each(|v| *v = (signed(*v, idx) >> 1) as u64 & mask(idx));
+        }
         "multi_level_down" => {
             x[0] = x[0] % n + 1;
             order_bounds(d, b, &mut x);
