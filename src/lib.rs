@@ -1,5 +1,6 @@
 //! reliefrtl: parameterized Verilog for ray / height-field traversal, with golden vectors and an interpreter of the same
 //! datapath.
+pub mod bench;
 pub mod bits;
 pub mod catalogue;
 pub mod cli;
@@ -12,6 +13,7 @@ pub mod golden;
 pub mod interp;
 pub mod ir;
 pub mod oracle;
+pub mod project;
 pub mod report;
 pub mod scene;
 pub mod trace;

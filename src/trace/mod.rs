@@ -4,7 +4,7 @@ mod diagnose;
 mod interp;
 
 pub use csv::{HEADER, hits_csv};
-pub use diagnose::{Divergence, decode, diagnose};
+pub use diagnose::{Divergence, decode, diagnose, diagnose_image};
 pub use interp::{INPUTS, OUTPUTS, Pipeline, hit, trace_interp};
 
 use crate::config::Design;

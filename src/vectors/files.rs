@@ -78,11 +78,12 @@ pub fn hex(unit: &str, columns: &[Column], rows: &[Vec<u64>]) -> String {
     out
 }
 
-/// Reads a set back.
+/// Reads a set back; the flag tells whether the rows are those that the description pins. (Replaying comes first: a row that
+/// was changed shows as the mismatch that it is.)
 ///
 /// # Errors
-/// A missing file, a wrong schema, a word that is no hex number or too wide, a wrong count, a wrong hash: one sentence.
-pub fn read_set(dir: &Path) -> Result<VectorSet> {
+/// A missing file, a wrong schema, a word that is no hex number or too wide, a wrong count: one sentence.
+pub fn read_set(dir: &Path) -> Result<(VectorSet, bool)> {
     let text = |name: &str| {
         let path = dir.join(name);
         std::fs::read_to_string(&path).map_err(|e| Error::file("read", path, e))
