@@ -17,9 +17,7 @@ use std::time::Duration;
 pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
     let c = super::config::load(cli)?;
     let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
-    let f = c.format.float();
-    let rays: Vec<RayInput> =
-        read_rays(&a.rays)?.iter().map(|r| RayInput::from_f64(f, r[0], r[1], r[2], r[3])).collect();
+    let rays: Vec<RayInput> = read_rays(&a.rays)?.iter().map(|r| project::ray(&c, *r)).collect();
     let hits = hits(cli, &c, a.engine, &scene, &rays)?;
     crate::files::write_atomic(&a.out, hits_csv(&c.design(), &hits).as_bytes())?;
     if cli.json {

@@ -3,7 +3,7 @@ mod check;
 mod scene;
 
 pub use check::{Canary, Checked, check_tree};
-pub use scene::{Scene, encode};
+pub use scene::{Scene, encode, ray};
 
 use crate::bench::bench_files;
 use crate::catalogue::{ray_set, units, vector_set};

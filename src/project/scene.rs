@@ -54,5 +54,15 @@ impl Scene {
 
 /// A camera ray in the configured format.
 pub fn encode(c: &Config, r: &ViewRay) -> RayInput {
-    RayInput::from_f64(c.format.float(), r.u, r.v, r.du, r.dv)
+    ray(c, [r.u, r.v, r.du, r.dv])
+}
+
+/// A ray (u, v, du, dv, in tiles) in the configured format. The map repeats, so the entry point is wrapped into \[0, 1),
+/// also where it rounds up to 1.
+pub fn ray(c: &Config, [u, v, du, dv]: [f64; 4]) -> RayInput {
+    let f = c.format.float();
+    let one = (f.bias() as u64) << f.man;
+    let wrap = |x: u64| if x == one { 0 } else { x };
+    let r = RayInput::from_f64(f, u.rem_euclid(1.0), v.rem_euclid(1.0), du, dv);
+    RayInput { u: wrap(r.u), v: wrap(r.v), ..r }
 }
