@@ -55,7 +55,9 @@ fn emit(c: &Config) -> (tempfile::TempDir, Vec<String>) {
 fn run(dir: &Path, program: &str, args: &[&str], env: &[(&str, &Path)], quiet: &str) -> Option<String> {
     let mut c = Command::new(program);
     c.args(args).current_dir(dir).env_remove("VERILATOR_ROOT");
-    env.iter().for_each(|(k, v)| drop(c.env(k, v)));
+    for (k, v) in env {
+        c.env(k, v);
+    }
     let out = c.output().unwrap_or_else(|_| panic!("{program} is not installed; tools/test.sh installs it"));
     let text = String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
     let said: Vec<&str> = text.lines().filter(|l| !l.trim().is_empty() && !l.starts_with(quiet)).collect();
