@@ -4,7 +4,7 @@ use super::eval::eval;
 use super::netlist::*;
 use crate::bits::mask;
 use crate::error::{Error, Result};
-use crate::ir::{Binding, Body, Module, NodeId, Op, Prim};
+use crate::ir::{Binding, Body, Module, Names, NodeId, Op, Prim};
 use std::collections::{BTreeMap, HashMap};
 
 /// Elaborates `m` at `over` (its defaults where `over` is silent).
@@ -154,7 +154,7 @@ impl Flat {
         inputs: &BTreeMap<usize, Slot>,
         path: &str,
     ) -> Result<BTreeMap<usize, Slot>> {
-        let names = crate::verilog::Names::new(m);
+        let names = Names::new(m);
         let mut slot: Vec<Slot> = vec![Slot::MAX; m.nodes.len()];
         let mut inst_outs: Vec<Option<BTreeMap<usize, Slot>>> = vec![None; m.insts.len()];
         let (mut pending, mut wires) = (Vec::new(), Vec::new());
