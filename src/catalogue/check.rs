@@ -114,7 +114,7 @@ pub fn check_interp(m: &Module, set: &VectorSet) -> Result<CheckReport> {
     let net = elaborate(m, &set.params)?;
     let mut sim = Lanes::new(&net, LANES);
     if let Some(ce) = net.inputs.iter().find(|p| p.name == "ce") {
-        sim.set(ce.slot).fill(1);
+        sim.fill(ce.slot, 1);
     }
     let ins: Vec<_> = set.inputs.iter().map(|c| net.input(&c.name)).collect();
     let outs: Vec<_> = set.outputs.iter().map(|c| net.output(&c.name)).collect();
@@ -124,13 +124,13 @@ pub fn check_interp(m: &Module, set: &VectorSet) -> Result<CheckReport> {
     // One block of rows enters a clock; its results leave `latency` clocks later.
     for clock in 0..blocks + latency {
         for (lane, row) in set.stimulus.iter().skip(clock * LANES).take(LANES).enumerate() {
-            ins.iter().zip(row).for_each(|(s, v)| sim.set(*s)[lane] = *v);
+            ins.iter().zip(row).for_each(|(s, v)| sim.set(*s, lane, *v));
         }
         sim.eval();
         if clock >= latency {
             let first = (clock - latency) * LANES;
             for lane in 0..LANES.min(set.stimulus.len() - first) {
-                results.push(outs.iter().map(|s| sim.get(*s)[lane]).collect());
+                results.push(outs.iter().map(|s| sim.get(*s, lane)).collect());
             }
         }
         sim.clock();

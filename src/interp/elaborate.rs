@@ -1,11 +1,11 @@
 //! From modules to a flat netlist: parameters become numbers, hierarchy dissolves, equal operations are shared,
 //! constants are folded, operations are levelized.
-use super::eval::eval;
+use super::flat::Flat;
 use super::netlist::*;
 use crate::bits::mask;
 use crate::error::{Error, Result};
 use crate::ir::{Binding, Body, Module, Names, NodeId, Op, Prim};
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 /// Elaborates `m` at `over` (its defaults where `over` is silent).
 ///
@@ -39,58 +39,7 @@ pub fn elaborate(m: &Module, over: &Binding) -> Result<Netlist> {
     Ok(f.levelize(binding, ports, outputs))
 }
 
-/// Growing flat design. Values are numbered in order of creation first and renumbered by `levelize`.
-#[derive(Default)]
-struct Flat {
-    widths: Vec<u32>,
-    consts: HashMap<(u64, u32), Slot>,
-    const_of: HashMap<Slot, u64>,
-    ops: Vec<(Slot, FlatOp)>,
-    shared: HashMap<FlatOp, Slot>,
-    regs: Vec<FlatReg>,
-    mems: Vec<FlatMem>,
-    names: BTreeMap<String, Slot>,
-}
-
 impl Flat {
-    fn source(&mut self, width: u32) -> Slot {
-        self.widths.push(width);
-        self.widths.len() as Slot - 1
-    }
-    fn name(&mut self, name: &str, s: Slot) {
-        self.names.insert(name.to_string(), s);
-    }
-    fn constant(&mut self, v: u64, width: u32) -> Slot {
-        if let Some(s) = self.consts.get(&(v, width)) {
-            return *s;
-        }
-        let s = self.source(width);
-        self.consts.insert((v, width), s);
-        self.const_of.insert(s, v);
-        s
-    }
-    fn op(&mut self, kind: Kind, args: &[Slot], width: u32, aux: u32) -> Slot {
-        let at = |i: usize| *args.get(i).unwrap_or(&args[0]);
-        let op = FlatOp { kind, args: [at(0), at(1), at(2)], width, arg_width: self.widths[args[0] as usize], aux };
-        let known: Vec<Option<u64>> = op.args.iter().map(|a| self.const_of.get(a).copied()).collect();
-        if let [Some(a), Some(b), Some(c)] = known[..] {
-            return self.constant(eval(&op, a, b, c), width);
-        }
-        match (kind, known[0]) {
-            (Kind::Mux, Some(c)) => return if c == 1 { op.args[1] } else { op.args[2] },
-            (Kind::Slice, _) if aux == 0 && width == op.arg_width => return op.args[0],
-            (Kind::Sext | Kind::Rep, _) if width == op.arg_width => return op.args[0],
-            _ => {}
-        }
-        if let Some(s) = self.shared.get(&op) {
-            return *s;
-        }
-        let s = self.source(width);
-        self.ops.push((s, op));
-        self.shared.insert(op, s);
-        s
-    }
-
     /// Flattens one module; `inputs` gives the slots of its input ports, the result those of its outputs.
     fn module(
         &mut self,
@@ -193,19 +142,10 @@ impl Flat {
             }
         }
         for (w, d) in wires {
-            self.ops.push((
-                w,
-                FlatOp {
-                    kind: Kind::Copy,
-                    args: [slot[d.0 as usize]; 3],
-                    width: self.widths[w as usize],
-                    arg_width: 1,
-                    aux: 0,
-                },
-            ));
+            self.copy(w, slot[d.0 as usize]);
         }
         let control = |p: Option<usize>| p.map(|p| inputs[&p]);
-        let enable = control(m.ce).filter(|e| self.const_of.get(e) != Some(&1));
+        let enable = control(m.ce).filter(|e| self.value(*e) != Some(1));
         for (q, d, reset) in pending {
             let reset = if reset { control(m.rst) } else { None };
             self.regs.push(FlatReg { q, d: slot[d.0 as usize], enable, reset });
@@ -223,8 +163,8 @@ impl Flat {
                 let mut it = args.iter();
                 let mut acc = *it.next().expect("concatenation of something");
                 for a in it {
-                    let w = self.widths[*a as usize];
-                    let total = w + self.widths[acc as usize];
+                    let w = self.width(*a);
+                    let total = w + self.width(acc);
                     acc = self.op(Kind::Join, &[acc, *a], total, w);
                 }
                 return acc;
@@ -253,103 +193,4 @@ impl Flat {
         };
         self.op(kind, args, width, 0)
     }
-
-    /// Renumbers: sources first, then operations, operands before their users.
-    fn levelize(self, binding: Binding, mut inputs: Vec<FlatPort>, mut outputs: Vec<FlatPort>) -> Netlist {
-        let mut producer = vec![usize::MAX; self.widths.len()];
-        self.ops.iter().enumerate().for_each(|(i, (s, _))| producer[*s as usize] = i);
-        let mut map = vec![Slot::MAX; self.widths.len()];
-        let mut widths = Vec::with_capacity(self.widths.len());
-        for (s, w) in self.widths.iter().enumerate().filter(|(s, _)| producer[*s] == usize::MAX) {
-            map[s] = widths.len() as Slot;
-            widths.push(*w);
-        }
-        let first_op = widths.len() as Slot;
-        let mut ops: Vec<FlatOp> = Vec::with_capacity(self.ops.len());
-        // Depth first from each operation; the graph has no loops (verified), so a stack of two visits suffices.
-        for root in 0..self.ops.len() {
-            let mut stack = vec![root];
-            while let Some(i) = stack.last().copied() {
-                let (s, op) = &self.ops[i];
-                if map[*s as usize] != Slot::MAX {
-                    stack.pop();
-                    continue;
-                }
-                let waiting: Vec<usize> =
-                    op.args.iter().filter(|a| map[**a as usize] == Slot::MAX).map(|a| producer[*a as usize]).collect();
-                if waiting.is_empty() {
-                    map[*s as usize] = widths.len() as Slot;
-                    widths.push(op.width);
-                    ops.push(FlatOp { args: op.args.map(|a| map[a as usize]), ..*op });
-                    stack.pop();
-                } else {
-                    stack.extend(waiting);
-                }
-            }
-        }
-        let at = |s: Slot| map[s as usize];
-        inputs.iter_mut().for_each(|p| p.slot = at(p.slot));
-        outputs.iter_mut().for_each(|p| p.slot = at(p.slot));
-        let reg = |r: &FlatReg| FlatReg { q: at(r.q), d: at(r.d), enable: r.enable.map(at), reset: r.reset.map(at) };
-        let mem = |m: &FlatMem| FlatMem {
-            write_en: at(m.write_en),
-            write_addr: at(m.write_addr),
-            write_data: at(m.write_data),
-            read_addr: at(m.read_addr),
-            read_data: at(m.read_data),
-            depth: m.depth,
-        };
-        let mut consts: Vec<(Slot, u64)> = self.const_of.iter().map(|(s, v)| (at(*s), *v)).collect();
-        consts.sort_unstable();
-        let mut net = Netlist {
-            binding,
-            widths,
-            consts,
-            inputs,
-            outputs,
-            ops,
-            first_op,
-            regs: self.regs.iter().map(reg).collect(),
-            mems: self.mems.iter().map(mem).collect(),
-            updates: vec![],
-            names: self.names.iter().map(|(n, s)| (n.clone(), at(*s))).collect(),
-        };
-        net.updates = order_updates(&net);
-        net
-    }
-}
-
-/// Orders the clocked updates so that a register is written only after all that read its old value.
-fn order_updates(net: &Netlist) -> Vec<Update> {
-    let mut owner: HashMap<Slot, usize> = HashMap::new();
-    net.regs.iter().enumerate().for_each(|(i, r)| {
-        owner.insert(r.q, i);
-    });
-    let reads = |r: &FlatReg| [Some(r.d), r.enable, r.reset].into_iter().flatten().collect::<Vec<_>>();
-    let mut readers = vec![0usize; net.regs.len()];
-    for r in &net.regs {
-        for s in reads(r) {
-            if let Some(o) = owner.get(&s).filter(|o| net.regs[**o].q != r.q) {
-                readers[*o] += 1;
-            }
-        }
-    }
-    let mut out: Vec<Update> = (0..net.mems.len()).map(Update::Read).collect();
-    let mut ready: Vec<usize> = (0..net.regs.len()).filter(|i| readers[*i] == 0).collect();
-    let mut done = vec![false; net.regs.len()];
-    while let Some(i) = ready.pop() {
-        done[i] = true;
-        out.push(Update::Reg(i));
-        for s in reads(&net.regs[i]) {
-            if let Some(o) = owner.get(&s).filter(|o| net.regs[**o].q != net.regs[i].q) {
-                readers[*o] -= 1;
-                if readers[*o] == 0 {
-                    ready.push(*o);
-                }
-            }
-        }
-    }
-    let ring: Vec<Update> = (0..net.regs.len()).filter(|i| !done[*i]).map(Update::RegAside).collect();
-    // Rings are read before anything is written.
-    ring.into_iter().chain(out).collect()
 }

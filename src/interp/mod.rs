@@ -1,8 +1,13 @@
 //! Runs the very graph that is emitted: elaborated at any parameter values, levelized once.
 mod elaborate;
 mod eval;
+mod flat;
+mod kernel;
 mod lanes;
 mod netlist;
+mod optimize;
+mod program;
+mod simplify;
 mod stream;
 
 pub use elaborate::elaborate;

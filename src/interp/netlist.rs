@@ -79,17 +79,6 @@ pub struct FlatMem {
     pub depth: usize,
 }
 
-/// A clocked update, in an order in which no update overwrites what a later one reads.
-#[derive(Clone, Copy, Debug)]
-pub enum Update {
-    /// Register `regs[i]`, written in place.
-    Reg(usize),
-    /// Register `regs[i]`, kept aside: it stands in a ring.
-    RegAside(usize),
-    /// The read of `mems[i]`, kept aside.
-    Read(usize),
-}
-
 /// A port of the elaborated module.
 #[derive(Clone, Debug)]
 pub struct FlatPort {
@@ -119,8 +108,6 @@ pub struct Netlist {
     pub regs: Vec<FlatReg>,
     /// Memories.
     pub mems: Vec<FlatMem>,
-    /// Order of the clocked updates.
-    pub updates: Vec<Update>,
     /// Hierarchical names (`u_add.s1_sum`) of slots, for waveforms and mismatch reports.
     pub names: BTreeMap<String, Slot>,
 }

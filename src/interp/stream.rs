@@ -4,6 +4,7 @@ use super::netlist::{Netlist, Slot};
 use crate::error::{Error, Result};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
 use std::sync::Arc;
 
 /// How the bench behaves on both sides of the design.
@@ -34,21 +35,55 @@ pub struct StreamRun {
 const PATIENCE: u64 = 400_000;
 
 /// A stream design: ports `in_valid`, `in_ready`, `in_tag`, `out_valid`, `out_ready`, `out_tag`, `slot_busy`, `rst`.
-pub struct Stream<'n> {
-    net: &'n Netlist,
+pub struct Stream {
+    net: Netlist,
     ins: Vec<Slot>,
     outs: Vec<Slot>,
     tags: usize,
     warm_up: u64,
 }
 
-impl<'n> Stream<'n> {
+impl Stream {
     /// Names the data ports; `warm_up` is the number of clocks until the pipeline can be full.
-    pub fn new(net: &'n Netlist, ins: &[&str], outs: &[&str], warm_up: u64) -> Self {
+    pub fn new(net: &Netlist, ins: &[&str], outs: &[&str], warm_up: u64) -> Self {
+        let net = net.optimized();
         let tag = net.inputs.iter().find(|p| p.name == "in_tag").map_or(1, |p| p.width);
         let ins = ins.iter().map(|n| net.input(n)).collect();
         let outs = outs.iter().map(|n| net.output(n)).collect();
         Self { net, ins, outs, tags: 1 << tag.min(16), warm_up }
+    }
+
+    /// As [`Stream::run`], with the items split over `threads` threads of `lanes` lanes each. Results come in the order
+    /// of the items and do not depend on timing; clocks are those of the thread with the most.
+    ///
+    /// # Errors
+    /// As [`Stream::run`].
+    ///
+    /// # Panics
+    /// If threads can't be started.
+    pub fn run_parallel(
+        &self,
+        items: &[Vec<u64>],
+        image: &Arc<Vec<u64>>,
+        lanes: usize,
+        threads: usize,
+        traffic: Traffic,
+    ) -> Result<StreamRun> {
+        let share = items.len().div_ceil(threads.max(1)).max(1);
+        let part = |(i, part): (usize, &[Vec<u64>])| {
+            self.run(part, image, lanes, Traffic { seed: traffic.seed.wrapping_add(i as u64), ..traffic })
+        };
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads can be started");
+        let parts: Vec<Result<StreamRun>> = pool.install(|| items.par_chunks(share).enumerate().map(part).collect());
+        let mut all = StreamRun::default();
+        for part in parts {
+            let part = part?;
+            all.results.extend(part.results);
+            all.cycles = all.cycles.max(part.cycles);
+            all.loaded += part.loaded;
+            all.busy += part.busy;
+        }
+        Ok(all)
     }
 
     /// Runs `items` (rows of `ins`) through `lanes` copies; `image` is the content of the memory.
@@ -57,49 +92,66 @@ impl<'n> Stream<'n> {
     /// A result that never comes, or one that nobody waits for.
     pub fn run(&self, items: &[Vec<u64>], image: &Arc<Vec<u64>>, lanes: usize, traffic: Traffic) -> Result<StreamRun> {
         let lanes = lanes.clamp(1, items.len().max(1));
-        let mut sim = Lanes::new(self.net, lanes);
+        let mut sim = Lanes::new(&self.net, lanes);
         (0..self.net.mems.len()).for_each(|i| sim.load(i, image.clone()));
-        sim.set(self.net.input("rst")).fill(1);
+        sim.fill(self.net.input("rst"), 1);
         sim.eval();
         sim.clock();
-        sim.set(self.net.input("rst")).fill(0);
+        sim.fill(self.net.input("rst"), 0);
         let mut lane: Vec<Lane> = (0..lanes).map(|l| Lane::new(l, self.tags)).collect();
         let mut rng = ChaCha8Rng::seed_from_u64(traffic.seed);
         let mut run = StreamRun { results: vec![Vec::new(); items.len()], ..StreamRun::default() };
         let (mut left, mut quiet) = (items.len(), 0);
         let [iv, it, or] = ["in_valid", "in_tag", "out_ready"].map(|n| self.net.input(n));
         let [ir, ov, ot, busy] = ["in_ready", "out_valid", "out_tag", "slot_busy"].map(|n| self.net.output(n));
+        let mut seen = [const { Vec::new() }; 3].map(|_: Vec<u64>| vec![0; lanes]);
+        sim.fill(or, 1);
         while left > 0 {
             for (l, state) in lane.iter_mut().enumerate() {
                 let hold = traffic.gaps > 0 && rng.random::<u8>() < traffic.gaps;
-                state.offer = if hold || state.next >= items.len() { None } else { state.free_tag() };
-                sim.set(iv)[l] = u64::from(state.offer.is_some());
-                if let Some(tag) = state.offer {
-                    sim.set(it)[l] = tag as u64;
-                    self.ins.iter().zip(&items[state.next]).for_each(|(s, v)| sim.set(*s)[l] = *v);
+                state.take = traffic.stalls == 0 || rng.random::<u8>() >= traffic.stalls;
+                if traffic.stalls > 0 {
+                    sim.set(or, l, u64::from(state.take));
                 }
-                let take = traffic.stalls == 0 || rng.random::<u8>() >= traffic.stalls;
-                sim.set(or)[l] = u64::from(take);
+                // An item that was not taken stays on the inputs, so there is mostly nothing to write.
+                if state.offer.is_none() && state.next < items.len() {
+                    state.offer = state.free_tag();
+                    if let Some(tag) = state.offer {
+                        sim.set(it, l, tag as u64);
+                        self.ins.iter().zip(&items[state.next]).for_each(|(s, v)| sim.set(*s, l, *v));
+                    }
+                }
+                let valid = state.offer.is_some() && !hold;
+                if valid != state.valid {
+                    sim.set(iv, l, u64::from(valid));
+                    state.valid = valid;
+                }
             }
             sim.eval();
             quiet += 1;
+            let [ready, valid, load] = &mut seen;
+            sim.read(ir, ready);
+            sim.read(ov, valid);
+            sim.read(busy, load);
             for (l, state) in lane.iter_mut().enumerate() {
                 if state.next < items.len() && run.cycles >= self.warm_up {
                     run.loaded += 1;
-                    run.busy += sim.get(busy)[l];
+                    run.busy += load[l];
                 }
-                if let Some(tag) = state.offer.filter(|_| sim.get(ir)[l] == 1) {
-                    state.tags[tag] = Some(state.next);
-                    state.next += lanes;
+                if state.valid && ready[l] == 1 {
+                    if let Some(tag) = state.offer.take() {
+                        state.tags[tag] = Some(state.next);
+                        state.next += lanes;
+                    }
                 }
-                if sim.get(ov)[l] == 1 && sim.get(or)[l] == 1 {
-                    let tag = sim.get(ot)[l] as usize;
+                if valid[l] == 1 && state.take {
+                    let tag = sim.get(ot, l) as usize;
                     let Some(item) = state.tags[tag].take() else {
                         return Err(Error::Extra(format!(
                             "a result with tag {tag} came that no ray waits for (lane {l})"
                         )));
                     };
-                    run.results[item] = self.outs.iter().map(|s| sim.get(*s)[l]).collect();
+                    run.results[item] = self.outs.iter().map(|s| sim.get(*s, l)).collect();
                     left -= 1;
                     quiet = 0;
                 }
@@ -124,11 +176,13 @@ struct Lane {
     tags: Vec<Option<usize>>,
     last_tag: usize,
     offer: Option<usize>,
+    valid: bool,
+    take: bool,
 }
 
 impl Lane {
     fn new(first: usize, tags: usize) -> Self {
-        Self { next: first, tags: vec![None; tags], last_tag: 0, offer: None }
+        Self { next: first, tags: vec![None; tags], last_tag: 0, offer: None, valid: false, take: true }
     }
     fn free_tag(&mut self) -> Option<usize> {
         let n = self.tags.len();

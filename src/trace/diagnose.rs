@@ -112,7 +112,7 @@ fn record(
 ) -> (Vec<Vec<u64>>, usize) {
     let mut sim = Lanes::new(net, 1);
     sim.load(0, Arc::new(pyramid.memory().iter().map(|w| u64::from(*w)).collect()));
-    let set = |sim: &mut Lanes<'_>, name: &str, v: u64| sim.set(net.input(name))[0] = v;
+    let set = |sim: &mut Lanes, name: &str, v: u64| sim.set(net.input(name), 0, v);
     set(&mut sim, "rst", 1);
     sim.eval();
     sim.clock();
@@ -125,10 +125,10 @@ fn record(
     let (mut log, mut start) = (Vec::new(), None);
     for clock in 0..clocks {
         sim.eval();
-        if start.is_none() && sim.get(net.output("slot_busy"))[0] == 1 {
+        if start.is_none() && sim.get(net.output("slot_busy"), 0) == 1 {
             start = Some(clock);
         }
-        log.push(probes.iter().map(|p| sim.get(p.2)[0]).collect());
+        log.push(probes.iter().map(|p| sim.get(p.2, 0)).collect());
         sim.clock();
         set(&mut sim, "in_valid", 0);
     }
