@@ -55,7 +55,7 @@ fn print_steps(cli: &Cli, c: &Config, scene: &Scene, means: Option<&[[Option<f64
     } else {
         let kind = if means.is_some() { "ours / published" } else { "ours" };
         println!("{}: iterations per ray, {kind}; max @ray of rays (every {}th pixel)", scene.name, c.view.stride);
-        print!("{}\n", table(&["mode", "front", "max", "oblique", "max", "grazing", "max"], &rows));
+        println!("{}", table(&["mode", "front", "max", "oblique", "max", "grazing", "max"], &rows));
     }
     Ok(())
 }

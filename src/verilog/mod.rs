@@ -4,5 +4,4 @@ mod layout;
 mod prim;
 mod text;
 
-pub use expr::Names;
 pub use text::{Style, print_module};

@@ -1,8 +1,8 @@
 //! The whole text of a module: banner, parameters, ports, stages, loop, outputs.
-use super::expr::{Names, konst_name};
+use super::expr::{Expressions, konst_name};
 use super::layout::{COLUMNS, is_wide, range, wide, wrap};
 use super::prim;
-use crate::ir::{Body, Dir, Module, NodeId, Op};
+use crate::ir::{Body, Dir, Module, Names, NodeId, Op};
 
 /// What the text has besides the module itself.
 #[derive(Clone, Debug, Default)]
