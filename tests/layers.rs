@@ -10,7 +10,7 @@ const RULES: &[(&str, &[&str])] = &[
     ("golden", &["error", "format", "config"]),
     ("oracle", &["error", "format"]),
     ("ir", &["error", "bits"]),
-    ("interp", &["error", "bits", "ir"]),
+    ("interp", &["error", "bits", "files", "ir"]),
     ("verilog", &["error", "bits", "ir"]),
     ("units", &["error", "bits", "format", "config", "ir"]),
     ("files", &["error"]),
