@@ -38,6 +38,12 @@ fn all_units(sim: Simulator) {
     let done = check_tree(&c, dir.path(), Some(sim), None, None, &|_| ()).unwrap();
     assert_eq!(done.len(), 24);
     assert!(done.iter().all(|x| x.rows > 0));
+    let interp = check_tree(&c, dir.path(), None, Some("traverse"), None, &|_| ()).unwrap();
+    let busy = |note: &str| note.split(';').next().unwrap().to_string();
+    let (here, there) = (busy(&done[23].note), busy(&interp[0].note));
+    assert_eq!(here, there, "slots busy in {} and in the interpreter", sim.name());
+    let words: Vec<f64> = here.split_whitespace().filter_map(|w| w.parse().ok()).collect();
+    assert!(words.len() == 2 && words[0] / words[1] >= 0.98, "{here}");
     println!("{}: 0 of {} mismatched", sim.name(), done.iter().map(|x| x.rows).sum::<usize>());
 }
 

@@ -132,6 +132,12 @@ pub struct TraceArgs {
     /// Where the hits go.
     #[arg(long, value_name = "H.csv")]
     pub out: PathBuf,
+    /// Also writes a waveform of one ray through the interpreter, undefined values as x.
+    #[arg(long, value_name = "W.fst|W.vcd")]
+    pub wave: Option<PathBuf>,
+    /// The ray of the waveform, counted from 0.
+    #[arg(long, default_value_t = 0, requires = "wave")]
+    pub wave_ray: usize,
 }
 
 /// Options of `render`.

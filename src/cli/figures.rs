@@ -55,7 +55,7 @@ fn print_steps(cli: &Cli, c: &Config, scene: &Scene, means: Option<&[[Option<f64
     } else {
         let kind = if means.is_some() { "ours / published" } else { "ours" };
         println!("{}: iterations per ray, {kind}; max @ray of rays (every {}th pixel)", scene.name, c.view.stride);
-        print!("{}\n", table(&["mode", "front", "max", "oblique", "max", "grazing", "max"], &rows));
+        println!("{}", table(&["mode", "front", "max", "oblique", "max", "grazing", "max"], &rows));
     }
     Ok(())
 }
@@ -66,7 +66,7 @@ pub fn accuracy(cli: &Cli, a: &MapArgs) -> Result<()> {
     let own = a.map.is_none() && c.map.kind != MapKind::File;
     let kinds: Vec<MapKind> =
         if own { MapKind::ALL.iter().copied().filter(|k| *k != MapKind::File).collect() } else { vec![c.map.kind] };
-    let mut rows = Vec::new();
+    let (mut rows, mut witnesses) = (Vec::new(), Vec::new());
     for kind in kinds {
         let mut c = c.clone();
         c.map.kind = kind;
@@ -75,13 +75,18 @@ pub fn accuracy(cli: &Cli, a: &MapArgs) -> Result<()> {
             let rays: Vec<RayInput> = scene.view(&c, *view, c.view.stride).iter().map(|x| encode(&c, x)).collect();
             let hits = trace_golden(&c.design(), &scene.pyramid, &rays)?;
             let r = crate::report::accuracy(&c.design(), &scene.texels, &rays, &hits)?;
-            let witness = r.wrong.first().map_or("-".to_string(), |w| {
+            for w in &r.wrong {
                 let q = &rays[w.ray];
-                format!(
-                    "ray {} ({:x} {:x} {:x} {:x}): {:?} for {:?}, margin {:.1e}",
-                    w.ray, q.u, q.v, q.du, q.dv, w.got, w.exact, w.margin
-                )
-            });
+                witnesses.push(vec![
+                    scene.name.clone(),
+                    view.word().into(),
+                    w.ray.to_string(),
+                    format!("{:x} {:x} {:x} {:x}", q.u, q.v, q.du, q.dv),
+                    format!("{}, {}", w.got.0, w.got.1),
+                    format!("{}, {}", w.exact.0, w.exact.1),
+                    format!("{:.1e}", w.margin),
+                ]);
+            }
             rows.push(vec![
                 scene.name.clone(),
                 view.word().into(),
@@ -89,20 +94,24 @@ pub fn accuracy(cli: &Cli, a: &MapArgs) -> Result<()> {
                 r.wrong_wall.to_string(),
                 r.limits.to_string(),
                 format!("{:.2e} @{}", r.worst_t.0, r.worst_t.1),
-                witness,
             ]);
         }
     }
-    let head =
-        ["map", "view", "wrong texels", "wrong walls", "given up", "largest t error @ray", "first witness (u v du dv)"];
+    let head = ["map", "view", "wrong texels", "wrong walls", "given up", "largest t error @ray"];
+    let each = ["map", "view", "ray", "u v du dv (hex)", "got", "exact", "margin"];
+    let objects = |head: &[&str], rows: &[Vec<String>]| -> serde_json::Value {
+        let object = |r: &Vec<String>| {
+            head.iter().zip(r).map(|(k, v)| (k.to_string(), json!(v))).collect::<serde_json::Map<_, _>>()
+        };
+        rows.iter().map(object).collect::<Vec<_>>().into()
+    };
     if cli.json {
-        let value: Vec<_> = rows
-            .iter()
-            .map(|r| head.iter().zip(r).map(|(k, v)| (k.to_string(), json!(v))).collect::<serde_json::Map<_, _>>())
-            .collect();
+        let value = json!({"views": objects(&head, &rows), "witnesses": objects(&each, &witnesses)});
         println!("{}", serde_json::to_string_pretty(&value).expect("plain data"));
     } else {
         print!("{}", table(&head, &rows));
+        println!("\nevery wrong texel (margin: how close the exact decision was, over the height range):");
+        print!("{}", table(&each, &witnesses));
     }
     Ok(())
 }

@@ -9,7 +9,7 @@ use crate::golden::{RayHit, RayInput};
 use crate::ir::Binding;
 use crate::project::{self, Scene};
 use crate::scene::read_rays;
-use crate::trace::{hit, hits_csv, trace_golden, trace_interp};
+use crate::trace::{hit, hits_csv, record, trace_golden, trace_interp};
 use crate::vectors::set_files;
 use std::time::Duration;
 
@@ -19,6 +19,17 @@ pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
     let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
     let rays: Vec<RayInput> = read_rays(&a.rays)?.iter().map(|r| project::ray(&c, *r)).collect();
     let hits = hits(cli, &c, a.engine, &scene, &rays)?;
+    if let Some(path) = &a.wave {
+        let ray = rays.get(a.wave_ray).ok_or_else(|| {
+            Error::input(format!(
+                "--wave-ray {} is none of the {} rays in {}",
+                a.wave_ray,
+                rays.len(),
+                a.rays.display()
+            ))
+        })?;
+        record(&c.design(), &scene.pyramid, ray)?.1.save(path, "traverse")?;
+    }
     crate::files::write_atomic(&a.out, hits_csv(&c.design(), &hits).as_bytes())?;
     if cli.json {
         println!("{}", serde_json::json!({"rays": hits.len(), "out": a.out}));

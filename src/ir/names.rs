@@ -1,18 +1,18 @@
-//! Names of nets: what text, waveforms and messages call a value.
+//! Names of a module's nets: base name and stage, the same in Verilog, waveforms and reports.
 use super::module::{Module, NodeId, Op};
 
-/// Names of a module's nets.
+/// Printed names of a module's nodes.
 pub struct Names<'m> {
     /// The module.
     pub m: &'m Module,
     /// True when names carry their stage.
     pub staged: bool,
-    /// Stage under which each node stands.
+    /// Stage under which each node is printed.
     pub stage: Vec<u32>,
 }
 
 impl<'m> Names<'m> {
-    /// Plans the names.
+    /// Names the nets of `m`.
     pub fn new(m: &'m Module) -> Self {
         let mut stage: Vec<u32> = Vec::with_capacity(m.nodes.len());
         for n in &m.nodes {

@@ -2,10 +2,13 @@
 mod csv;
 mod diagnose;
 mod interp;
+mod wave;
 
 pub use csv::{HEADER, hits_csv};
 pub use diagnose::{Divergence, decode, diagnose, diagnose_image};
 pub use interp::{INPUTS, OUTPUTS, Pipeline, hit, trace_interp};
+
+pub use wave::record;
 
 use crate::config::Design;
 use crate::error::Result;

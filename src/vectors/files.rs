@@ -1,4 +1,5 @@
-//! A vector set as files: `vectors.json` (description), `stimulus.hex` and `expected.hex` (`$readmemh`), `vectors.csv`.
+//! A vector set as files: `vectors.json` (description), `stimulus.hex` and `expected.hex` (`$readmemh`), `vectors.csv` and `rows.json`
+//! (the same rows, for other programs).
 //!
 //! A hex file starts with the number of rows; each row is one line of words, separated by blanks, first column first.
 use super::set::{Column, Counts, VectorSet};
@@ -57,7 +58,73 @@ pub fn set_files(s: &VectorSet) -> Files {
         ("stimulus.hex".into(), hex(&s.unit, &s.inputs, &s.stimulus)),
         ("expected.hex".into(), hex(&s.unit, &s.outputs, &s.expected)),
         ("vectors.csv".into(), csv),
+        ("rows.json".into(), rows_json(s)),
     ])
+}
+
+/// Rows as JSON: one object a line, column names and hex words.
+fn rows_json(s: &VectorSet) -> String {
+    let row = |(a, b): (&Vec<u64>, &Vec<u64>)| {
+        let cells = s.inputs.iter().chain(&s.outputs).zip(a.iter().chain(b));
+        let cells: Vec<String> = cells.map(|(c, v)| format!("\"{}\":\"{v:x}\"", c.name)).collect();
+        format!("{{{}}}", cells.join(","))
+    };
+    let rows: Vec<String> = s.stimulus.iter().zip(&s.expected).map(row).collect();
+    format!("[\n{}\n]\n", rows.join(",\n"))
+}
+
+/// Stimulus and expected rows of a `vectors.csv` with these columns.
+///
+/// # Errors
+/// Other columns, or a cell that is no hex number of the column's width.
+pub fn read_csv(text: &str, inputs: &[Column], outputs: &[Column]) -> Result<Rows> {
+    let mut lines = text.lines();
+    let want: Vec<String> = names(inputs).chain(names(outputs)).collect();
+    if lines.next().is_none_or(|h| h.split(',').ne(want.iter().map(String::as_str))) {
+        return Err(Error::input(format!("vectors.csv starts with the columns {}", want.join(","))));
+    }
+    let cells = lines.enumerate().map(|(i, l)| (i + 2, l.split(',').map(str::to_string).collect::<Vec<_>>()));
+    split_rows(cells, inputs, outputs, "vectors.csv")
+}
+
+/// Stimulus and expected rows of a `rows.json` with these columns.
+///
+/// # Errors
+/// As [`read_csv`].
+pub fn read_json(text: &str, inputs: &[Column], outputs: &[Column]) -> Result<Rows> {
+    let rows: Vec<std::collections::BTreeMap<String, String>> =
+        serde_json::from_str(text).map_err(|e| Error::input(format!("rows.json is not a list of rows: {e}")))?;
+    let cell = |r: &std::collections::BTreeMap<String, String>, n: String| r.get(&n).cloned().unwrap_or_default();
+    let cells = rows
+        .iter()
+        .enumerate()
+        .map(|(i, r)| (i + 2, names(inputs).chain(names(outputs)).map(|n| cell(r, n)).collect()));
+    split_rows(cells, inputs, outputs, "rows.json")
+}
+
+/// Stimulus and expected rows.
+pub type Rows = (Vec<Vec<u64>>, Vec<Vec<u64>>);
+
+fn split_rows(
+    cells: impl Iterator<Item = (usize, Vec<String>)>,
+    inputs: &[Column],
+    outputs: &[Column],
+    at: &str,
+) -> Result<Rows> {
+    let (mut a, mut b) = (Vec::new(), Vec::new());
+    for (line, words) in cells {
+        if words.len() != inputs.len() + outputs.len() {
+            return Err(Error::input(format!("{at}, line {line}: {} cells", words.len())));
+        }
+        let row = words.iter().zip(inputs.iter().chain(outputs)).map(|(w, c)| {
+            let v = u64::from_str_radix(w, 16).ok().filter(|v| v & !crate::bits::mask(c.width) == 0);
+            v.ok_or_else(|| Error::input(format!("{at}, line {line}: {w:?} is no hex number of {} bits", c.width)))
+        });
+        let mut row = row.collect::<Result<Vec<u64>>>()?;
+        b.push(row.split_off(inputs.len()));
+        a.push(row);
+    }
+    Ok((a, b))
 }
 
 fn names(c: &[Column]) -> impl Iterator<Item = String> + '_ {

@@ -4,5 +4,5 @@ mod files;
 mod set;
 
 pub use corners::{Plan, float_rows, integer_rows};
-pub use files::{read_set, set_files};
+pub use files::{Rows, read_csv, read_json, read_set, set_files};
 pub use set::{Column, Counts, VectorSet};

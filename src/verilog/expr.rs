@@ -18,16 +18,26 @@ pub enum Binds {
     Loose,
 }
 
-impl Names<'_> {
+/// How a module's nodes are written as expressions.
+pub trait Expressions {
     /// A node as an operand: its net, or its expression.
-    pub fn operand(&self, id: NodeId) -> (String, Binds) {
+    fn operand(&self, id: NodeId) -> (String, Binds);
+    /// A node as an operand of a binary operator.
+    fn tight(&self, id: NodeId, beside: &'static str) -> String;
+    /// The net of an operand that has to have one.
+    fn net_of(&self, id: NodeId, n: &Node) -> String;
+    /// The expression that computes a node.
+    fn expr(&self, n: &Node) -> (String, Binds);
+}
+
+impl Expressions for Names<'_> {
+    fn operand(&self, id: NodeId) -> (String, Binds) {
         match self.net(id) {
             Some(n) => (n, Binds::Primary),
             None => self.expr(self.m.node(id)),
         }
     }
 
-    /// A node as an operand of a binary operator.
     fn tight(&self, id: NodeId, beside: &'static str) -> String {
         let (s, b) = self.operand(id);
         match b {
@@ -41,8 +51,7 @@ impl Names<'_> {
         self.net(id).unwrap_or_else(|| panic!("{}: {} needs a named operand", self.m.name, n.op.name()))
     }
 
-    /// The expression that computes a node.
-    pub fn expr(&self, n: &Node) -> (String, Binds) {
+    fn expr(&self, n: &Node) -> (String, Binds) {
         let a = |i: usize| n.args[i];
         let bin = |op: &'static str, assoc: bool| {
             let s = format!("{} {op} {}", self.tight(a(0), op), self.tight(a(1), if assoc { op } else { "" }));

@@ -86,10 +86,12 @@ pub fn wrap(line: &str) -> String {
         match c {
             '(' | '{' | '[' => depth += 1,
             ')' | '}' | ']' => depth -= 1,
-            ' ' if i > indent + 8 && i <= COLUMNS && breaks_well(&line[..i], &line[i + 1..]) => {
-                if best.is_none_or(|(d, _)| depth <= d) {
-                    best = Some((depth, i));
-                }
+            ' ' if i > indent + 8
+                && i <= COLUMNS
+                && breaks_well(&line[..i], &line[i + 1..])
+                && best.is_none_or(|(d, _)| depth <= d) =>
+            {
+                best = Some((depth, i));
             }
             _ => {}
         }

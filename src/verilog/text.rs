@@ -1,5 +1,5 @@
 //! The whole text of a module: banner, parameters, ports, stages, loop, outputs.
-use super::expr::konst_name;
+use super::expr::{Expressions, konst_name};
 use super::layout::{COLUMNS, is_wide, range, wide, wrap};
 use super::prim;
 use crate::ir::{Body, Dir, Module, Names, NodeId, Op};

@@ -237,7 +237,8 @@ module tb_traverse #(
           outstanding = outstanding + 1;
           next_tag = next_tag + 1'b1;
         end
-        if (stim_left > 0 && rays > 0) begin
+        // Under full load: from the first ray on, until the last one has been taken.
+        if ((stim_left > 0 || in_valid) && rays > 0) begin
           after = after + 1;
           if (after > WarmUp) begin
             loaded = loaded + 1;
