@@ -39,17 +39,25 @@ fn measure(mode: ModeConfig, rays: usize, lanes: usize, threads: usize) {
         .collect();
     let golden = Golden::new(&d).expect("legal design");
     let pipeline = Pipeline::new(&d, &Binding::new()).expect("legal design");
-    let start = Instant::now();
+    let (start, busy) = (Instant::now(), processor_seconds());
     let run = pipeline.run(&pyramid, &ins, lanes, Traffic::default()).expect("every ray comes out");
     let seconds = start.elapsed().as_secs_f64();
+    let busy = processor_seconds() - busy;
     let wrong = ins.iter().zip(&run.results).filter(|(r, h)| golden.trace(&pyramid, r) != hit(h)).count();
     let lane_cycles = run.cycles as f64 * lanes as f64 * threads as f64;
     println!(
-        "{mode:?}: {wrong} of {rays} differ from golden; {} ops, {} registers, {} clocks; {:.2} M lane-cycles/s, {:.0} rays/s",
+        "{mode:?}: {wrong} of {rays} differ from golden; {} ops, {} registers, {} clocks; {:.2} M lane-cycles/s, {:.0} rays/s, {:.2} M lane-cycles per processor second",
         pipeline.net.ops.len(),
         pipeline.net.regs.len(),
         run.cycles,
         lane_cycles / seconds / 1e6,
-        rays as f64 / seconds
+        rays as f64 / seconds,
+        lane_cycles / busy / 1e6
     );
+}
+
+/// Time that the main thread has had a processor: tells the speed on a machine that does other work, too.
+fn processor_seconds() -> f64 {
+    let stat = std::fs::read_to_string("/proc/self/schedstat").unwrap_or_default();
+    stat.split_whitespace().next().and_then(|s| s.parse::<f64>().ok()).map_or(f64::NAN, |ns| ns / 1e9)
 }

@@ -7,65 +7,89 @@ use super::netlist::{FlatOp, Kind};
 use crate::bits::mask;
 
 /// Lanes of a block. All values of a block together should fit the second-level cache.
-pub const BLOCK: usize = 64;
+pub const BLOCK: usize = 128;
 /// A value of up to 32 bits in every lane.
 pub type Narrow = [u32; BLOCK];
 /// A value of up to 64 bits in every lane.
 pub type Wide = [u64; BLOCK];
 
-#[inline(always)]
-fn each1<T: Copy, U>(out: &mut [U; BLOCK], a: &[T; BLOCK], f: impl Fn(T) -> U) {
-    for i in 0..BLOCK {
-        out[i] = f(a[i]);
-    }
+/// An operation, or two of them in one.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Code {
+    /// The operation alone.
+    Plain,
+    /// `a & !b`.
+    AndNot,
+    /// `a | !b`.
+    OrNot,
+    /// `a | (b & c)`.
+    AndOr,
+    /// `a & (b | c)`.
+    OrAnd,
 }
-#[inline(always)]
-fn each2<T: Copy, U>(out: &mut [U; BLOCK], a: &[T; BLOCK], b: &[T; BLOCK], f: impl Fn(T, T) -> U) {
-    for i in 0..BLOCK {
-        out[i] = f(a[i], b[i]);
-    }
-}
-#[inline(always)]
-fn each3<T: Copy, U>(o: &mut [U; BLOCK], a: &[T; BLOCK], b: &[T; BLOCK], c: &[T; BLOCK], f: impl Fn(T, T, T) -> U) {
-    for i in 0..BLOCK {
-        o[i] = f(a[i], b[i], c[i]);
-    }
+
+/// One assignment in every lane. (Closures would be compiled without the vector instructions of their caller.)
+macro_rules! each {
+    ($out:ident, |$x:ident in $a:ident| $e:expr) => {
+        for i in 0..BLOCK {
+            let $x = $a[i];
+            $out[i] = $e;
+        }
+    };
+    ($out:ident, |$x:ident in $a:ident, $y:ident in $b:ident| $e:expr) => {
+        for i in 0..BLOCK {
+            let ($x, $y) = ($a[i], $b[i]);
+            $out[i] = $e;
+        }
+    };
+    ($out:ident, |$x:ident in $a:ident, $y:ident in $b:ident, $z:ident in $c:ident| $e:expr) => {
+        for i in 0..BLOCK {
+            let ($x, $y, $z) = ($a[i], $b[i], $c[i]);
+            $out[i] = $e;
+        }
+    };
 }
 
 /// An operation whose operands and result have up to 32 bits.
 #[inline(always)]
-pub fn narrow(op: &FlatOp, out: &mut Narrow, a: &Narrow, b: &Narrow, c: &Narrow) {
+pub fn narrow(code: Code, op: &FlatOp, out: &mut Narrow, a: &Narrow, b: &Narrow, c: &Narrow) {
     let (w, aw, aux) = (op.width, op.arg_width, op.aux & 31);
     let (m, sign) = (mask(w) as u32, 1u32 << ((aw - 1) & 31));
     let up = (32 - aw) & 31;
-    let signed = move |x: u32| ((x << up) as i32) >> up;
+    match code {
+        Code::Plain => {}
+        Code::AndNot => return each!(out, |x in a, y in b| x & !y),
+        Code::OrNot => return each!(out, |x in a, y in b| x | (y ^ m)),
+        Code::AndOr => return each!(out, |x in a, y in b, z in c| x | (y & z)),
+        Code::OrAnd => return each!(out, |x in a, y in b, z in c| x & (y | z)),
+    }
     match op.kind {
         Kind::Copy => *out = *a,
-        Kind::Not => each1(out, a, |x| x ^ m),
-        Kind::And => each2(out, a, b, |x, y| x & y),
-        Kind::Or => each2(out, a, b, |x, y| x | y),
-        Kind::Xor => each2(out, a, b, |x, y| x ^ y),
-        Kind::RedOr => each1(out, a, |x| u32::from(x != 0)),
+        Kind::Not => each!(out, |x in a| x ^ m),
+        Kind::And => each!(out, |x in a, y in b| x & y),
+        Kind::Or => each!(out, |x in a, y in b| x | y),
+        Kind::Xor => each!(out, |x in a, y in b| x ^ y),
+        Kind::RedOr => each!(out, |x in a| u32::from(x != 0)),
         Kind::RedAnd => {
             let full = mask(aw) as u32;
-            each1(out, a, |x| u32::from(x == full));
+            each!(out, |x in a| u32::from(x == full));
         }
-        Kind::Add => each2(out, a, b, |x, y| x.wrapping_add(y) & m),
-        Kind::Sub => each2(out, a, b, |x, y| x.wrapping_sub(y) & m),
-        Kind::Mul => each2(out, a, b, |x, y| x.wrapping_mul(y) & m),
-        Kind::Eq => each2(out, a, b, |x, y| u32::from(x == y)),
-        Kind::Ult => each2(out, a, b, |x, y| u32::from(x < y)),
-        Kind::Slt => each2(out, a, b, |x, y| u32::from(x ^ sign < y ^ sign)),
-        Kind::Shl => each2(out, a, b, |x, n| if n < w { (x << (n & 31)) & m } else { 0 }),
-        Kind::Shr => each2(out, a, b, |x, n| if n < w { x >> (n & 31) } else { 0 }),
-        Kind::Sar => each2(out, a, b, |x, n| (signed(x) >> (n.min(w - 1) & 31)) as u32 & m),
-        Kind::Mux => each3(out, a, b, c, |s, x, y| if s != 0 { x } else { y }),
-        Kind::Join => each2(out, a, b, |x, y| (x << aux) | y),
-        Kind::Slice => each1(out, a, |x| (x >> aux) & m),
-        Kind::Sext => each1(out, a, |x| signed(x) as u32 & m),
-        Kind::Rep => each1(out, a, |x| 0u32.wrapping_sub(x) & m),
-        Kind::Lzc => each1(out, a, |x| x.leading_zeros() + aw - 32),
-        Kind::Interleave => each2(out, a, b, |x, y| eval(op, u64::from(x), u64::from(y), 0) as u32),
+        Kind::Add => each!(out, |x in a, y in b| x.wrapping_add(y) & m),
+        Kind::Sub => each!(out, |x in a, y in b| x.wrapping_sub(y) & m),
+        Kind::Mul => each!(out, |x in a, y in b| x.wrapping_mul(y) & m),
+        Kind::Eq => each!(out, |x in a, y in b| u32::from(x == y)),
+        Kind::Ult => each!(out, |x in a, y in b| u32::from(x < y)),
+        Kind::Slt => each!(out, |x in a, y in b| u32::from(x ^ sign < y ^ sign)),
+        Kind::Shl => each!(out, |x in a, n in b| if n < w { (x << (n & 31)) & m } else { 0 }),
+        Kind::Shr => each!(out, |x in a, n in b| if n < w { x >> (n & 31) } else { 0 }),
+        Kind::Sar => each!(out, |x in a, n in b| ((((x << up) as i32) >> up) >> (n.min(w - 1) & 31)) as u32 & m),
+        Kind::Mux => each!(out, |s in a, x in b, y in c| (x & 0u32.wrapping_sub(s)) | (y & s.wrapping_sub(1))),
+        Kind::Join => each!(out, |x in a, y in b| (x << aux) | y),
+        Kind::Slice => each!(out, |x in a| (x >> aux) & m),
+        Kind::Sext => each!(out, |x in a| (((x << up) as i32) >> up) as u32 & m),
+        Kind::Rep => each!(out, |x in a| 0u32.wrapping_sub(x) & m),
+        Kind::Lzc => each!(out, |x in a| x.leading_zeros() + aw - 32),
+        Kind::Interleave => each!(out, |x in a, y in b| eval(op, u64::from(x), u64::from(y), 0) as u32),
         Kind::DivRem => divide(op, a, b, out, &mut [0; BLOCK]),
         Kind::DivQuot => divide(op, a, b, &mut [0; BLOCK], out),
     }
@@ -105,12 +129,14 @@ pub fn wide(op: &FlatOp, out: &mut Wide, a: &Wide, b: &Wide, c: &Wide) {
                 })*)*
             }
         };
-        (@ each1, $op:ident, $out:ident, $a:ident, $b:ident, $c:ident) => { each1($out, $a, |x| eval(&$op, x, x, x)) };
+        (@ each1, $op:ident, $out:ident, $a:ident, $b:ident, $c:ident) => {
+            each!($out, |x in $a| eval(&$op, x, x, x))
+        };
         (@ each2, $op:ident, $out:ident, $a:ident, $b:ident, $c:ident) => {
-            each2($out, $a, $b, |x, y| eval(&$op, x, y, x))
+            each!($out, |x in $a, y in $b| eval(&$op, x, y, x))
         };
         (@ each3, $op:ident, $out:ident, $a:ident, $b:ident, $c:ident) => {
-            each3($out, $a, $b, $c, |x, y, z| eval(&$op, x, y, z))
+            each!($out, |x in $a, y in $b, z in $c| eval(&$op, x, y, z))
         };
     }
     kinds!(
@@ -120,37 +146,58 @@ pub fn wide(op: &FlatOp, out: &mut Wide, a: &Wide, b: &Wide, c: &Wide) {
     );
 }
 
+/// A narrow slice of wide words.
+#[inline(always)]
+pub fn slice(op: &FlatOp, out: &mut Narrow, a: &Wide) {
+    let (aux, m) = (op.aux & 63, mask(op.width));
+    each!(out, |x in a| ((x >> aux) & m) as u32);
+}
+/// The wide product of narrow words.
+#[inline(always)]
+pub fn product(op: &FlatOp, out: &mut Wide, a: &Narrow, b: &Narrow) {
+    let m = mask(op.width);
+    each!(out, |x in a, y in b| (u64::from(x) * u64::from(y)) & m);
+}
+
 /// Narrow words as wide ones.
 #[inline(always)]
 pub fn widen(out: &mut Wide, a: &Narrow) {
-    each1(out, a, u64::from);
+    each!(out, |x in a| u64::from(x));
 }
 /// Wide words that fit as narrow ones.
 #[inline(always)]
 pub fn cut(out: &mut Narrow, a: &Wide) {
-    each1(out, a, |x| x as u32);
+    each!(out, |x in a| x as u32);
 }
 
-/// What a register holds next: `d` where it is enabled, 0 where it is reset.
-#[inline(always)]
-pub fn next<T: Copy + Default>(q: &mut [T; BLOCK], d: &[T; BLOCK], enable: Option<&Narrow>, reset: Option<&Narrow>) {
-    match (enable, reset) {
-        (None, None) => *q = *d,
-        (Some(e), None) => {
-            for i in 0..BLOCK {
-                q[i] = if e[i] != 0 { d[i] } else { q[i] };
+/// What registers hold next: `d` where they are enabled, 0 where they are reset.
+macro_rules! next {
+    ($name:ident, $word:ty, $row:ty) => {
+        #[inline(always)]
+        pub fn $name(q: &mut $row, d: &$row, enable: Option<&Narrow>, reset: Option<&Narrow>) {
+            match (enable, reset) {
+                (None, None) => *q = *d,
+                (Some(e), None) => {
+                    for i in 0..BLOCK {
+                        // As masks: a choice of what to load would be a choice of addresses.
+                        let on = (0 as $word).wrapping_sub(<$word>::from(e[i]));
+                        q[i] = (d[i] & on) | (q[i] & !on);
+                    }
+                }
+                (None, Some(r)) => {
+                    for i in 0..BLOCK {
+                        q[i] = d[i] & <$word>::from(r[i]).wrapping_sub(1);
+                    }
+                }
+                (Some(e), Some(r)) => {
+                    for i in 0..BLOCK {
+                        let on = (0 as $word).wrapping_sub(<$word>::from(e[i]));
+                        q[i] = ((d[i] & on) | (q[i] & !on)) & <$word>::from(r[i]).wrapping_sub(1);
+                    }
+                }
             }
         }
-        (None, Some(r)) => {
-            for i in 0..BLOCK {
-                q[i] = if r[i] != 0 { T::default() } else { d[i] };
-            }
-        }
-        (Some(e), Some(r)) => {
-            for i in 0..BLOCK {
-                let v = if e[i] != 0 { d[i] } else { q[i] };
-                q[i] = if r[i] != 0 { T::default() } else { v };
-            }
-        }
-    }
+    };
 }
+next!(next_narrow, u32, Narrow);
+next!(next_wide, u64, Wide);

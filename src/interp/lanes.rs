@@ -3,6 +3,7 @@
 //! Lanes stand in blocks whose values fit the cache; in a block every operation is one loop over the lanes, which the
 //! compiler vectorizes. Memories are shared by all lanes: what is written must be the same in each.
 use super::kernel::BLOCK;
+use super::layout::layout;
 use super::netlist::*;
 use super::program::{Block, Program};
 use std::sync::Arc;
@@ -19,7 +20,13 @@ pub struct Lanes {
 impl Lanes {
     /// `lanes` copies with registers and memories at zero.
     pub fn new(net: &Netlist, lanes: usize) -> Self {
-        let program = Program::new(net);
+        Self::with(net, layout(net, false), lanes)
+    }
+    /// The same, faster: only ports and registers can be read.
+    pub fn of_ports(net: &Netlist, lanes: usize) -> Self {
+        Self::with(net, layout(net, true), lanes)
+    }
+    fn with(net: &Netlist, program: Program, lanes: usize) -> Self {
         let blocks = (0..lanes.div_ceil(BLOCK)).map(|_| program.block()).collect();
         let mems = net.mems.iter().map(|m| Arc::new(vec![0; m.depth])).collect();
         Self { program, blocks, lanes, ports: net.mems.clone(), mems }
@@ -64,10 +71,10 @@ impl Lanes {
     /// If lanes write different things to a memory.
     pub fn clock(&mut self) {
         for b in &mut self.blocks {
-            for (i, addr, aside, _) in &self.program.reads {
+            for r in &self.program.reads {
                 for lane in 0..BLOCK {
-                    let word = self.mems[*i].get(b.get(*addr, lane) as usize).copied().unwrap_or(0);
-                    b.set(*aside, lane, word);
+                    let word = self.mems[r.mem].get(b.get(r.addr, lane) as usize).copied().unwrap_or(0);
+                    b.set(r.hold, lane, word);
                 }
             }
         }

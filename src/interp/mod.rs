@@ -2,8 +2,10 @@
 mod elaborate;
 mod eval;
 mod flat;
+mod fuse;
 mod kernel;
 mod lanes;
+mod layout;
 mod netlist;
 mod optimize;
 mod program;

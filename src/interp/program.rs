@@ -1,7 +1,6 @@
-//! A netlist laid out for execution: every slot gets a row of narrow or wide words, every operation its loop.
-use super::kernel::{BLOCK, Narrow, Wide, cut, divide, narrow, next, wide, widen};
-use super::netlist::*;
-use std::collections::HashMap;
+//! A netlist laid out for execution: every slot has a row of narrow or wide words, every operation its loop.
+use super::kernel::*;
+use super::netlist::{FlatOp, Slot};
 
 /// Where a slot's words stand.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -12,63 +11,53 @@ pub(super) enum Row {
     Wide(u32),
 }
 
-/// One step of [`Program::eval`]; rows of operands stand before rows of results.
-enum Step {
+/// One step of [`Program::eval`]. The row of a result is none of its operands'.
+pub(super) enum Step {
     /// All words are narrow.
-    Narrow { op: FlatOp, out: u32, args: [u32; 3] },
+    Narrow { code: Code, op: FlatOp, out: u32, args: [u32; 3] },
     /// Remainder and quotient of narrow words at once.
     Divide { op: FlatOp, rem: u32, quot: u32, args: [u32; 2] },
     /// All words are wide.
     Wide { op: FlatOp, out: u32, args: [u32; 3] },
-    /// Some of each.
+    /// A narrow slice of wide words.
+    Cut { op: FlatOp, out: u32, arg: u32 },
+    /// The wide product of narrow words.
+    Product { op: FlatOp, out: u32, args: [u32; 2] },
+    /// Some of each; the first `count` operands are read.
     Mixed { op: FlatOp, out: Row, args: [Row; 3], count: usize },
 }
 
 /// A register: rows of one kind, control always narrow.
 #[derive(Clone, Copy)]
-struct Update {
-    q: Row,
-    d: Row,
-    enable: Option<u32>,
-    reset: Option<u32>,
+pub(super) struct Update {
+    pub q: Row,
+    pub d: Row,
+    pub enable: Option<u32>,
+    pub reset: Option<u32>,
+}
+
+/// The read of a memory: its index, the row of the address, where the word is kept until the clock, where it goes.
+pub(super) struct Read {
+    pub mem: usize,
+    pub addr: Row,
+    pub hold: Row,
+    pub word: Row,
 }
 
 /// The layout and the steps.
+#[derive(Default)]
 pub(super) struct Program {
-    rows: Vec<Row>,
-    sizes: (u32, u32),
-    consts: Vec<(Row, u64)>,
-    steps: Vec<Step>,
-    /// Values that are kept aside before anything is written, and where they go afterwards.
-    aside: Vec<(Update, Row)>,
-    updates: Vec<Update>,
-    /// Index of each memory, its read address, the row for the word aside, the row of the word.
-    pub reads: Vec<(usize, Row, Row, Row)>,
-}
-
-/// Registers in an order in which none is written before all have read it, and those that stand in rings.
-fn order(regs: &[Update]) -> (Vec<usize>, Vec<usize>) {
-    let owner: HashMap<Row, usize> = regs.iter().enumerate().map(|(i, r)| (r.q, i)).collect();
-    let reads = |i: usize| {
-        let r = &regs[i];
-        let rows = [Some(r.d), r.enable.map(Row::Narrow), r.reset.map(Row::Narrow)];
-        rows.into_iter().flatten().filter_map(|row| owner.get(&row).copied()).filter(move |o| *o != i)
-    };
-    let mut readers = vec![0usize; regs.len()];
-    (0..regs.len()).for_each(|i| reads(i).for_each(|o| readers[o] += 1));
-    let mut ready: Vec<usize> = (0..regs.len()).filter(|i| readers[*i] == 0).collect();
-    let mut done = Vec::with_capacity(regs.len());
-    while let Some(i) = ready.pop() {
-        done.push(i);
-        for o in reads(i) {
-            readers[o] -= 1;
-            if readers[o] == 0 {
-                ready.push(o);
-            }
-        }
-    }
-    let ring = (0..regs.len()).filter(|i| readers[*i] > 0).collect();
-    (done, ring)
+    /// Row of each slot; `None` for those whose row went to others.
+    pub rows: Vec<Option<Row>>,
+    /// Narrow and wide rows.
+    pub sizes: (u32, u32),
+    pub consts: Vec<(Row, u64)>,
+    pub steps: Vec<Step>,
+    /// Registers that stand in rings: kept aside before anything is written.
+    pub aside: Vec<(Update, Row)>,
+    /// The others, each after all that read it.
+    pub updates: Vec<Update>,
+    pub reads: Vec<Read>,
 }
 
 /// The values of [`BLOCK`] lanes.
@@ -78,105 +67,14 @@ pub(super) struct Block {
 }
 
 impl Program {
-    /// Lays out `net`.
-    pub fn new(net: &Netlist) -> Self {
-        let mut p = Self {
-            rows: Vec::with_capacity(net.widths.len()),
-            sizes: (0, 0),
-            consts: vec![],
-            steps: vec![],
-            aside: vec![],
-            updates: vec![],
-            reads: vec![],
-        };
-        for w in &net.widths[..net.first_op as usize] {
-            let row = p.row(*w);
-            p.rows.push(row);
-        }
-        p.rows.resize(net.widths.len(), Row::Narrow(u32::MAX));
-        for i in 0..net.ops.len() {
-            p.step(net, i);
-        }
-        p.consts = net.consts.iter().map(|(s, v)| (p.at(*s), *v)).collect();
-        for (i, m) in net.mems.iter().enumerate() {
-            let hold = p.row(net.widths[m.read_data as usize]);
-            p.reads.push((i, p.at(m.read_addr), hold, p.at(m.read_data)));
-        }
-        let regs: Vec<Update> = net.regs.iter().map(|r| p.update(r)).collect();
-        let (in_place, ring) = order(&regs);
-        for i in ring {
-            let hold = p.row(net.widths[net.regs[i].q as usize]);
-            p.aside.push((regs[i], hold));
-        }
-        p.updates = in_place.into_iter().map(|i| regs[i]).collect();
-        p
-    }
     /// The row of a slot.
+    ///
+    /// # Panics
+    /// If its row went to others.
+    #[inline]
     pub fn at(&self, s: Slot) -> Row {
-        self.rows[s as usize]
+        self.rows[s as usize].expect("only ports and registers can be read where rows are shared")
     }
-    fn row(&mut self, width: u32) -> Row {
-        let (n, w) = &mut self.sizes;
-        if width <= 32 {
-            *n += 1;
-            Row::Narrow(*n - 1)
-        } else {
-            *w += 1;
-            Row::Wide(*w - 1)
-        }
-    }
-    fn update(&self, r: &FlatReg) -> Update {
-        let control = |s: Option<Slot>| match s.map(|s| self.at(s)) {
-            None => None,
-            Some(Row::Narrow(i)) => Some(i),
-            Some(Row::Wide(_)) => unreachable!("control signals have one bit"),
-        };
-        Update { q: self.at(r.q), d: self.at(r.d), enable: control(r.enable), reset: control(r.reset) }
-    }
-
-    fn step(&mut self, net: &Netlist, i: usize) {
-        let (op, slot) = (net.ops[i], net.first_op as usize + i);
-        if self.rows[slot] != Row::Narrow(u32::MAX) {
-            return;
-        }
-        let args = op.args.map(|a| self.at(a));
-        // Zeros on top change no word: the value shares its operand's row.
-        let same_kind = (op.width <= 32) == matches!(args[0], Row::Narrow(_));
-        if op.kind == Kind::Copy || (op.kind == Kind::Slice && op.aux == 0 && op.width >= op.arg_width && same_kind) {
-            self.rows[slot] = args[0];
-            return;
-        }
-        let twin = |k| net.ops[i + 1..].iter().position(|o| *o == FlatOp { kind: k, width: o.width, ..op });
-        let twin = match op.kind {
-            Kind::DivRem => twin(Kind::DivQuot),
-            Kind::DivQuot => twin(Kind::DivRem),
-            _ => None,
-        };
-        let out = self.row(op.width);
-        self.rows[slot] = out;
-        let step = match (out, args) {
-            (Row::Narrow(x), [Row::Narrow(a), Row::Narrow(b), Row::Narrow(c)]) => {
-                let twin = twin.filter(|t| net.ops[i + 1 + t].width <= 32).map(|t| slot + 1 + t);
-                match twin {
-                    None => Step::Narrow { op, out: x, args: [a, b, c] },
-                    Some(other) => {
-                        let y = self.row(1);
-                        self.rows[other] = y;
-                        let Row::Narrow(y) = y else { unreachable!("a row for one bit is narrow") };
-                        let (rem, quot) = if op.kind == Kind::DivRem { (x, y) } else { (y, x) };
-                        Step::Divide { op, rem, quot, args: [a, b] }
-                    }
-                }
-            }
-            (Row::Wide(x), [Row::Wide(a), Row::Wide(b), Row::Wide(c)]) => Step::Wide { op, out: x, args: [a, b, c] },
-            _ => {
-                let count = (1..3).filter(|k| op.args[*k] != op.args[0]).max().map_or(1, |k| k + 1);
-                Step::Mixed { op, out, args, count }
-            }
-        };
-        self.steps.push(step);
-    }
-
     /// Values of registers and inputs at zero.
     pub fn block(&self) -> Block {
         let mut b =
@@ -221,23 +119,26 @@ impl Program {
         let mut x: [Wide; 3] = [[0; BLOCK]; 3];
         for step in &self.steps {
             match step {
-                Step::Narrow { op, out, args } => {
-                    let (before, rest) = block.narrow.split_at_mut(*out as usize);
-                    let [a, b, c] = args.map(|a| &before[a as usize]);
-                    narrow(op, &mut rest[0], a, b, c);
+                Step::Narrow { code, op, out, args } => {
+                    let (out, others) = apart(&mut block.narrow, *out);
+                    narrow(*code, op, out, others.row(args[0]), others.row(args[1]), others.row(args[2]));
                 }
                 Step::Divide { op, rem, quot, args } => {
-                    let first = *rem.min(quot) as usize;
-                    let (before, rest) = block.narrow.split_at_mut(first);
-                    let (x, y) = rest.split_at_mut(1);
-                    let (r, q) = if rem < quot { (&mut x[0], &mut y[0]) } else { (&mut y[0], &mut x[0]) };
-                    let [a, b] = args.map(|a| &before[a as usize]);
-                    divide(op, a, b, r, q);
+                    let [a, b] = args.map(|a| block.narrow[a as usize]);
+                    let (mut r, mut q) = ([0; BLOCK], [0; BLOCK]);
+                    divide(op, &a, &b, &mut r, &mut q);
+                    (block.narrow[*rem as usize], block.narrow[*quot as usize]) = (r, q);
                 }
                 Step::Wide { op, out, args } => {
-                    let (before, rest) = block.wide.split_at_mut(*out as usize);
-                    let [a, b, c] = args.map(|a| &before[a as usize]);
-                    wide(op, &mut rest[0], a, b, c);
+                    let (out, others) = apart(&mut block.wide, *out);
+                    wide(op, out, others.row(args[0]), others.row(args[1]), others.row(args[2]));
+                }
+                Step::Cut { op, out, arg } => {
+                    slice(op, &mut block.narrow[*out as usize], &block.wide[*arg as usize]);
+                }
+                Step::Product { op, out, args } => {
+                    let [a, b] = args.map(|a| &block.narrow[a as usize]);
+                    product(op, &mut block.wide[*out as usize], a, b);
                 }
                 Step::Mixed { op, out, args, count } => {
                     for (x, a) in x.iter_mut().zip(args).take(*count) {
@@ -268,9 +169,31 @@ impl Program {
         for (u, hold) in &self.aside {
             b.copy(*hold, u.q);
         }
-        for (_, _, hold, word) in &self.reads {
-            b.copy(*hold, *word);
+        for r in &self.reads {
+            b.copy(r.hold, r.word);
         }
+    }
+}
+
+/// All rows but one.
+struct Others<'b, T> {
+    before: &'b [[T; BLOCK]],
+    after: &'b [[T; BLOCK]],
+}
+
+/// A row to write, and the others to read.
+#[inline(always)]
+fn apart<T>(rows: &mut [[T; BLOCK]], out: u32) -> (&mut [T; BLOCK], Others<'_, T>) {
+    let (before, rest) = rows.split_at_mut(out as usize);
+    let (out, after) = rest.split_first_mut().expect("the row exists");
+    (out, Others { before, after })
+}
+
+impl<'b, T> Others<'b, T> {
+    #[inline(always)]
+    fn row(&self, i: u32) -> &'b [T; BLOCK] {
+        let i = i as usize;
+        if i < self.before.len() { &self.before[i] } else { &self.after[i - self.before.len() - 1] }
     }
 }
 
@@ -314,12 +237,12 @@ impl Block {
         match (u.q, u.d, to) {
             (Row::Narrow(q), Row::Narrow(d), Row::Narrow(t)) => {
                 let mut v = self.narrow[q as usize];
-                next(&mut v, &self.narrow[d as usize], enable, reset);
+                next_narrow(&mut v, &self.narrow[d as usize], enable, reset);
                 self.narrow[t as usize] = v;
             }
             (Row::Wide(q), Row::Wide(d), Row::Wide(t)) => {
                 let mut v = self.wide[q as usize];
-                next(&mut v, &self.wide[d as usize], enable, reset);
+                next_wide(&mut v, &self.wide[d as usize], enable, reset);
                 self.wide[t as usize] = v;
             }
             _ => unreachable!("a register's input and output have the same width"),

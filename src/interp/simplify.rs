@@ -12,6 +12,8 @@ impl Flat {
         match op.kind {
             Kind::And if a == b || vb == Some(ones) => Some(a),
             Kind::And if va == Some(ones) => Some(b),
+            Kind::And if self.is_repeated(a) => Some(self.choose(a, b, w)),
+            Kind::And if self.is_repeated(b) => Some(self.choose(b, a, w)),
             Kind::And if va == Some(0) || vb == Some(0) => Some(self.constant(0, w)),
             Kind::Or if a == b || vb == Some(0) => Some(a),
             Kind::Or if va == Some(0) => Some(b),
@@ -43,6 +45,16 @@ impl Flat {
             Kind::Join => self.simpler_join(op, va),
             _ => None,
         }
+    }
+
+    fn is_repeated(&self, s: Slot) -> bool {
+        self.made_by(s).is_some_and(|x| x.kind == Kind::Rep)
+    }
+    /// `{w{bit}} & word` is a choice between the word and 0.
+    fn choose(&mut self, repeated: Slot, word: Slot, w: u32) -> Slot {
+        let bit = self.made_by(repeated).map_or(repeated, |x| x.args[0]);
+        let zero = self.constant(0, w);
+        self.op(Kind::Mux, &[bit, word, zero], w, 0)
     }
 
     fn simpler_mux(&mut self, op: &FlatOp, va: Option<u64>, vb: Option<u64>, vc: Option<u64>) -> Option<Slot> {

@@ -92,7 +92,7 @@ impl Stream {
     /// A result that never comes, or one that nobody waits for.
     pub fn run(&self, items: &[Vec<u64>], image: &Arc<Vec<u64>>, lanes: usize, traffic: Traffic) -> Result<StreamRun> {
         let lanes = lanes.clamp(1, items.len().max(1));
-        let mut sim = Lanes::new(&self.net, lanes);
+        let mut sim = Lanes::of_ports(&self.net, lanes);
         (0..self.net.mems.len()).for_each(|i| sim.load(i, image.clone()));
         sim.fill(self.net.input("rst"), 1);
         sim.eval();
