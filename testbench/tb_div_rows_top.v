@@ -1,5 +1,4 @@
 // tb_div_rows_top: makes the clock of tb_div_rows for event-driven simulators.
-`timescale 1ns / 1ps
 `default_nettype none
 module tb_div_rows_top #(
   parameter integer W = 17,

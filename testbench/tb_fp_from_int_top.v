@@ -1,5 +1,4 @@
 // tb_fp_from_int_top: makes the clock of tb_fp_from_int for event-driven simulators.
-`timescale 1ns / 1ps
 `default_nettype none
 module tb_fp_from_int_top #(
   parameter integer EXP_W = 7,

@@ -1,5 +1,4 @@
 // tb_fp_to_fixed_top: makes the clock of tb_fp_to_fixed for event-driven simulators.
-`timescale 1ns / 1ps
 `default_nettype none
 module tb_fp_to_fixed_top #(
   parameter integer EXP_W = 7,

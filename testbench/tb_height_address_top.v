@@ -1,5 +1,4 @@
 // tb_height_address_top: makes the clock of tb_height_address for event-driven simulators.
-`timescale 1ns / 1ps
 `default_nettype none
 module tb_height_address_top #(
   parameter integer LEVELS = 8

@@ -1,5 +1,4 @@
 // tb_height_test_top: makes the clock of tb_height_test for event-driven simulators.
-`timescale 1ns / 1ps
 `default_nettype none
 module tb_height_test_top #(
   parameter integer EXP_W = 7,

@@ -1,5 +1,4 @@
 // tb_hit_position_top: makes the clock of tb_hit_position for event-driven simulators.
-`timescale 1ns / 1ps
 `default_nettype none
 module tb_hit_position_top #(
   parameter integer EXP_W = 7,

@@ -1,5 +1,4 @@
 // tb_interleave_top: makes the clock of tb_interleave for event-driven simulators.
-`timescale 1ns / 1ps
 `default_nettype none
 module tb_interleave_top #(
   parameter integer W = 9

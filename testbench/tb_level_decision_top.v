@@ -1,5 +1,4 @@
 // tb_level_decision_top: makes the clock of tb_level_decision for event-driven simulators.
-`timescale 1ns / 1ps
 `default_nettype none
 module tb_level_decision_top #(
   parameter integer EXP_W = 7,

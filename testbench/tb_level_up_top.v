@@ -1,5 +1,4 @@
 // tb_level_up_top: makes the clock of tb_level_up for event-driven simulators.
-`timescale 1ns / 1ps
 `default_nettype none
 module tb_level_up_top #(
   parameter integer LEVELS = 8,

@@ -1,5 +1,4 @@
 // tb_lzc_top: makes the clock of tb_lzc for event-driven simulators.
-`timescale 1ns / 1ps
 `default_nettype none
 module tb_lzc_top #(
   parameter integer W = 8

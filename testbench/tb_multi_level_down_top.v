@@ -1,5 +1,4 @@
 // tb_multi_level_down_top: makes the clock of tb_multi_level_down for event-driven simulators.
-`timescale 1ns / 1ps
 `default_nettype none
 module tb_multi_level_down_top #(
   parameter integer LEVELS = 8,

@@ -1,5 +1,4 @@
 // tb_node_crossing_top: makes the clock of tb_node_crossing for event-driven simulators.
-`timescale 1ns / 1ps
 `default_nettype none
 module tb_node_crossing_top #(
   parameter integer EXP_W = 7,

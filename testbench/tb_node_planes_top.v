@@ -1,5 +1,4 @@
 // tb_node_planes_top: makes the clock of tb_node_planes for event-driven simulators.
-`timescale 1ns / 1ps
 `default_nettype none
 module tb_node_planes_top #(
   parameter integer LEVELS = 8,

@@ -1,5 +1,4 @@
 // tb_plane_time_top: makes the clock of tb_plane_time for event-driven simulators.
-`timescale 1ns / 1ps
 `default_nettype none
 module tb_plane_time_top #(
   parameter integer EXP_W = 7,

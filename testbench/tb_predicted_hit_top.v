@@ -1,5 +1,4 @@
 // tb_predicted_hit_top: makes the clock of tb_predicted_hit for event-driven simulators.
-`timescale 1ns / 1ps
 `default_nettype none
 module tb_predicted_hit_top #(
   parameter integer EXP_W = 7,

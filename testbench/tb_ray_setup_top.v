@@ -1,5 +1,4 @@
 // tb_ray_setup_top: makes the clock of tb_ray_setup for event-driven simulators.
-`timescale 1ns / 1ps
 `default_nettype none
 module tb_ray_setup_top #(
   parameter integer EXP_W = 7,

@@ -1,5 +1,4 @@
 // tb_start_level_top: makes the clock of tb_start_level for event-driven simulators.
-`timescale 1ns / 1ps
 `default_nettype none
 module tb_start_level_top #(
   parameter integer LEVELS = 8,

@@ -1,5 +1,4 @@
 // tb_traverse_top: makes the clock of tb_traverse for event-driven simulators.
-`timescale 1ns / 1ps
 `default_nettype none
 module tb_traverse_top #(
   parameter integer EXP_W = 7,

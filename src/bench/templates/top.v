@@ -1,5 +1,4 @@
 // tb_{{ unit }}_top: makes the clock of tb_{{ unit }} for event-driven simulators.
-`timescale 1ns / 1ps
 `default_nettype none
 module tb_{{ unit }}_top{% if params %} #(
 {%- for p in params %}
