@@ -12,7 +12,7 @@ use std::time::Instant;
 fn main() {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let number = |i: usize, default: usize| args.get(i).and_then(|s| s.parse().ok()).unwrap_or(default);
-    let (rays, lanes, threads) = (number(0, 10_000), number(1, 64), number(2, 1));
+    let (rays, lanes, threads) = (number(0, 10_000), number(1, 128), number(2, 1));
     let mut modes = vec![ModeConfig::default()];
     if args.get(3).is_some_and(|a| a == "all") {
         modes.clear();
@@ -40,7 +40,7 @@ fn measure(mode: ModeConfig, rays: usize, lanes: usize, threads: usize) {
     let golden = Golden::new(&d).expect("legal design");
     let pipeline = Pipeline::new(&d, &Binding::new()).expect("legal design");
     let (start, busy) = (Instant::now(), processor_seconds());
-    let run = pipeline.run(&pyramid, &ins, lanes, Traffic::default()).expect("every ray comes out");
+    let run = pipeline.run_parallel(&pyramid, &ins, lanes, threads, Traffic::default()).expect("every ray comes out");
     let seconds = start.elapsed().as_secs_f64();
     let busy = processor_seconds() - busy;
     let wrong = ins.iter().zip(&run.results).filter(|(r, h)| golden.trace(&pyramid, r) != hit(h)).count();

@@ -1,7 +1,7 @@
 //! Replays a unit's vectors in the interpreter, and compares results with what is expected.
 use crate::error::{Error, Result};
 use crate::format::FloatFormat;
-use crate::interp::{Lanes, elaborate};
+use crate::interp::{BLOCK, Lanes, elaborate};
 use crate::ir::Module;
 use crate::trace::decode;
 use crate::vectors::VectorSet;
@@ -110,7 +110,7 @@ pub fn compare(set: &VectorSet, engine: &str, results: &[Vec<u64>]) -> Result<Ch
 /// # Errors
 /// Illegal parameters, or as [`compare`].
 pub fn check_interp(m: &Module, set: &VectorSet) -> Result<CheckReport> {
-    const LANES: usize = 64;
+    const LANES: usize = BLOCK;
     let net = elaborate(m, &set.params)?;
     let mut sim = Lanes::new(&net, LANES);
     if let Some(ce) = net.inputs.iter().find(|p| p.name == "ce") {

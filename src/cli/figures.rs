@@ -5,7 +5,7 @@ use crate::bench::Simulator;
 use crate::config::{Config, MapKind, View};
 use crate::error::{Error, Result};
 use crate::golden::RayInput;
-use crate::interp::Traffic;
+use crate::interp::{BLOCK, Traffic};
 use crate::ir::Binding;
 use crate::project::{Scene, encode};
 use crate::report::{PUBLISHED, ROWS, Steps, steps as count};
@@ -144,7 +144,7 @@ pub fn bench(cli: &Cli, a: &BenchArgs) -> Result<()> {
     let start = Instant::now();
     let p = Pipeline::new(&d, &Binding::new())?;
     let build = start.elapsed();
-    let t = time(&mut || p.run(&scene.pyramid, &rays, 64, Traffic::default()).map(|_| ()))?;
+    let t = time(&mut || p.run(&scene.pyramid, &rays, BLOCK, Traffic::default()).map(|_| ()))?;
     rows.push(("interpreter, 1 thread".into(), rays.len(), build, t));
     let t = time(&mut || trace_interp(&d, &scene.pyramid, &rays).map(|_| ()))?;
     rows.push((format!("interpreter, {} threads", rayon::current_num_threads()), rays.len(), build, t));

@@ -24,18 +24,12 @@ pub(super) fn layout(net: &Netlist, share: bool) -> Program {
     }
     let mut p = l.p;
     p.consts = net.consts.iter().map(|(s, v)| (p.at(*s), *v)).collect();
-    let hold = |p: &mut Program, width| new_row(&mut p.sizes, width);
     for (mem, m) in net.mems.iter().enumerate() {
-        let hold = hold(&mut p, net.widths[m.read_data as usize]);
+        let hold = new_row(&mut p.sizes, net.widths[m.read_data as usize]);
         p.reads.push(Read { mem, addr: p.at(m.read_addr), hold, word: p.at(m.read_data) });
     }
     let regs: Vec<Update> = net.regs.iter().map(|r| update(&p, r)).collect();
-    let (in_place, ring) = order(&regs);
-    for i in ring {
-        let hold = hold(&mut p, net.widths[net.regs[i].q as usize]);
-        p.aside.push((regs[i], hold));
-    }
-    p.updates = in_place.into_iter().map(|i| regs[i]).collect();
+    order(net, &mut p, regs);
     if share {
         let kept = l.uses.iter().map(|u| *u >= KEPT);
         p.rows.iter_mut().zip(kept).filter(|(_, kept)| !kept).for_each(|(row, _)| *row = None);
@@ -155,27 +149,44 @@ fn update(p: &Program, r: &FlatReg) -> Update {
     Update { q: p.at(r.q), d: p.at(r.d), enable: control(r.enable), reset: control(r.reset) }
 }
 
-/// Registers in an order in which none is written before all have read it, and those that stand in rings.
-fn order(regs: &[Update]) -> (Vec<usize>, Vec<usize>) {
+/// Puts registers in an order in which none is written before all have read it. Those that stand in rings, or read
+/// themselves, read copies of what was there.
+fn order(net: &Netlist, p: &mut Program, mut regs: Vec<Update>) {
+    let reads = |r: &Update| [Some(r.d), r.enable.map(Row::Narrow), r.reset.map(Row::Narrow)].into_iter().flatten();
     let owner: HashMap<Row, usize> = regs.iter().enumerate().map(|(i, r)| (r.q, i)).collect();
-    let reads = |i: usize| {
-        let r = &regs[i];
-        let rows = [Some(r.d), r.enable.map(Row::Narrow), r.reset.map(Row::Narrow)];
-        rows.into_iter().flatten().filter_map(|row| owner.get(&row).copied()).filter(move |o| *o != i)
+    let sources = |i: usize, r: &Update| {
+        reads(r).filter_map(|row| owner.get(&row).copied()).filter(|o| *o != i).collect::<Vec<_>>()
     };
     let mut readers = vec![0usize; regs.len()];
-    (0..regs.len()).for_each(|i| reads(i).for_each(|o| readers[o] += 1));
+    regs.iter().enumerate().for_each(|(i, r)| sources(i, r).into_iter().for_each(|o| readers[o] += 1));
     let mut ready: Vec<usize> = (0..regs.len()).filter(|i| readers[*i] == 0).collect();
     let mut done = Vec::with_capacity(regs.len());
     while let Some(i) = ready.pop() {
         done.push(i);
-        for o in reads(i) {
+        for o in sources(i, &regs[i]) {
             readers[o] -= 1;
             if readers[o] == 0 {
                 ready.push(o);
             }
         }
     }
-    let ring = (0..regs.len()).filter(|i| readers[*i] > 0).collect();
-    (done, ring)
+    let ring: Vec<usize> = (0..regs.len()).filter(|i| readers[*i] > 0).collect();
+    let mut copies = HashMap::new();
+    for i in 0..regs.len() {
+        let q = regs[i].q;
+        if readers[i] > 0 || reads(&regs[i]).any(|row| row == q) {
+            let hold = new_row(&mut p.sizes, net.widths[net.regs[i].q as usize]);
+            p.aside.push((q, hold));
+            copies.insert(q, hold);
+        }
+    }
+    let copy = |row: Row| copies.get(&row).copied().unwrap_or(row);
+    for r in &mut regs {
+        r.d = copy(r.d);
+        for control in [&mut r.enable, &mut r.reset].into_iter().flatten() {
+            let Row::Narrow(i) = copy(Row::Narrow(*control)) else { unreachable!("control signals have one bit") };
+            *control = i;
+        }
+    }
+    p.updates = done.into_iter().chain(ring).map(|i| regs[i]).collect();
 }

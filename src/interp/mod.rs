@@ -13,8 +13,11 @@ mod simplify;
 mod stream;
 mod tracked;
 mod wave;
+mod wave_file;
 
 pub use elaborate::elaborate;
+pub use eval::eval;
+pub use kernel::BLOCK;
 pub use lanes::Lanes;
 pub use netlist::{FlatOp, FlatPort, Kind, Netlist, Slot};
 pub use stream::{Stream, StreamRun, Traffic};

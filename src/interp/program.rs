@@ -53,9 +53,9 @@ pub(super) struct Program {
     pub sizes: (u32, u32),
     pub consts: Vec<(Row, u64)>,
     pub steps: Vec<Step>,
-    /// Registers that stand in rings: kept aside before anything is written.
-    pub aside: Vec<(Update, Row)>,
-    /// The others, each after all that read it.
+    /// Registers that others still need when they are written: kept aside before anything is written.
+    pub aside: Vec<(Row, Row)>,
+    /// Registers, each after all that read it.
     pub updates: Vec<Update>,
     pub reads: Vec<Read>,
 }
@@ -160,15 +160,10 @@ impl Program {
 
     #[inline(always)]
     fn clock_any(&self, b: &mut Block) {
-        for (u, hold) in &self.aside {
-            b.update(u, *hold);
+        for (from, hold) in &self.aside {
+            b.copy(*from, *hold);
         }
-        for u in &self.updates {
-            b.update(u, u.q);
-        }
-        for (u, hold) in &self.aside {
-            b.copy(*hold, u.q);
-        }
+        self.updates.iter().for_each(|u| b.update(u));
         for r in &self.reads {
             b.copy(r.hold, r.word);
         }
@@ -228,22 +223,18 @@ impl Block {
         }
     }
     #[inline(always)]
-    fn update(&mut self, u: &Update, to: Row) {
-        if u.enable.is_none() && u.reset.is_none() {
-            return self.copy(u.d, to);
-        }
-        let control = |i: Option<u32>| i.map(|i| &self.narrow[i as usize]);
-        let (enable, reset) = (control(u.enable), control(u.reset));
-        match (u.q, u.d, to) {
-            (Row::Narrow(q), Row::Narrow(d), Row::Narrow(t)) => {
-                let mut v = self.narrow[q as usize];
-                next_narrow(&mut v, &self.narrow[d as usize], enable, reset);
-                self.narrow[t as usize] = v;
+    fn update(&mut self, u: &Update) {
+        match (u.q, u.d) {
+            _ if u.enable.is_none() && u.reset.is_none() => self.copy(u.d, u.q),
+            (Row::Narrow(q), Row::Narrow(d)) => {
+                let (q, rows) = apart(&mut self.narrow, q);
+                let [enable, reset] = [u.enable, u.reset].map(|i| i.map(|i| rows.row(i)));
+                next_narrow(q, rows.row(d), enable, reset);
             }
-            (Row::Wide(q), Row::Wide(d), Row::Wide(t)) => {
-                let mut v = self.wide[q as usize];
-                next_wide(&mut v, &self.wide[d as usize], enable, reset);
-                self.wide[t as usize] = v;
+            (Row::Wide(q), Row::Wide(d)) => {
+                let [enable, reset] = [u.enable, u.reset].map(|i| i.map(|i| &self.narrow[i as usize]));
+                let (q, rows) = apart(&mut self.wide, q);
+                next_wide(q, rows.row(d), enable, reset);
             }
             _ => unreachable!("a register's input and output have the same width"),
         }

@@ -13,7 +13,7 @@ pub type Bits = (u64, u64);
 pub struct Tracked<'n> {
     net: &'n Netlist,
     values: Vec<Bits>,
-    mems: Vec<Vec<Option<u64>>>,
+    mems: Vec<Vec<Bits>>,
 }
 
 impl<'n> Tracked<'n> {
@@ -21,7 +21,9 @@ impl<'n> Tracked<'n> {
     pub fn new(net: &'n Netlist) -> Self {
         let mut values: Vec<Bits> = net.widths.iter().map(|w| (0, mask(*w))).collect();
         net.consts.iter().for_each(|(s, v)| values[*s as usize] = (*v, 0));
-        Self { net, values, mems: net.mems.iter().map(|m| vec![None; m.depth]).collect() }
+        let unknown = |m: &FlatMem| (0, mask(net.widths[m.read_data as usize]));
+        let mems = net.mems.iter().map(|m| vec![unknown(m); m.depth]).collect();
+        Self { net, values, mems }
     }
     /// Value and unknown bits of a slot.
     pub fn get(&self, s: Slot) -> Bits {
@@ -37,7 +39,7 @@ impl<'n> Tracked<'n> {
     }
     /// Fills memory `index`.
     pub fn load(&mut self, index: usize, words: &[u64]) {
-        self.mems[index].iter_mut().zip(words).for_each(|(m, w)| *m = Some(*w));
+        self.mems[index].iter_mut().zip(words).for_each(|(m, w)| *m = (*w, 0));
     }
     /// Propagates inputs and registers.
     pub fn eval(&mut self) {
@@ -52,15 +54,15 @@ impl<'n> Tracked<'n> {
         let reads: Vec<Bits> = self.net.mems.iter().enumerate().map(|(i, m)| self.read(i, m)).collect();
         for (i, m) in self.net.mems.iter().enumerate() {
             let [en, at, data] = [m.write_en, m.write_addr, m.write_data].map(|s| self.values[s as usize]);
-            match (en, at) {
-                ((0, 0), _) => {}
-                ((1, 0), (a, 0)) => {
-                    if let Some(w) = self.mems[i].get_mut(a as usize) {
-                        *w = (data.1 == 0).then_some(data.0);
-                    }
-                }
-                // Perhaps a write, or a write somewhere: nothing is known any more.
-                _ => self.mems[i].fill(None),
+            // Where the address is unknown, every word may have been written.
+            let words = match at {
+                (a, 0) => self.mems[i].get_mut(a as usize).map(std::slice::from_mut).unwrap_or_default(),
+                _ => &mut self.mems[i][..],
+            };
+            match en {
+                (0, 0) => {}
+                (1, 0) if at.1 == 0 => words.fill(data),
+                _ => words.iter_mut().for_each(|w| *w = either(*w, data)),
             }
         }
         self.net.regs.iter().zip(next).for_each(|(r, v)| self.values[r.q as usize] = v);
@@ -80,10 +82,11 @@ impl<'n> Tracked<'n> {
             Some(_) => either(held, (0, 0)),
         }
     }
+    /// A read outside the memory gives unknown bits, as in Verilog.
     fn read(&self, index: usize, m: &FlatMem) -> Bits {
         let unknown = (0, mask(self.net.widths[m.read_data as usize]));
         match self.values[m.read_addr as usize] {
-            (a, 0) => self.mems[index].get(a as usize).copied().flatten().map_or(unknown, |w| (w, 0)),
+            (a, 0) => self.mems[index].get(a as usize).copied().unwrap_or(unknown),
             _ => unknown,
         }
     }
@@ -99,27 +102,52 @@ fn either(a: Bits, b: Bits) -> Bits {
 fn apply(op: &FlatOp, a: Bits, b: Bits, c: Bits) -> Bits {
     let v = eval(op, a.0, b.0, c.0);
     let m = mask(op.width);
+    // The largest values that the operands can have; the smallest ones have 0 for each unknown bit.
+    let (top_a, top_b) = (a.0 | a.1, b.0 | b.1);
     let x = match op.kind {
-        Kind::Copy | Kind::Not => a.1,
-        Kind::Slice | Kind::Sext | Kind::Rep => eval(op, a.1, 0, 0),
-        Kind::Join => eval(op, a.1, b.1, 0),
-        Kind::And => (a.1 | b.1) & (a.0 | a.1) & (b.0 | b.1),
+        // These move bits: unknown ones go where their values go.
+        Kind::Copy | Kind::Slice | Kind::Sext | Kind::Rep => eval(op, a.1, 0, 0),
+        Kind::Join | Kind::Interleave => eval(op, a.1, b.1, 0),
+        Kind::Shl | Kind::Shr | Kind::Sar if b.1 == 0 => eval(op, a.1, b.0, 0),
+        Kind::Shl | Kind::Shr | Kind::Sar if top_a == 0 => 0,
+        Kind::Not => a.1,
+        Kind::And => (a.1 | b.1) & top_a & top_b,
         Kind::Or => (a.1 | b.1) & !a.0 & !b.0,
         Kind::Xor => a.1 | b.1,
         Kind::Mux => match a {
             (_, 0) => return if a.0 == 1 { b } else { c },
             _ => return either(b, c),
         },
-        Kind::RedOr => u64::from(a.0 == 0 && a.1 != 0),
-        Kind::RedAnd => u64::from(a.1 != 0 && (a.0 | a.1) == mask(op.arg_width)),
-        Kind::Eq => u64::from((a.1 | b.1) != 0 && (a.0 ^ b.0) & !(a.1 | b.1) == 0),
-        Kind::Add | Kind::Sub | Kind::Mul => {
-            let low = (a.1 | b.1).trailing_zeros();
-            if low >= 64 { 0 } else { m & !mask(low) }
+        // Where the extreme operands give the same, all between them do.
+        Kind::RedOr | Kind::RedAnd => v ^ eval(op, top_a, 0, 0),
+        Kind::Ult => eval(op, top_a, b.0, 0) ^ eval(op, a.0, top_b, 0),
+        Kind::Slt => {
+            let sign = 1 << (op.arg_width - 1);
+            let (low, high) = (|v: Bits| v.0 | (v.1 & sign), |v: Bits| v.0 | (v.1 & !sign));
+            let (least, most) = (eval(op, high(a), low(b), 0), eval(op, low(a), high(b), 0));
+            return (least, least ^ most);
         }
-        _ if a.1 | b.1 == 0 => 0,
-        _ => m,
+        Kind::Lzc => {
+            let (most, least) = (v, eval(op, top_a, 0, 0));
+            below(most ^ least)
+        }
+        Kind::Eq => u64::from((a.1 | b.1) != 0 && (a.0 ^ b.0) & !(a.1 | b.1) == 0),
+        // A carry runs up from the lowest unknown bit.
+        Kind::Add | Kind::Sub => from_lowest(a.1 | b.1),
+        Kind::Mul => from_lowest(a.1 | b.1) & below(eval(op, top_a, top_b, 0)),
+        Kind::DivRem | Kind::DivQuot if a.1 | b.1 == 0 => 0,
+        Kind::Shl | Kind::Shr | Kind::Sar | Kind::DivRem | Kind::DivQuot => m,
     };
     let x = x & m;
     (v & !x, x)
+}
+
+/// Ones from the lowest 1 up.
+fn from_lowest(x: u64) -> u64 {
+    x | x.wrapping_neg()
+}
+
+/// Ones from the highest 1 down.
+fn below(x: u64) -> u64 {
+    mask(64 - x.leading_zeros())
 }

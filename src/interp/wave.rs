@@ -1,158 +1,106 @@
-//! Waveforms of a run: every named net, undefined bits as x, as VCD or FST.
+//! Waveforms of a run: named nets clock by clock, undefined bits as x; the whole run or a window of it.
 use super::netlist::{Netlist, Slot};
 use super::tracked::{Bits, Tracked};
-use crate::error::{Error, Result};
-use fst_writer::{FstFileType, FstInfo, FstScopeType, FstSignalType, FstVarDirection, FstVarType, open_fst};
-use std::fmt::Write;
-use std::path::Path;
+use std::collections::VecDeque;
 
-/// Recorded nets, clock by clock.
+/// A recorded net.
+pub(super) struct Signal {
+    /// Hierarchical name.
+    pub name: String,
+    pub slot: Slot,
+    pub width: u32,
+}
+
+/// Recorded nets, clock by clock. What is kept are changes.
 pub struct Wave {
-    signals: Vec<(String, Slot, u32)>,
-    samples: Vec<Vec<Bits>>,
+    pub(super) signals: Vec<Signal>,
+    /// The clock of the first row that is kept.
+    pub(super) first: u64,
+    /// Values before the first row.
+    pub(super) before: Vec<Bits>,
+    /// For each clock the signals that changed, and what to.
+    pub(super) rows: VecDeque<Vec<(u32, Bits)>>,
+    last: Vec<Bits>,
+    /// Rows kept until the trigger, in a recording of a window.
+    window: Option<usize>,
+    /// Rows still to come, after the trigger.
+    left: Option<usize>,
 }
 
 impl Wave {
-    /// Records every named net of `net`.
+    /// Records every named net and every port of `net`, all clocks.
     pub fn new(net: &Netlist) -> Self {
-        let signals = net.names.iter().map(|(n, s)| (n.clone(), *s, net.widths[*s as usize])).collect();
-        Self { signals, samples: Vec::new() }
+        Self::of(net, |_| true)
     }
-    /// Adds the state after `eval`.
-    pub fn sample(&mut self, t: &Tracked<'_>) {
-        self.samples.push(self.signals.iter().map(|s| t.get(s.1)).collect());
-    }
-    /// Clocks recorded.
-    pub fn clocks(&self) -> usize {
-        self.samples.len()
-    }
-
-    /// Writes the wave; the ending chooses the format: `.vcd` or `.fst`.
-    ///
-    /// # Errors
-    /// Another ending, or a file that can't be written.
-    pub fn save(&self, path: &Path, top: &str) -> Result<()> {
-        match path.extension().and_then(|e| e.to_str()) {
-            Some("vcd") => crate::files::write_atomic(path, self.vcd(top).as_bytes()),
-            Some("fst") => self.fst(path, top),
-            _ => Err(Error::input(format!("{}: a waveform ends in .vcd or .fst", path.display()))),
-        }
-    }
-
-    /// Signals grouped by scope: scope path, then (net, index).
-    fn scopes(&self) -> Vec<(Vec<&str>, &str, usize)> {
-        let mut all: Vec<_> = (0..self.signals.len())
-            .map(|i| {
-                let mut path: Vec<&str> = self.signals[i].0.split('.').collect();
-                let net = path.pop().unwrap_or_default();
-                (path, net, i)
-            })
+    /// Records the nets whose hierarchical names (`u_setup.s1_exp`) `keep` accepts, all clocks.
+    pub fn of(net: &Netlist, keep: impl Fn(&str) -> bool) -> Self {
+        let outputs = net.outputs.iter().filter(|p| !net.names.contains_key(&p.name)).map(|p| (&p.name, &p.slot));
+        let named = net.names.iter().chain(outputs).filter(|(name, _)| keep(name));
+        let signals: Vec<Signal> = named
+            .map(|(name, slot)| Signal { name: name.clone(), slot: *slot, width: net.widths[*slot as usize] })
             .collect();
-        all.sort();
-        all
+        let unknown: Vec<Bits> = signals.iter().map(|s| (0, crate::bits::mask(s.width))).collect();
+        let (before, last) = (unknown.clone(), unknown);
+        Self { signals, first: 0, before, rows: VecDeque::new(), last, window: None, left: None }
     }
-
-    fn vcd(&self, top: &str) -> String {
-        let mut out = format!("$timescale 1ns $end\n$scope module {top} $end\n");
-        let mut here: Vec<&str> = Vec::new();
-        for (path, net, i) in self.scopes() {
-            enter(&mut here, &path, |step| {
-                out += &match step {
-                    Some(name) => format!("$scope module {name} $end\n"),
-                    None => "$upscope $end\n".into(),
-                };
-            });
-            writeln!(out, "$var wire {} s{i} {net} $end", self.signals[i].2).expect("writing to a string can't fail");
+    /// Keeps only the last `before` clocks, until [`Wave::trigger`] is called.
+    pub fn window(mut self, before: usize) -> Self {
+        self.window = Some(before);
+        self
+    }
+    /// Something has been seen in the clock that was sampled last: records `after` more clocks and then no more.
+    pub fn trigger(&mut self, after: usize) {
+        self.left.get_or_insert(after);
+    }
+    /// True when the window is complete.
+    pub fn is_complete(&self) -> bool {
+        self.left == Some(0)
+    }
+    /// Adds the state after `eval`; does nothing when the window is complete.
+    pub fn sample(&mut self, t: &Tracked<'_>) {
+        match &mut self.left {
+            Some(0) => return,
+            Some(left) => *left -= 1,
+            None => {}
         }
-        here.iter().for_each(|_| out += "$upscope $end\n");
-        out += "$upscope $end\n$enddefinitions $end\n";
-        self.changes(|time, i, text| {
-            if i == 0 {
-                writeln!(out, "#{time}").expect("writing to a string can't fail");
-            }
-            if let Some(text) = text {
-                writeln!(out, "b{text} s{i}").expect("writing to a string can't fail");
-            }
-            Ok(())
-        })
-        .expect("nothing fails in memory");
-        writeln!(out, "#{}", self.samples.len() * 10).expect("writing to a string can't fail");
-        out
-    }
-
-    /// Calls `f` for every clock and signal, with the text where it changed; a clock takes 10 units.
-    fn changes(&self, mut f: impl FnMut(usize, usize, Option<String>) -> Result<()>) -> Result<()> {
-        for (t, row) in self.samples.iter().enumerate() {
-            for (i, v) in row.iter().enumerate() {
-                let changed = t == 0 || self.samples[t - 1][i] != *v;
-                f(t * 10, i, changed.then(|| text(*v, self.signals[i].2)))?;
+        let mut row = Vec::new();
+        for (i, s) in self.signals.iter().enumerate() {
+            let v = t.get(s.slot);
+            if self.last[i] != v {
+                self.last[i] = v;
+                row.push((i as u32, v));
             }
         }
-        Ok(())
-    }
-
-    fn fst(&self, path: &Path, top: &str) -> Result<()> {
-        let beside = path.with_extension("fst.part");
-        let failed = |e: fst_writer::FstWriteError| Error::input(format!("cannot write {}: {e}", path.display()));
-        let info = FstInfo {
-            start_time: 0,
-            timescale_exponent: -9,
-            version: "reliefrtl".into(),
-            date: String::new(),
-            file_type: FstFileType::Verilog,
-        };
-        let mut h = open_fst(&beside, &info).map_err(failed)?;
-        h.scope(top, "", FstScopeType::Module).map_err(failed)?;
-        let mut here: Vec<&str> = Vec::new();
-        let mut ids = vec![None; self.signals.len()];
-        for (scope, net, i) in self.scopes() {
-            let mut steps = Vec::new();
-            enter(&mut here, &scope, |s| steps.push(s.map(str::to_string)));
-            for s in steps {
-                match s {
-                    Some(name) => h.scope(name, "", FstScopeType::Module).map_err(failed)?,
-                    None => h.up_scope().map_err(failed)?,
-                }
-            }
-            let kind = FstSignalType::bit_vec(self.signals[i].2);
-            ids[i] = Some(h.var(net, kind, FstVarType::Wire, FstVarDirection::Implicit, None).map_err(failed)?);
+        self.rows.push_back(row);
+        if self.left.is_none() && self.window.is_some_and(|n| self.rows.len() > n.max(1)) {
+            self.forget();
         }
-        for _ in 0..=here.len() {
-            h.up_scope().map_err(failed)?;
+    }
+    /// Leaves out the oldest row.
+    fn forget(&mut self) {
+        for (i, v) in self.rows.pop_front().unwrap_or_default() {
+            self.before[i as usize] = v;
         }
-        let mut body = h.finish().map_err(failed)?;
-        self.changes(|time, i, text| {
-            if i == 0 {
-                body.time_change(time as u64).map_err(failed)?;
-            }
-            if let (Some(text), Some(id)) = (text, ids[i]) {
-                body.signal_change(id, text.as_bytes()).map_err(failed)?;
-            }
-            Ok(())
-        })?;
-        body.finish().map_err(failed)?;
-        std::fs::rename(&beside, path).map_err(|e| Error::file("write", path, e))
+        self.first += 1;
     }
-}
 
-/// Leaves and enters scopes on the way from `here` to `path`; `None` is a step up.
-fn enter<'a>(here: &mut Vec<&'a str>, path: &[&'a str], mut step: impl FnMut(Option<&str>)) {
-    let same = here.iter().zip(path).take_while(|(a, b)| a == b).count();
-    while here.len() > same {
-        here.pop();
-        step(None);
+    /// Number of clocks kept.
+    pub fn clocks(&self) -> usize {
+        self.rows.len()
     }
-    for name in &path[same..] {
-        here.push(name);
-        step(Some(name));
+    /// The first of them; the run's first clock is 0.
+    pub fn first_clock(&self) -> u64 {
+        self.first
     }
-}
-
-fn text((v, x): Bits, width: u32) -> String {
-    let bit = |i: u32| match (v >> i & 1, x >> i & 1) {
-        (_, 1) => 'x',
-        (1, _) => '1',
-        _ => '0',
-    };
-    (0..width).rev().map(bit).collect()
+    /// Hierarchical names of the recorded nets.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.signals.iter().map(|s| s.name.as_str())
+    }
+    /// Value and unknown bits of a net in a clock that was kept.
+    pub fn get(&self, name: &str, clock: u64) -> Option<Bits> {
+        let i = self.signals.iter().position(|s| s.name == name)?;
+        let rows = usize::try_from(clock.checked_sub(self.first)?).ok().filter(|n| *n < self.rows.len())?;
+        let changes = self.rows.iter().take(rows + 1).flatten().filter(|(k, _)| *k as usize == i);
+        Some(changes.last().map_or(self.before[i], |(_, v)| *v))
+    }
 }

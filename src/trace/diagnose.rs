@@ -14,6 +14,8 @@ use std::sync::Arc;
 pub struct Divergence {
     /// Iteration, counted from 0.
     pub iteration: usize,
+    /// Clock in which it stands there when the ray is traced alone; reset is clock 0.
+    pub clock: u64,
     /// Pipeline stage in which the signal stands.
     pub stage: u32,
     /// Net name in `traverse`.
@@ -26,7 +28,7 @@ pub struct Divergence {
 
 impl std::fmt::Display for Divergence {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { iteration, stage, signal, expected, got } = self;
+        let Self { iteration, clock: _, stage, signal, expected, got } = self;
         write!(f, "first wrong signal: iteration {iteration}, stage {stage}, {signal}: expected {expected}, got {got}")
     }
 }
@@ -88,7 +90,8 @@ pub fn diagnose(design: &Design, pyramid: &Pyramid, ray: &RayInput) -> Result<Op
                 let show = |v: u64| display(design.format, *shown, v, width);
                 debug_assert!(net.ends_with(name));
                 let (expected, got) = (show(want), show(got));
-                return Ok(Some(Divergence { iteration: n, stage: *stage, signal: net.clone(), expected, got }));
+                let (clock, signal) = (at as u64 + 1, net.clone());
+                return Ok(Some(Divergence { iteration: n, clock, stage: *stage, signal, expected, got }));
             }
         }
     }

@@ -2,10 +2,9 @@
 use crate::config::Design;
 use crate::error::Result;
 use crate::golden::{Pyramid, RayHit, RayInput};
-use crate::interp::{Netlist, Stream, StreamRun, Traffic, elaborate};
+use crate::interp::{BLOCK, Netlist, Stream, StreamRun, Traffic, elaborate};
 use crate::ir::Binding;
 use crate::units::traversal::traverse;
-use rayon::prelude::*;
 use std::sync::Arc;
 
 /// Data inputs of `traverse`, in the order of a ray's row.
@@ -35,16 +34,40 @@ impl Pipeline {
         Ok(Self { net, slots: t.slots, depth: t.setup + t.slots + t.finish })
     }
 
-    /// Runs `rays` through `lanes` copies on `threads` threads.
+    /// Runs `rays` through `lanes` copies; multiples of [`BLOCK`] are fastest.
     ///
     /// # Errors
     /// A ray that gets lost, or a result that nobody waits for.
     pub fn run(&self, pyramid: &Pyramid, rays: &[RayInput], lanes: usize, traffic: Traffic) -> Result<StreamRun> {
-        let image: Vec<u64> = pyramid.memory().iter().map(|w| u64::from(*w)).collect();
-        let items: Vec<Vec<u64>> = rays.iter().map(|r| vec![r.u, r.v, r.du, r.dv]).collect();
-        let stream = Stream::new(&self.net, &INPUTS, &OUTPUTS, u64::from(self.depth));
-        stream.run(&items, &Arc::new(image), lanes, traffic)
+        let (image, items) = words(pyramid, rays);
+        self.stream().run(&items, &image, lanes, traffic)
     }
+
+    /// As [`Pipeline::run`], on `threads` threads of `lanes` lanes each.
+    ///
+    /// # Errors
+    /// As [`Pipeline::run`].
+    pub fn run_parallel(
+        &self,
+        pyramid: &Pyramid,
+        rays: &[RayInput],
+        lanes: usize,
+        threads: usize,
+        traffic: Traffic,
+    ) -> Result<StreamRun> {
+        let (image, items) = words(pyramid, rays);
+        self.stream().run_parallel(&items, &image, lanes, threads, traffic)
+    }
+
+    fn stream(&self) -> Stream {
+        Stream::new(&self.net, &INPUTS, &OUTPUTS, u64::from(self.depth))
+    }
+}
+
+/// The memory's image and a row of inputs for each ray.
+fn words(pyramid: &Pyramid, rays: &[RayInput]) -> (Arc<Vec<u64>>, Vec<Vec<u64>>) {
+    let image = pyramid.memory().iter().map(|w| u64::from(*w)).collect();
+    (Arc::new(image), rays.iter().map(|r| vec![r.u, r.v, r.du, r.dv]).collect())
 }
 
 /// Traces rays with the interpreter; hits come in the order of the rays.
@@ -53,10 +76,8 @@ impl Pipeline {
 /// As [`Pipeline::run`].
 pub fn trace_interp(design: &Design, pyramid: &Pyramid, rays: &[RayInput]) -> Result<Vec<RayHit>> {
     let p = Pipeline::new(design, &Binding::new())?;
-    let share = rays.len().div_ceil(rayon::current_num_threads()).max(1);
-    let runs: Vec<StreamRun> =
-        rays.par_chunks(share).map(|part| p.run(pyramid, part, 64, Traffic::default())).collect::<Result<_>>()?;
-    Ok(runs.iter().flat_map(|r| r.results.iter().map(|h| hit(h))).collect())
+    let run = p.run_parallel(pyramid, rays, BLOCK, rayon::current_num_threads(), Traffic::default())?;
+    Ok(run.results.iter().map(|r| hit(r)).collect())
 }
 
 /// A hit from its row of outputs.

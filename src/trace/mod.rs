@@ -7,8 +7,7 @@ mod wave;
 pub use csv::{HEADER, hits_csv};
 pub use diagnose::{Divergence, decode, diagnose, diagnose_image};
 pub use interp::{INPUTS, OUTPUTS, Pipeline, hit, trace_interp};
-
-pub use wave::record;
+pub use wave::{Window, record, record_mismatch, record_ray};
 
 use crate::config::Design;
 use crate::error::Result;

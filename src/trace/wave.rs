@@ -1,9 +1,11 @@
 //! One ray through the pipeline from power-up, undefined values tracked, as a waveform.
-use super::interp::{INPUTS, OUTPUTS, Pipeline};
+use super::diagnose::{Divergence, diagnose};
+use super::interp::{INPUTS, OUTPUTS, Pipeline, hit};
+use crate::bits::mask;
 use crate::config::Design;
 use crate::error::{Error, Result};
 use crate::golden::{Pyramid, RayHit, RayInput};
-use crate::interp::{Tracked, Wave};
+use crate::interp::{Netlist, Tracked, Wave};
 use crate::ir::Binding;
 
 /// Traces `ray` from power-up and records every net of `traverse` until the hit is out.
@@ -12,33 +14,108 @@ use crate::ir::Binding;
 /// Illegal parameters, or a ray that never comes out, or comes out undefined.
 pub fn record(design: &Design, pyramid: &Pyramid, ray: &RayInput) -> Result<(RayHit, Wave)> {
     let p = Pipeline::new(design, &Binding::new())?;
+    let (hit, wave) = record_ray(&p, design, pyramid, ray, Wave::new(&p.net), None)?;
+    Ok((hit.unwrap_or_default(), wave))
+}
+
+/// Clocks around something that was seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Window {
+    /// The clock; reset is clock 0.
+    pub at: u64,
+    /// Clocks up to it, itself included.
+    pub before: usize,
+    /// Clocks after it.
+    pub after: usize,
+}
+
+/// Traces `ray` from power-up into `wave` (which chooses the nets): all clocks until the hit is out, or a window, however
+/// the ray ends.
+///
+/// # Errors
+/// Without a window as [`record`].
+pub fn record_ray(
+    p: &Pipeline,
+    design: &Design,
+    pyramid: &Pyramid,
+    ray: &RayInput,
+    wave: Wave,
+    window: Option<Window>,
+) -> Result<(Option<RayHit>, Wave)> {
     let net = &p.net;
-    let (mut sim, mut wave) = (Tracked::new(net), Wave::new(net));
+    let mut wave = if let Some(w) = window { wave.window(w.before) } else { wave };
+    let mut sim = Tracked::new(net);
     let image: Vec<u64> = pyramid.memory().iter().map(|w| u64::from(*w)).collect();
     sim.load(0, &image);
-    let row = [ray.u, ray.v, ray.du, ray.dv];
     net.inputs.iter().for_each(|i| sim.set(i.slot, 0));
-    INPUTS.iter().zip(row).for_each(|(n, v)| sim.set(net.input(n), v));
     sim.set(net.input("out_ready"), 1);
+    let data = INPUTS.map(|n| net.input(n));
     let limit = u64::from(p.slots) * u64::from(design.traverse.step_limit + 2) + u64::from(p.depth) + 4;
+    let mut hit = None;
     for clock in 0..limit {
         sim.set(net.input("rst"), u64::from(clock == 0));
         sim.set(net.input("in_valid"), u64::from(clock == 1));
+        for (s, v) in data.iter().zip([ray.u, ray.v, ray.du, ray.dv]) {
+            // Nobody offers a ray in the other clocks, so nobody says what is on the wires.
+            sim.set_bits(*s, if clock == 1 { (v, 0) } else { (0, mask(net.widths[*s as usize])) });
+        }
         sim.eval();
         wave.sample(&sim);
-        let valid = sim.get(net.output("out_valid"));
-        if clock > 0 && valid.1 != 0 {
-            return Err(Error::Mismatch(format!("out_valid is undefined in clock {clock}")));
-        }
-        if clock > 0 && valid.0 == 1 {
-            let outs: Vec<_> = OUTPUTS.iter().map(|n| sim.get(net.output(n))).collect();
-            if let Some(k) = outs.iter().position(|o| o.1 != 0) {
-                return Err(Error::Mismatch(format!("{} has undefined bits in clock {clock}", OUTPUTS[k])));
+        match window {
+            None => {
+                hit = result(net, &sim, clock)?;
+                if hit.is_some() {
+                    return Ok((hit, wave));
+                }
             }
-            let words: Vec<u64> = outs.iter().map(|o| o.0).collect();
-            return Ok((super::interp::hit(&words), wave));
+            Some(w) => {
+                hit = hit.or(result(net, &sim, clock).unwrap_or_default());
+                if clock == w.at {
+                    wave.trigger(w.after);
+                }
+                if wave.is_complete() {
+                    return Ok((hit, wave));
+                }
+            }
         }
         sim.clock();
     }
-    Err(Error::Dropped("the ray never came out".into()))
+    Err(Error::Dropped(format!("{limit} clocks were not enough for the ray")))
+}
+
+/// The hit that stands at the output.
+fn result(net: &Netlist, sim: &Tracked<'_>, clock: u64) -> Result<Option<RayHit>> {
+    if clock == 0 {
+        return Ok(None);
+    }
+    let undefined = |name: &str| Error::Mismatch(format!("{name} has undefined bits in clock {clock}"));
+    let known = |name: &str| match sim.get(net.output(name)) {
+        (v, 0) => Ok(v),
+        _ => Err(undefined(name)),
+    };
+    let [valid, ..] = [known("out_valid")?, known("in_ready")?, known("slot_busy")?];
+    if valid == 0 {
+        return Ok(None);
+    }
+    let words = OUTPUTS.iter().map(|n| known(n)).collect::<Result<Vec<u64>>>()?;
+    Ok(Some(hit(&words)))
+}
+
+/// Compares `ray` with the golden model, net by net, and records `before` and `after` clocks around the first difference;
+/// `None` if there is none.
+///
+/// # Errors
+/// As [`record`].
+pub fn record_mismatch(
+    design: &Design,
+    pyramid: &Pyramid,
+    ray: &RayInput,
+    before: usize,
+    after: usize,
+) -> Result<Option<(Divergence, Wave)>> {
+    let Some(found) = diagnose(design, pyramid, ray)? else { return Ok(None) };
+    let p = Pipeline::new(design, &Binding::new())?;
+    let window = Window { at: found.clock, before, after };
+    let (_, wave) = record_ray(&p, design, pyramid, ray, Wave::new(&p.net), Some(window))?;
+    Ok(Some((found, wave)))
 }
