@@ -240,7 +240,9 @@ fn widths(m: &Module, b: &Binding, bad: &mut Vec<String>) {
             Op::Slice { lo } => lo.eval(b) >= 0 && lo.eval(b) + width <= a[0],
             Op::Zext | Op::Sext => a[0] <= width,
             Op::Rep => a == [1],
-            Op::InstOut(..) | Op::Input(_) | Op::Zeros | Op::Ones | Op::Konst(_) => true,
+            // Printed as a 32-bit integer unless the width says that it can't be one.
+            Op::Konst(_) => width <= 32 || n.width.as_const().is_some(),
+            Op::InstOut(..) | Op::Input(_) | Op::Zeros | Op::Ones => true,
         };
         if !ok {
             fail(format!("operands of {a:?} bits do not give {width} bits"));

@@ -1,7 +1,8 @@
 //! One operation as a Verilog expression.
 //!
 //! Rules that keep the text's meaning equal to the graph's: only nets are indexed, signed operations and constants
-//! with a name stand on their own wire, a mixed pair of operators always has parentheses, and widening is written out.
+//! with a name stand on their own wire or in braces, a mixed pair of operators always has parentheses, a unary operator
+//! stands before a primary, and widening is written out.
 use super::layout::{fill, group, literal, range, tight};
 use crate::ir::{Expr, Names, Node, NodeId, Op};
 
@@ -34,6 +35,8 @@ impl Expressions for Names<'_> {
     fn operand(&self, id: NodeId) -> (String, Binds) {
         match self.net(id) {
             Some(n) => (n, Binds::Primary),
+            // Beside unsigned operands the shift would lose its sign; braces make it an expression of its own.
+            None if self.m.node(id).op == Op::Sar => (format!("{{{}}}", self.expr(self.m.node(id)).0), Binds::Primary),
             None => self.expr(self.m.node(id)),
         }
     }
@@ -69,12 +72,13 @@ impl Expressions for Names<'_> {
                     Binds::Primary,
                 )
             }
-            Op::Not => (format!("~{}", self.tight(a(0), "")), Binds::Unary),
+            // A unary operator stands before a primary, not before another one.
+            Op::Not => (format!("~{}", primary(self.operand(a(0)))), Binds::Unary),
             Op::And => bin("&", true),
             Op::Or => bin("|", true),
             Op::Xor => bin("^", true),
-            Op::RedOr => (format!("|{}", self.tight(a(0), "")), Binds::Loose),
-            Op::RedAnd => (format!("&{}", self.tight(a(0), "")), Binds::Loose),
+            Op::RedOr => (format!("|{}", primary(self.operand(a(0)))), Binds::Loose),
+            Op::RedAnd => (format!("&{}", primary(self.operand(a(0)))), Binds::Loose),
             Op::Add => bin("+", false),
             Op::Sub => bin("-", false),
             Op::Eq => bin("==", false),
@@ -135,6 +139,10 @@ impl Expressions for Names<'_> {
             }
         }
     }
+}
+
+fn primary((text, binds): (String, Binds)) -> String {
+    if binds == Binds::Primary { text } else { format!("({text})") }
 }
 
 /// The `localparam` that holds a constant expression.

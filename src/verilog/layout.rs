@@ -58,6 +58,7 @@ pub fn wide(e: &Expr) -> String {
     for (a, c) in terms {
         let text = match a {
             Atom::Call(Func::Pow2, x) => format!("(64'd1 << ({}))", x[0]),
+            Atom::Param(name) | Atom::Local(name, _) => name.clone(),
             Atom::Call(Func::Div, x) => format!("(({}) / ({}))", wide(&x[0]), wide(&x[1])),
             other => panic!("{other} can't stand in a wide constant"),
         };

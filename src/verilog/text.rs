@@ -141,7 +141,8 @@ impl Printer<'_> {
             if seen.contains(&name) {
                 continue;
             }
-            if is_wide(e) {
+            // An integer has 32 bits, and a part-select beyond them is undefined.
+            if is_wide(e) || n.width.as_const().is_some_and(|w| w > 32) {
                 self.line(&format!("  localparam [63:0] {name} = {};", wide(e)));
             } else {
                 self.line(&format!("  localparam integer {name} = {e};"));
