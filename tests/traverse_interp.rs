@@ -70,3 +70,23 @@ fn other_latencies_and_full_load() {
         assert!(run.loaded > 500 && run.busy as f64 / run.loaded as f64 >= 0.98, "{} of {}", run.busy, run.loaded);
     }
 }
+
+#[test]
+fn threads_and_traffic_change_no_result() {
+    let mut d = Design::default();
+    d.traverse.levels = 5;
+    let (pyramid, rays) = hard(&d, 8);
+    let p = Pipeline::new(&d, &Binding::new()).unwrap();
+    let want = p.run(&pyramid, &rays, 64, Traffic::default()).unwrap().results;
+    assert_eq!(want.len(), rays.len());
+    for (threads, lanes) in [(1, 200), (2, 16), (3, 64), (7, 1)] {
+        for traffic in [Traffic::default(), Traffic { gaps: 90, stalls: 120, seed: 4 }] {
+            let run = |()| p.run_parallel(&pyramid, &rays, lanes, threads, traffic).unwrap();
+            let [first, again] = [(), ()].map(run);
+            assert_eq!(first.results, want, "{threads} threads, {traffic:?}");
+            assert_eq!((first.cycles, first.loaded, first.busy), (again.cycles, again.loaded, again.busy));
+        }
+    }
+    let nothing = p.run_parallel(&pyramid, &[], 64, 2, Traffic::default()).unwrap();
+    assert!(nothing.results.is_empty());
+}

@@ -104,7 +104,7 @@ impl Stream {
         let (mut left, mut quiet) = (items.len(), 0);
         let [iv, it, or] = ["in_valid", "in_tag", "out_ready"].map(|n| self.net.input(n));
         let [ir, ov, ot, busy] = ["in_ready", "out_valid", "out_tag", "slot_busy"].map(|n| self.net.output(n));
-        let mut seen = [const { Vec::new() }; 3].map(|_: Vec<u64>| vec![0; lanes]);
+        let mut seen = [(); 3].map(|()| vec![0u64; lanes]);
         sim.fill(or, 1);
         while left > 0 {
             for (l, state) in lane.iter_mut().enumerate() {
@@ -138,11 +138,9 @@ impl Stream {
                     run.loaded += 1;
                     run.busy += load[l];
                 }
-                if state.valid && ready[l] == 1 {
-                    if let Some(tag) = state.offer.take() {
-                        state.tags[tag] = Some(state.next);
-                        state.next += lanes;
-                    }
+                if let Some(tag) = state.offer.take_if(|_| state.valid && ready[l] == 1) {
+                    state.tags[tag] = Some(state.next);
+                    state.next += lanes;
                 }
                 if valid[l] == 1 && state.take {
                     let tag = sim.get(ot, l) as usize;

@@ -100,7 +100,7 @@ impl Wave {
     pub fn get(&self, name: &str, clock: u64) -> Option<Bits> {
         let i = self.signals.iter().position(|s| s.name == name)?;
         let rows = usize::try_from(clock.checked_sub(self.first)?).ok().filter(|n| *n < self.rows.len())?;
-        let changes = self.rows.iter().take(rows + 1).flatten().filter(|(k, _)| *k as usize == i);
-        Some(changes.last().map_or(self.before[i], |(_, v)| *v))
+        let mut changes = self.rows.iter().take(rows + 1).flatten();
+        Some(changes.rfind(|(k, _)| *k as usize == i).map_or(self.before[i], |(_, v)| *v))
     }
 }

@@ -44,7 +44,7 @@ pub fn shapes(kind: Kind, w: u32, rng: &mut ChaCha8Rng) -> Vec<([u32; 3], u32, u
         Kind::Rep => vec![([1; 3], w, 0)],
         Kind::Lzc => vec![([w; 3], 64 - w.leading_zeros(), 0)],
         Kind::Interleave => {
-            if w % 2 == 0 {
+            if w.is_multiple_of(2) {
                 vec![([w / 2; 3], w, 0)]
             } else {
                 vec![]
