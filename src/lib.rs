@@ -1,5 +1,8 @@
-//! reliefrtl: parameterized Verilog for ray / height-field traversal, with golden vectors and an interpreter of the same datapath.
+//! reliefrtl: parameterized Verilog for ray / height-field traversal, with golden vectors and an interpreter of the same
+//! datapath.
+pub mod bench;
 pub mod bits;
+pub mod catalogue;
 pub mod cli;
 pub mod config;
 pub mod emit;
@@ -10,6 +13,10 @@ pub mod golden;
 pub mod interp;
 pub mod ir;
 pub mod oracle;
+pub mod project;
+pub mod report;
+pub mod scene;
 pub mod trace;
 pub mod units;
+pub mod vectors;
 pub mod verilog;

@@ -121,7 +121,7 @@ fn out_of_range_names_key_value_and_range() {
 fn all_problems_come_at_once() {
     assert_eq!(
         parse("[format]\nexp = 9\n[map]\nsede = 3\nscale = -1.5\n"),
-        "3 problems in the configuration:\n  - format.exp = 9 is too large: 2 to 8 are legal (config.toml, line 2)\n  - map.scale = -1.5 is too small: 0 to 1000 are legal (config.toml, line 5)\n  - unknown key map.sede (config.toml, line 4): did you mean map.seed?"
+        "3 problems:\n  - format.exp = 9 is too large: 2 to 8 are legal (config.toml, line 2)\n  - map.scale = -1.5 is too small: 0 to 1000 are legal (config.toml, line 5)\n  - unknown key map.sede (config.toml, line 4): did you mean map.seed?"
     );
     let mut config = Config::default();
     config.latency.div = 33;
@@ -129,7 +129,7 @@ fn all_problems_come_at_once() {
     config.view.names.clear();
     assert_eq!(
         sentence(config.validate()),
-        "3 problems in the configuration:\n  - latency.div = 33 is too large: 0 to 32 are legal\n  - latency.decision = 0 is too small: 1 to 4 are legal\n  - view.names is empty: at least one of front, oblique, grazing is needed"
+        "3 problems:\n  - latency.div = 33 is too large: 0 to 32 are legal\n  - latency.decision = 0 is too small: 1 to 4 are legal\n  - view.names is empty: at least one of front, oblique, grazing is needed"
     );
 }
 

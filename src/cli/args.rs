@@ -1,4 +1,5 @@
 //! What can be typed.
+use crate::project::Canary;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -26,19 +27,44 @@ const EXIT_CODES: &str = "Exit codes: 0 ok, 1 mismatch, 2 usage or input, 3 tool
 /// The verbs.
 #[derive(Subcommand, Debug)]
 pub enum Verb {
+    /// Does everything: Verilog, benches, vectors checked by the interpreter, manifest, picture, summary.
+    Build(BuildArgs),
     /// Writes the Verilog and manifest.json.
     Emit(EmitArgs),
+    /// Writes the golden vectors.
+    Vectors(BuildArgs),
+    /// Replays golden vectors in an engine.
+    Check(CheckArgs),
+    /// Traces rays from a CSV file.
+    Trace(TraceArgs),
+    /// Renders the map through the datapath.
+    Render(RenderArgs),
+    /// Prints iterations per ray for every row of the published table.
+    Steps(StepsArgs),
+    /// Compares the datapath with the exact oracle: wrong texels with their witnesses.
+    Accuracy(MapArgs),
+    /// Measures rays per second of the engines on the same rays, in one run.
+    Bench(BenchArgs),
     /// Lists the units with their parameters and latency.
     List,
     /// Prints the configuration or its schema.
     Config(ConfigArgs),
-    /// Traces rays from a CSV file.
-    Trace(TraceArgs),
     /// Prints a completion script for a shell.
     Completions {
         /// The shell.
         shell: clap_complete::Shell,
     },
+}
+
+/// Options of `build` and `vectors`.
+#[derive(Args, Debug)]
+pub struct BuildArgs {
+    /// Directory to write to.
+    #[arg(long, default_value = "out", value_name = "DIR")]
+    pub out: PathBuf,
+    /// The height map.
+    #[command(flatten)]
+    pub map: MapArgs,
 }
 
 /// Options of `emit`.
@@ -50,6 +76,23 @@ pub struct EmitArgs {
     /// Only this unit and what it needs.
     #[arg(long, value_name = "NAME")]
     pub unit: Option<String>,
+}
+
+/// Options of `check`.
+#[derive(Args, Debug)]
+pub struct CheckArgs {
+    /// What replays the vectors.
+    #[arg(long, default_value = "interp")]
+    pub engine: Engine,
+    /// Only this unit.
+    #[arg(long, value_name = "NAME")]
+    pub unit: Option<String>,
+    /// A tree that `build` wrote with the same configuration; without it a fresh one is made and thrown away.
+    #[arg(long, value_name = "DIR")]
+    pub dir: Option<PathBuf>,
+    /// Spoils the vectors on purpose: the check must fail, each fault with its own exit code.
+    #[arg(long)]
+    pub canary: Option<Canary>,
 }
 
 /// Options of `config`.
@@ -89,6 +132,48 @@ pub struct TraceArgs {
     /// Where the hits go.
     #[arg(long, value_name = "H.csv")]
     pub out: PathBuf,
+    /// Also writes a waveform of one ray through the interpreter, undefined values as x.
+    #[arg(long, value_name = "W.fst|W.vcd")]
+    pub wave: Option<PathBuf>,
+    /// The ray of the waveform, counted from 0.
+    #[arg(long, default_value_t = 0, requires = "wave")]
+    pub wave_ray: usize,
+}
+
+/// Options of `render`.
+#[derive(Args, Debug)]
+pub struct RenderArgs {
+    /// The height map.
+    #[command(flatten)]
+    pub map: MapArgs,
+    /// front, oblique, grazing, or a camera file (TOML: elevation, azimuth, distance, fov, width, height).
+    #[arg(long, default_value = "oblique", value_name = "VIEW|CAMERA.toml")]
+    pub view: String,
+    /// What traces the pixels.
+    #[arg(long, default_value = "interp")]
+    pub engine: Engine,
+    /// Where the picture goes.
+    #[arg(long, default_value = "render.png", value_name = "FILE.png")]
+    pub out: PathBuf,
+    /// Colours the iterations per pixel instead of the surface.
+    #[arg(long)]
+    pub steps: bool,
+}
+
+/// Options of `steps`.
+#[derive(Args, Debug)]
+pub struct StepsArgs {
+    /// Directory with rocks.png, stones.png, four.png, saints.png: prints them beside the published means.
+    #[arg(long, value_name = "DIR")]
+    pub scenes: Option<PathBuf>,
+}
+
+/// Options of `bench`.
+#[derive(Args, Debug)]
+pub struct BenchArgs {
+    /// Rays.
+    #[arg(long, default_value_t = 20000)]
+    pub rays: usize,
 }
 
 /// What runs the datapath.
@@ -102,4 +187,15 @@ pub enum Engine {
     Icarus,
     /// Verilator.
     Verilator,
+}
+
+impl Engine {
+    /// The simulator behind it, if it is one.
+    pub fn simulator(self) -> Option<crate::bench::Simulator> {
+        match self {
+            Self::Icarus => Some(crate::bench::Simulator::Icarus),
+            Self::Verilator => Some(crate::bench::Simulator::Verilator),
+            Self::Golden | Self::Interp => None,
+        }
+    }
 }

@@ -1,9 +1,13 @@
 //! The command line: verbs, shared options, exit codes.
 mod args;
+mod build;
+mod check;
 mod config;
 mod emit;
+mod figures;
 mod list;
 mod output;
+mod render;
 mod trace;
 
 pub use args::Cli;
@@ -34,10 +38,17 @@ pub fn main() -> i32 {
 
 fn run(cli: &Cli) -> Result<()> {
     match &cli.verb {
+        Verb::Build(a) => build::run(cli, a),
         Verb::Emit(a) => emit::run(cli, a),
+        Verb::Vectors(a) => build::vectors(cli, a),
+        Verb::Check(a) => check::run(cli, a),
+        Verb::Trace(a) => trace::run(cli, a),
+        Verb::Render(a) => render::run(cli, a),
+        Verb::Steps(a) => figures::steps(cli, a),
+        Verb::Accuracy(a) => figures::accuracy(cli, a),
+        Verb::Bench(a) => figures::bench(cli, a),
         Verb::List => list::run(cli),
         Verb::Config(a) => config::run(cli, a),
-        Verb::Trace(a) => trace::run(cli, a),
         Verb::Completions { shell } => {
             clap_complete::generate(*shell, &mut Cli::command(), "reliefrtl", &mut std::io::stdout());
             Ok(())

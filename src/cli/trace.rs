@@ -1,8 +1,95 @@
-//! `reliefrtl trace`.
-use super::args::{Cli, TraceArgs};
-use crate::error::Result;
+//! `reliefrtl trace`: rays from a table, hits into a table, by any engine; the bytes are the same.
+use super::args::{Cli, Engine, TraceArgs};
+use super::output::spinner;
+use crate::bench::{Outcome, Simulator, bench_files, run_bench};
+use crate::catalogue::ray_set;
+use crate::config::Config;
+use crate::error::{Error, Result};
+use crate::golden::{RayHit, RayInput};
+use crate::ir::Binding;
+use crate::project::{self, Scene};
+use crate::scene::read_rays;
+use crate::trace::{hit, hits_csv, record, trace_golden, trace_interp};
+use crate::vectors::set_files;
+use std::time::Duration;
 
 /// Runs `trace`.
-pub fn run(_cli: &Cli, _a: &TraceArgs) -> Result<()> {
-    unreachable!("wired with the scene")
+pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
+    let c = super::config::load(cli)?;
+    let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
+    let rays: Vec<RayInput> = read_rays(&a.rays)?.iter().map(|r| project::ray(&c, *r)).collect();
+    let hits = hits(cli, &c, a.engine, &scene, &rays)?;
+    if let Some(path) = &a.wave {
+        let ray = rays.get(a.wave_ray).ok_or_else(|| {
+            Error::input(format!(
+                "--wave-ray {} is none of the {} rays in {}",
+                a.wave_ray,
+                rays.len(),
+                a.rays.display()
+            ))
+        })?;
+        record(&c.design(), &scene.pyramid, ray)?.1.save(path, "traverse")?;
+    }
+    crate::files::write_atomic(&a.out, hits_csv(&c.design(), &hits).as_bytes())?;
+    if cli.json {
+        println!("{}", serde_json::json!({"rays": hits.len(), "out": a.out}));
+    } else {
+        println!("{} rays traced into {}", hits.len(), a.out.display());
+    }
+    Ok(())
+}
+
+/// Traces `rays` with an engine.
+///
+/// # Errors
+/// As the engine: a simulator may be missing, or disagree with the golden model.
+pub fn hits(cli: &Cli, c: &Config, engine: Engine, scene: &Scene, rays: &[RayInput]) -> Result<Vec<RayHit>> {
+    let d = c.design();
+    let bar = spinner(cli, format!("tracing {} rays", rays.len()));
+    let hits = match engine.simulator() {
+        None if engine == Engine::Golden => trace_golden(&d, &scene.pyramid, rays)?,
+        None => trace_interp(&d, &scene.pyramid, rays)?,
+        Some(sim) => simulated(c, sim, scene, rays)?,
+    };
+    bar.finish_and_clear();
+    Ok(hits)
+}
+
+/// The emitted Verilog in a simulator; its bench holds every hit against the golden model as well.
+fn simulated(c: &Config, sim: Simulator, scene: &Scene, rays: &[RayInput]) -> Result<Vec<RayHit>> {
+    simulate(c, sim, scene, rays).map(|x| x.0)
+}
+
+/// Times of build and run of the traverse bench in a simulator.
+///
+/// # Errors
+/// As the simulator.
+pub fn timed(c: &Config, sim: Simulator, scene: &Scene, rays: &[RayInput]) -> Result<(Duration, Duration)> {
+    simulate(c, sim, scene, rays).map(|x| (x.1.build, x.1.run))
+}
+
+fn simulate(c: &Config, sim: Simulator, scene: &Scene, rays: &[RayInput]) -> Result<(Vec<RayHit>, Outcome)> {
+    let d = c.design();
+    let p = project::hardware(c)?;
+    let t = &p.traverse;
+    let set = ray_set(&d, &t.module, &scene.pyramid, rays, c.vectors.seed)?;
+    let mut files = p.files;
+    files.extend(bench_files(&[], &t.module, t.setup + t.slots + t.finish, &c.emit.prefix));
+    files.extend(set_files(&set.set).into_iter().map(|(n, text)| (format!("golden/traverse/{n}"), text)));
+    files.insert("golden/traverse/memory.hex".into(), set.memory);
+    let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
+    let tree = work.path().join("tree");
+    super::output::write_tree(&tree, &files)?;
+    let results = work.path().join("results.txt");
+    let outcome = run_bench(sim, &tree, "traverse", &Binding::new(), &[format!("results={}", results.display())])?;
+    let text = std::fs::read_to_string(&results).map_err(|e| Error::file("read", &results, e))?;
+    let mut hits = vec![RayHit::default(); rays.len()];
+    let broken = || Error::ToolFailed(format!("{} wrote results that can't be read", sim.name()));
+    for line in text.lines() {
+        let mut words = line.split_whitespace();
+        let ray: usize = words.next().and_then(|w| w.parse().ok()).ok_or_else(broken)?;
+        let row = words.map(|w| u64::from_str_radix(w, 16).map_err(|_| broken())).collect::<Result<Vec<u64>>>()?;
+        *hits.get_mut(ray).filter(|_| row.len() == 10).ok_or_else(broken)? = hit(&row);
+    }
+    Ok((hits, outcome))
 }

@@ -5,7 +5,7 @@ use toml::Value;
 /// What is wrong with `value` for `key`; `None` if nothing is.
 ///
 /// The sentence names the key, the value and what is legal; the caller adds where it stands.
-pub(super) fn problem(key: &Key, value: &Value) -> Option<String> {
+pub(crate) fn problem(key: &Key, value: &Value) -> Option<String> {
     let path = key.path;
     let legal = key.legal;
     let shown = show(value);
@@ -38,7 +38,6 @@ fn range(path: &str, shown: &str, legal: Legal, below: bool, above: bool) -> Opt
         (_, true) => "large",
         _ => return None,
     };
-    // One legal value reads as "is", a range as "are"; there are only ranges today.
     Some(format!("{path} = {shown} is too {side}: {legal} are legal"))
 }
 
@@ -89,7 +88,7 @@ fn is_prefix(text: &str) -> bool {
 }
 
 /// A value as it would stand in the file, cut if it is long.
-pub(super) fn show(value: &Value) -> String {
+pub(crate) fn show(value: &Value) -> String {
     let text = match value {
         Value::String(text) => format!("{text:?}"),
         Value::Float(number) => format!("{number}"),

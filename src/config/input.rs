@@ -98,7 +98,7 @@ macro_rules! words {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum MapKind {
-    /// Rounded stones of several sizes with rough faces.
+    /// A bed of worn stones of several sizes.
     #[default]
     Rocks,
     /// A wall of bricks in running bond, with mortar.
@@ -107,7 +107,7 @@ pub enum MapKind {
     Dunes,
     /// A field of cones.
     Spikes,
-    /// Terraces that wind up a square tower.
+    /// A stepped pyramid with a flight of stairs up the middle of each side.
     Stairs,
     /// Everything at mid height.
     Flat,

@@ -3,13 +3,14 @@
 //! A [`Config`] comes from its defaults, a TOML file ([`Config::load`]) and `--set key=value` ([`Config::apply_set`]), in this order.
 //! Both check names, types and ranges where the place of the mistake is still known; what holds between keys is
 //! checked once by [`Config::validate`].
-mod check;
+pub(crate) mod check;
 mod commented;
 mod design;
 mod input;
 pub mod keys;
+pub(crate) mod lines;
 mod source;
-mod validate;
+pub(crate) mod validate;
 
 pub use design::{Design, LatencyConfig, LevelUp, ModeConfig, TraverseConfig};
 pub use input::{

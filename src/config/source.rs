@@ -1,9 +1,9 @@
 //! Reading: a TOML file, and `--set`.
 use super::check;
 use super::keys::{self, Legal, SECTIONS};
+use super::lines::{self, Lines, syntax};
 use super::{Config, validate};
 use crate::error::{Error, Result};
-use std::collections::HashMap;
 use std::path::Path;
 use toml::{Table, Value};
 
@@ -15,14 +15,8 @@ impl Config {
     /// [`Error::File`] if the file can't be read, [`Error::Input`] with all problems if its text is wrong.
     pub fn load(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
-        let bytes = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
         let name = path.display().to_string();
-        let text = String::from_utf8(bytes).map_err(|error| {
-            Error::input(format!(
-                "{name} is not UTF-8 text: the byte at offset {} is no part of it",
-                error.utf8_error().valid_up_to()
-            ))
-        })?;
+        let text = lines::read(path)?;
         let mut config = Self::from_toml(&text, &name)?;
         if let (Some(file), Some(directory)) = (&config.map.file, path.parent()) {
             config.map.file = Some(directory.join(file));
@@ -129,43 +123,4 @@ fn unknown_section(section: &str, value: &Value, lines: &Lines) -> String {
     let near = |known: &str| strsim::normalized_damerau_levenshtein(section, known);
     let known = SECTIONS.iter().map(|(known, _)| *known).max_by(|a, b| near(a).total_cmp(&near(b))).unwrap_or_default();
     format!("unknown section [{section}] ({}): did you mean [{known}]?", lines.at(section))
-}
-
-/// The line on which each section and key stands.
-struct Lines {
-    name: String,
-    of: HashMap<String, usize>,
-}
-
-impl Lines {
-    fn of(text: &str, name: &str) -> Result<Self> {
-        let table = toml::de::DeTable::parse(text).map_err(|error| syntax(text, name, &error))?;
-        let mut of = HashMap::new();
-        for (section, value) in table.get_ref() {
-            of.insert(section.get_ref().to_string(), line(text, section.span().start));
-            for (entry, _) in value.get_ref().as_table().into_iter().flatten() {
-                of.insert(format!("{}.{}", section.get_ref(), entry.get_ref()), line(text, entry.span().start));
-            }
-        }
-        Ok(Self { name: name.to_owned(), of })
-    }
-
-    fn at(&self, path: &str) -> String {
-        match self.of.get(path) {
-            Some(line) => format!("{}, line {line}", self.name),
-            None => self.name.clone(),
-        }
-    }
-}
-
-fn line(text: &str, offset: usize) -> usize {
-    1 + text.as_bytes()[..offset.min(text.len())].iter().filter(|&&byte| byte == b'\n').count()
-}
-
-fn syntax(text: &str, name: &str, error: &toml::de::Error) -> Error {
-    let place = match error.span() {
-        Some(span) => format!("{name}, line {}", line(text, span.start)),
-        None => name.to_owned(),
-    };
-    Error::input(format!("not TOML ({place}): {}", error.message().trim().replace('\n', " ")))
 }

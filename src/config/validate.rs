@@ -81,13 +81,13 @@ impl Config {
 }
 
 /// No problem, one sentence, or a list.
-pub(super) fn report(problems: Vec<String>) -> Result<()> {
+pub(crate) fn report(problems: Vec<String>) -> Result<()> {
     match problems.as_slice() {
         [] => Ok(()),
         [one] => Err(Error::input(one.clone())),
         all => {
             let list: String = all.iter().map(|problem| format!("\n  - {problem}")).collect();
-            Err(Error::input(format!("{} problems in the configuration:{list}", all.len())))
+            Err(Error::input(format!("{} problems:{list}", all.len())))
         }
     }
 }

@@ -23,6 +23,8 @@ pub struct Golden {
     pub(super) bottom: u64,
     /// C = 1 / M, encoded.
     pub(super) inv_bottom: u64,
+    /// Encoded parameter at which a ray meets a node of maximum height code H, by H.
+    tops: Vec<u64>,
 }
 
 impl Golden {
@@ -43,6 +45,8 @@ impl Golden {
             && size.idx_bits() <= 24
             && n + tile + 8 <= bias
             && h + 2 <= bias
+            // The position estimate is biased by 2^(n + 1 - man) at least, which must stand clear of underflow.
+            && fmt.man < bias
             && (1..=16).contains(&size.frac_bits)
             && (1..=4).contains(&design.mode.levels_down)
             && (1..=65535).contains(&size.step_limit);
@@ -60,6 +64,7 @@ impl Golden {
             texels_per_tile: power_of_two(fmt, n as i32),
             bottom: float::from_int(fmt, m as i64),
             inv_bottom: float::recip_int(fmt, m),
+            tops: (0..=m).map(|height| float::from_int(fmt, (m - height) as i64)).collect(),
         })
     }
 
@@ -139,8 +144,7 @@ impl Golden {
         let (fmt, n, rule) = (self.design.format, self.design.traverse.levels, self.design.mode.level_up);
         let k = s.level;
         let height = pyramid.node(k, wrap(s.x, n) >> k, wrap(s.y, n) >> k);
-        let m_code = (1i64 << self.design.traverse.height_bits) - 1;
-        let t_v = float::from_int(fmt, m_code - i64::from(height));
+        let t_v = self.tops[height as usize];
         let (b_x, t_x) = self.exit(&setup.u, k, s.x);
         let (b_y, t_y) = self.exit(&setup.v, k, s.y);
         let m = self.later(s.t, t_v);

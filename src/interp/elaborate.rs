@@ -154,7 +154,7 @@ impl Flat {
         inputs: &BTreeMap<usize, Slot>,
         path: &str,
     ) -> Result<BTreeMap<usize, Slot>> {
-        let names = crate::verilog::Names::new(m);
+        let names = crate::ir::Names::new(m);
         let mut slot: Vec<Slot> = vec![Slot::MAX; m.nodes.len()];
         let mut inst_outs: Vec<Option<BTreeMap<usize, Slot>>> = vec![None; m.insts.len()];
         let (mut pending, mut wires) = (Vec::new(), Vec::new());

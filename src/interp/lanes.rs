@@ -82,12 +82,9 @@ impl<'n> Lanes<'n> {
             }
         }
         self.write_memories();
-        for (k, u) in net.updates.iter().enumerate() {
-            match *u {
-                Update::Reg(i) => self.update(&net.regs[i]),
-                Update::Read(_) | Update::RegAside(_) => {
-                    let _ = k;
-                }
+        for u in &net.updates {
+            if let Update::Reg(i) = *u {
+                self.update(&net.regs[i]);
             }
         }
         for (k, u) in net.updates.iter().enumerate() {

@@ -4,8 +4,12 @@ mod eval;
 mod lanes;
 mod netlist;
 mod stream;
+mod tracked;
+mod wave;
 
 pub use elaborate::elaborate;
 pub use lanes::Lanes;
 pub use netlist::{FlatOp, FlatPort, Kind, Netlist, Slot};
 pub use stream::{Stream, StreamRun, Traffic};
+pub use tracked::{Bits, Tracked};
+pub use wave::Wave;

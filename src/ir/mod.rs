@@ -2,6 +2,7 @@
 mod builder;
 mod expr;
 mod module;
+mod names;
 mod schedule;
 mod sig;
 mod verify;
@@ -9,4 +10,5 @@ mod verify;
 pub use builder::{Builder, Sig};
 pub use expr::{Atom, Binding, Expr, Func};
 pub use module::*;
+pub use names::Names;
 pub use verify::verify;

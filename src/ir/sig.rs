@@ -96,18 +96,18 @@ impl<'b> Sig<'b> {
     }
     /// Unsigned product of a + b bits.
     #[track_caller]
-    pub fn mul(self, o: Self) -> Self {
+    pub fn product(self, o: Self) -> Self {
         let w = self.width() + o.width();
         self.b.push(Op::Mul, vec![self.id, o.id], w)
     }
     /// Left shift by an unsigned amount.
     #[track_caller]
-    pub fn shl(self, n: Self) -> Self {
+    pub fn shift_left(self, n: Self) -> Self {
         self.b.push(Op::Shl, vec![self.id, n.id], self.width())
     }
     /// Logical right shift.
     #[track_caller]
-    pub fn shr(self, n: Self) -> Self {
+    pub fn shift_right(self, n: Self) -> Self {
         self.b.push(Op::Shr, vec![self.id, n.id], self.width())
     }
     /// Arithmetic right shift.

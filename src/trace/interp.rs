@@ -5,6 +5,7 @@ use crate::golden::{Pyramid, RayHit, RayInput};
 use crate::interp::{Netlist, Stream, StreamRun, Traffic, elaborate};
 use crate::ir::Binding;
 use crate::units::traversal::traverse;
+use rayon::prelude::*;
 use std::sync::Arc;
 
 /// Data inputs of `traverse`, in the order of a ray's row.
@@ -52,8 +53,10 @@ impl Pipeline {
 /// As [`Pipeline::run`].
 pub fn trace_interp(design: &Design, pyramid: &Pyramid, rays: &[RayInput]) -> Result<Vec<RayHit>> {
     let p = Pipeline::new(design, &Binding::new())?;
-    let run = p.run(pyramid, rays, 64, Traffic::default())?;
-    Ok(run.results.iter().map(|r| hit(r)).collect())
+    let share = rays.len().div_ceil(rayon::current_num_threads()).max(1);
+    let runs: Vec<StreamRun> =
+        rays.par_chunks(share).map(|part| p.run(pyramid, part, 64, Traffic::default())).collect::<Result<_>>()?;
+    Ok(runs.iter().flat_map(|r| r.results.iter().map(|h| hit(h))).collect())
 }
 
 /// A hit from its row of outputs.

@@ -1,9 +1,14 @@
 //! Rays in, hits out, by the golden model or by the interpreter of the emitted datapath.
 mod csv;
+mod diagnose;
 mod interp;
+mod wave;
 
 pub use csv::{HEADER, hits_csv};
-pub use interp::{Pipeline, trace_interp};
+pub use diagnose::{Divergence, decode, diagnose, diagnose_image};
+pub use interp::{INPUTS, OUTPUTS, Pipeline, hit, trace_interp};
+
+pub use wave::record;
 
 use crate::config::Design;
 use crate::error::Result;

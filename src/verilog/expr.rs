@@ -3,7 +3,7 @@
 //! Rules that keep the text's meaning equal to the graph's: only nets are indexed, signed operations and constants
 //! with a name stand on their own wire, a mixed pair of operators always has parentheses, and widening is written out.
 use super::layout::{fill, group, literal, range, tight};
-use crate::ir::{Expr, Module, Node, NodeId, Op};
+use crate::ir::{Expr, Names, Node, NodeId, Op};
 
 /// How tightly an expression binds.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -18,56 +18,26 @@ pub enum Binds {
     Loose,
 }
 
-/// Printed names of a module's nodes.
-pub struct Names<'m> {
-    pub m: &'m Module,
-    /// True when names carry their stage.
-    pub staged: bool,
-    /// Stage under which each node is printed.
-    pub stage: Vec<u32>,
+/// How a module's nodes are written as expressions.
+pub trait Expressions {
+    /// A node as an operand: its net, or its expression.
+    fn operand(&self, id: NodeId) -> (String, Binds);
+    /// A node as an operand of a binary operator.
+    fn tight(&self, id: NodeId, beside: &'static str) -> String;
+    /// The net of an operand that has to have one.
+    fn net_of(&self, id: NodeId, n: &Node) -> String;
+    /// The expression that computes a node.
+    fn expr(&self, n: &Node) -> (String, Binds);
 }
 
-impl<'m> Names<'m> {
-    pub fn new(m: &'m Module) -> Self {
-        let mut stage: Vec<u32> = Vec::with_capacity(m.nodes.len());
-        for n in &m.nodes {
-            let of_args =
-                n.args.iter().filter(|_| n.op != Op::Wire).filter_map(|a| stage.get(a.0 as usize)).copied().max();
-            stage.push(n.stage.unwrap_or(if matches!(n.op, Op::Reg { .. } | Op::Wire) {
-                0
-            } else {
-                of_args.unwrap_or(0)
-            }));
-        }
-        let staged = m.nodes.iter().any(|n| n.stage.is_some_and(|s| s > 0));
-        Self { m, staged, stage }
-    }
-
-    /// The net that carries a node, if it has one.
-    pub fn net(&self, id: NodeId) -> Option<String> {
-        let n = self.m.node(id);
-        match (&n.op, &n.name) {
-            (Op::Input(p), _) => Some(self.m.ports[*p].name.clone()),
-            (op, _) if op.is_const() => None,
-            (_, Some(name)) => Some(match n.stage {
-                Some(s) if self.staged => format!("s{s}_{name}"),
-                _ if self.m.port(name).is_some() => format!("{name}_net"),
-                _ => name.clone(),
-            }),
-            (Op::Slice { .. } | Op::Not, None) => None,
-            _ => None,
-        }
-    }
-
-    /// A node as an operand: its net, or its expression.
-    pub fn operand(&self, id: NodeId) -> (String, Binds) {
+impl Expressions for Names<'_> {
+    fn operand(&self, id: NodeId) -> (String, Binds) {
         match self.net(id) {
             Some(n) => (n, Binds::Primary),
             None => self.expr(self.m.node(id)),
         }
     }
 
-    /// A node as an operand of a binary operator.
     fn tight(&self, id: NodeId, beside: &'static str) -> String {
         let (s, b) = self.operand(id);
         match b {
@@ -81,8 +51,7 @@ impl<'m> Names<'m> {
         self.net(id).unwrap_or_else(|| panic!("{}: {} needs a named operand", self.m.name, n.op.name()))
     }
 
-    /// The expression that computes a node.
-    pub fn expr(&self, n: &Node) -> (String, Binds) {
+    fn expr(&self, n: &Node) -> (String, Binds) {
         let a = |i: usize| n.args[i];
         let bin = |op: &'static str, assoc: bool| {
             let s = format!("{} {op} {}", self.tight(a(0), op), self.tight(a(1), if assoc { op } else { "" }));

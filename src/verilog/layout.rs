@@ -57,7 +57,7 @@ pub fn wide(e: &Expr) -> String {
     let mut out = String::new();
     for (a, c) in terms {
         let text = match a {
-            Atom::Call(Func::Pow2, x) => format!("(64'd1 << ({}))", x[0]),
+            Atom::Call(Func::Pow2, x) => format!("(64'd1 << {})", group(&x[0])),
             Atom::Call(Func::Div, x) => format!("(({}) / ({}))", wide(&x[0]), wide(&x[1])),
             other => panic!("{other} can't stand in a wide constant"),
         };
@@ -86,20 +86,21 @@ pub fn wrap(line: &str) -> String {
         match c {
             '(' | '{' | '[' => depth += 1,
             ')' | '}' | ']' => depth -= 1,
-            ' ' if i > indent + 8 && i <= COLUMNS && breaks_well(&line[..i], &line[i + 1..]) => {
-                if best.is_none_or(|(d, _)| depth <= d) {
-                    best = Some((depth, i));
-                }
+            ' ' if i > indent + 8
+                && i <= COLUMNS
+                && breaks_well(&line[..i], &line[i + 1..])
+                && best.is_none_or(|(d, _)| depth <= d) =>
+            {
+                best = Some((depth, i));
             }
             _ => {}
         }
     }
     match best {
         Some((_, at)) => {
-            let pad =
-                if line.trim_start().starts_with("wire") || line.trim_start().starts_with("assign") { 4 } else { 0 };
-            let rest = format!("{}{}", " ".repeat(indent + pad.max(if pad == 0 { 0 } else { 4 })), &line[at + 1..]);
-            format!("{}\n{}", &line[..at], wrap(&rest))
+            let opens = ["wire", "assign", "localparam"].iter().any(|w| line.trim_start().starts_with(w));
+            let rest = format!("{}{}", " ".repeat(indent + if opens { 4 } else { 0 }), &line[at + 1..]);
+            format!("{}\n{}", line[..at].trim_end(), wrap(&rest))
         }
         None => format!("{line}\n"),
     }

@@ -1,8 +1,9 @@
 //! Verilog-2005 text of a module: prepared names first, then a walk that never changes the graph.
+mod align;
 mod expr;
+mod header;
 mod layout;
 mod prim;
 mod text;
 
-pub use expr::Names;
 pub use text::{Style, print_module};

@@ -16,7 +16,8 @@ const LZC: &str = r#"
   localparam integer PadW = 1 << CountW;
   wire [PadW-1:0] padded = {bits, {(PadW - W){1'b1}}};
 
-  // Step s looks at PadW >> s bits: if the upper half is zero it counts, and the lower half goes on.
+  // Step s looks at PadW >> s bits: if the upper half is zero it counts, and the lower half
+  // goes on.
   genvar s;
   generate
     for (s = 0; s < CountW; s = s + 1) begin : gen_step

@@ -38,7 +38,7 @@ pub fn corners(fmt: FloatFormat) -> Vec<u64> {
 pub fn random_pairs(fmt: FloatFormat, seed: u64, count: u64) -> impl Iterator<Item = (u64, u64)> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     (0..count).map(move |at| {
-        let mask = (1u64 << fmt.width()) - 1;
+        let mask = u64::MAX >> (64 - fmt.width());
         let a = rng.random::<u64>() & mask;
         let mut b = rng.random::<u64>() & mask;
         if at % 2 == 0 {

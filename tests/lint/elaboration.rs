@@ -52,9 +52,10 @@ fn violations(m: &Module) -> Vec<Binding> {
             .filter(|(_, b)| fails(b))
             .collect();
         found.sort_by_key(|(distance, _)| *distance);
-        let (_, least) = found.into_iter().next().unwrap_or_else(|| {
-            panic!("{}: no value of one parameter breaks {} <= {}", m.name, check.lhs, check.rhs)
-        });
+        let (_, least) = found
+            .into_iter()
+            .next()
+            .unwrap_or_else(|| panic!("{}: no value of one parameter breaks {} <= {}", m.name, check.lhs, check.rhs));
         if !out.contains(&least) {
             out.push(least);
         }
@@ -64,7 +65,8 @@ fn violations(m: &Module) -> Vec<Binding> {
 
 #[test]
 fn illegal_parameters_end_elaboration_with_what_must_hold() {
-    let named = [("fp_add", "EXP_W", 1), ("traverse", "LEVELS", 13), ("fp_mul", "MAN_W", 29), ("traverse", "HEIGHT_W", 1)];
+    let named =
+        [("fp_add", "EXP_W", 1), ("traverse", "LEVELS", 13), ("fp_mul", "MAN_W", 29), ("traverse", "HEIGHT_W", 1)];
     let named = named.map(|(m, p, v)| (module(m), binding(&[(p, v)])));
     let by_condition = all()[0].modules.iter().flat_map(|m| violations(m).into_iter().map(move |b| (m.as_ref(), b)));
     let mut problems = Vec::new();

@@ -35,7 +35,9 @@ fn problems_of(text: &str) -> Vec<(usize, String)> {
         match comment {
             Some("verilator lint_off UNUSED") if !quiet && code.trim().is_empty() => quiet = true,
             Some("verilator lint_on UNUSED") if quiet && code.trim().is_empty() => quiet = false,
-            Some(c) if ["verilator", "synopsys", "synthesis", "verible", "pragma", "slang"].contains(&first_word(c)) => {
+            Some(c)
+                if ["verilator", "synopsys", "synthesis", "verible", "pragma", "slang"].contains(&first_word(c)) =>
+            {
                 say("a pragma that is not the pair around unused bits")
             }
             _ if quiet && !code.trim_start().starts_with("wire unused_") && !line.starts_with("      ") => {

@@ -25,7 +25,7 @@ fn add_finite(fmt: FloatFormat, x: Finite, y: Finite) -> u64 {
     let (large, small) = if x.exp >= y.exp { (x, y) } else { (y, x) };
     // Any other nonzero value as small as this rounds alike, so take one that keeps the integers short.
     let small = if large.exp - small.exp > FAR { Finite { sig: 1, exp: large.exp - FAR, ..small } } else { small };
-    let sum = signed(large) * (1i128 << (large.exp - small.exp)) + signed(small);
+    let sum = (signed(large) << (large.exp - small.exp)) + signed(small);
     if sum == 0 { zero(fmt, false) } else { round(fmt, sum < 0, sum.unsigned_abs(), small.exp, false) }
 }
 
@@ -86,13 +86,13 @@ pub fn lt(fmt: FloatFormat, a: u64, b: u64) -> bool {
 
 /// An integer that stands in the same order as the number: exponent and fraction read as one, with the sign. None for NaN.
 fn order(fmt: FloatFormat, a: u64) -> Option<i64> {
-    let magnitude = (a & (fmt.sign_bit() - 1)) as i64;
-    match decode(fmt, a) {
-        Value::Nan => None,
-        Value::Zero(_) => Some(0),
-        Value::Infinite(negative) | Value::Finite(Finite { negative, .. }) => {
-            Some(if negative { -magnitude } else { magnitude })
-        }
+    let magnitude = a & (fmt.sign_bit() - 1);
+    if magnitude > fmt.infinity() {
+        None
+    } else if magnitude <= fmt.man_mask() {
+        Some(0)
+    } else {
+        Some(if a & fmt.sign_bit() != 0 { -(magnitude as i64) } else { magnitude as i64 })
     }
 }
 

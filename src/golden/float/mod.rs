@@ -76,11 +76,9 @@ fn round(fmt: FloatFormat, negative: bool, sig: u128, exp: i32, rest: bool) -> u
     let keep = fmt.man as i32 + 1;
     let drop = u128::BITS as i32 - sig.leading_zeros() as i32 - keep;
     assert!(sig != 0 && (drop > 0 || !rest));
-    let (mut kept, loss) =
-        if drop > 0 { (sig >> drop, classify(sig, drop, rest)) } else { (sig << -drop, Loss::Nothing) };
-    if loss == Loss::MoreThanHalf || (loss == Loss::Half && kept & 1 == 1) {
-        kept += 1;
-    }
+    let (kept, loss) = if drop > 0 { (sig >> drop, classify(sig, drop, rest)) } else { (sig << -drop, Loss::Nothing) };
+    let mut kept = kept as u64;
+    kept += u64::from(loss == Loss::MoreThanHalf || (loss == Loss::Half && kept & 1 == 1));
     // The value is now kept * 2^last, and kept has `keep` bits, or is the power of two just above.
     let mut last = exp + drop;
     if kept >> keep != 0 {
@@ -94,7 +92,7 @@ fn round(fmt: FloatFormat, negative: bool, sig: u128, exp: i32, rest: bool) -> u
         infinity(fmt, negative)
     } else {
         let field = (exponent + fmt.bias()) as u64;
-        zero(fmt, negative) | (field << fmt.man) | (kept as u64 & fmt.man_mask())
+        zero(fmt, negative) | (field << fmt.man) | (kept & fmt.man_mask())
     }
 }
 
@@ -102,10 +100,13 @@ fn round(fmt: FloatFormat, negative: bool, sig: u128, exp: i32, rest: bool) -> u
 fn classify(sig: u128, drop: i32, rest: bool) -> Loss {
     let half = 1u128 << (drop - 1);
     let tail = sig & (2 * half - 1);
-    match (tail.cmp(&half), rest) {
-        (std::cmp::Ordering::Less, false) if tail == 0 => Loss::Nothing,
-        (std::cmp::Ordering::Less, _) => Loss::LessThanHalf,
-        (std::cmp::Ordering::Equal, false) => Loss::Half,
-        _ => Loss::MoreThanHalf,
+    if tail > half || (tail == half && rest) {
+        Loss::MoreThanHalf
+    } else if tail == half {
+        Loss::Half
+    } else if tail != 0 || rest {
+        Loss::LessThanHalf
+    } else {
+        Loss::Nothing
     }
 }

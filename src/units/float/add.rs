@@ -50,8 +50,8 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
     );
     let shift = (big_exp - small_exp).named("shift");
     let small_ext = b.cat(&[small_sig, b.zeros(3)]).named("small_ext");
-    let shifted = small_ext.shr(shift).named("shifted");
-    let lost = (small_ext & !b.ones(&sig_w).shl(shift)).any().named("lost");
+    let shifted = small_ext.shift_right(shift).named("shifted");
+    let lost = (small_ext & !b.ones(&sig_w).shift_left(shift)).any().named("lost");
     let aligned = b.cat(&[shifted.slice(1, &sig_w - 1), shifted.bit(0) | lost]).named("aligned");
 
     b.section("add", "");
@@ -61,7 +61,7 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
 
     b.section("normalize", "");
     let lz = lzc(&b, "u_lzc", sum, "lead");
-    let norm = sum.shl(lz).named("norm");
+    let norm = sum.shift_left(lz).named("norm");
     let exp = (big_exp.zext(&e_w) + b.lit(1, &e_w) - lz.zext(&e_w)).named("norm_exp");
     let is_zero = norm.msb();
     let is_zero = (!is_zero).named("sum_is_zero");

@@ -50,7 +50,7 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32) -> 
 
     b.section("normalize", "Zeros below make room for guard and sticky bits whatever INT_W is.");
     let lz = lzc(&b, "u_lzc", mag, "lead");
-    let norm = b.cat(&[mag.shl(lz), b.zeros(&f.man + 3)]).named("norm");
+    let norm = b.cat(&[mag.shift_left(lz), b.zeros(&f.man + 3)]).named("norm");
     let is_zero = (!norm.msb()).named("is_zero");
     let top = b.konst(f.bias() + &int - 1 - &frac, &e_w).named("top_exp");
     let exp = (top - lz.zext(&e_w)).named("norm_exp");

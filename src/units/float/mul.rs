@@ -25,7 +25,7 @@ pub fn fp_mul(format: FloatFormat, latency: u32) -> Arc<Module> {
     let sign = (fa.sign ^ fb.sign).named("prod_sign");
     let sa = b.cat(&[b.lit(1, 1), fa.frac]);
     let sb = b.cat(&[b.lit(1, 1), fb.frac]);
-    let prod = sa.mul(sb).named("prod");
+    let prod = sa.product(sb).named("prod");
     let bias = b.konst(f.bias(), &e_w).named("bias");
     let exp0 = (fa.exp.zext(&e_w) + fb.exp.zext(&e_w) - bias).named("prod_exp");
     let zero = (fa.is_zero | fb.is_zero).named("is_zero");

@@ -55,8 +55,8 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32) -> 
 
     b.section("shift", "");
     let x = b.cat(&[sig, b.zeros(&int)]).named("unshifted");
-    let shifted = x.shr(right).named("shifted");
-    let lost = (x & !b.ones(&x_w).shl(right)).any().named("lost");
+    let shifted = x.shift_right(right).named("shifted");
+    let lost = (x & !b.ones(&x_w).shift_left(right)).any().named("lost");
     let mag = shifted.slice(0, &int).named("mag");
     b.unused(shifted.slice(&int, &f.man + 1));
 

@@ -19,9 +19,9 @@ pub fn height_address(t: &TraverseConfig) -> Arc<Module> {
 
     let root = b.konst(&levels, &level_w).named("root");
     let bits = (root - level).named("index_bits");
-    let base = b.cat(&[b.ones(&levels).shl(bits), b.zeros(1)]).named("base");
-    let even = (b.cat(&[b.zeros(1), i.shr(level)]) | base).named("even");
-    let odd = b.cat(&[b.zeros(1), j.shr(level)]).named("odd");
+    let base = b.cat(&[b.ones(&levels).shift_left(bits), b.zeros(1)]).named("base");
+    let even = (b.cat(&[b.zeros(1), i.shift_right(level)]) | base).named("even");
+    let odd = b.cat(&[b.zeros(1), j.shift_right(level)]).named("odd");
     let morton = interleave(&b, "u_morton", even, odd, "morton");
     b.unused(morton.msb());
     b.drive(out, morton.slice(0, levels * 2 + 1), None);

@@ -20,7 +20,7 @@ pub fn node_planes(t: &TraverseConfig, parity: bool) -> Arc<Module> {
     let beyond = b.output("beyond", &idx, "texels", "the texel just behind the exit plane");
     let even = parity.then(|| b.output("even", 1, "bit", "the plane also bounds the parent node"));
 
-    let keep = b.ones(&idx).shl(level).named("keep");
+    let keep = b.ones(&idx).shift_left(level).named("keep");
     let first = (x & keep).named("first");
     let last = (x | !keep).named("last");
     let edge = minus.mux(first, last).named("side");
@@ -31,7 +31,7 @@ pub fn node_planes(t: &TraverseConfig, parity: bool) -> Arc<Module> {
     b.drive(plane, exit, None);
     b.drive(beyond, next, None);
     if let Some(even) = even {
-        let in_nodes = exit.shr(level).named("plane_in_nodes");
+        let in_nodes = exit.shift_right(level).named("plane_in_nodes");
         b.unused(in_nodes);
         b.drive(even, !in_nodes.bit(0), None);
     }

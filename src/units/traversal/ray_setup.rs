@@ -48,14 +48,7 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let levels = super::params::LevelParams::declare(&b, t);
     let height = b.param("HEIGHT_W", t.height_bits, "bits of a height code");
     let tile = b.param("TILE_W", t.tile_bits, "a ray travels less than 2^TILE_W tiles along each axis");
-    b.require(2, &height);
-    b.require(&height, 16);
-    b.require(&height, &f.man + 1);
-    b.require(7, &f.man);
-    b.require(1, &tile);
-    b.require(&levels.levels + &tile + 2, 24);
-    b.require(&levels.levels + &tile + 8, f.bias());
-    b.require(&height + 2, f.bias());
+    super::params::ray_conditions(&b, &f, &levels.levels, &height, &tile);
     let idx = b.local("IdxW", &levels.levels + &tile + 2);
     let s = Sizes { f, levels: levels.levels.clone(), height, tile, idx };
     b.clock();

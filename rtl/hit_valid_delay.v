@@ -1,0 +1,58 @@
+// hit_valid_delay: a valid bit, delayed beside a pipeline
+// Source     src/units/traversal/stream_delay.rs (emitted: do not edit)
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
+//           mul 1 div 2 compare 1 from_int 1 to_int 1
+// Latency    4 clocks
+// Throughput one result per clock
+`default_nettype none
+module hit_valid_delay (
+  input  wire  clk,        // rising edge
+  input  wire  ce,         // clock enable: registers hold while 0
+  input  wire  rst,        // synchronous, active high; clears valid bits only
+  input  wire  in_valid,   // the word counts
+  output wire  out_valid   // the delayed word counts
+);
+
+  // ---- stage 1 -------------------------------------------------------- stream_delay.rs
+  reg s1_valid;
+  always @(posedge clk) begin
+    if (rst) begin
+      s1_valid <= 1'b0;
+    end else if (ce) begin
+      s1_valid <= in_valid;
+    end
+  end
+
+  // ---- stage 2 -------------------------------------------------------- stream_delay.rs
+  reg s2_valid;
+  always @(posedge clk) begin
+    if (rst) begin
+      s2_valid <= 1'b0;
+    end else if (ce) begin
+      s2_valid <= s1_valid;
+    end
+  end
+
+  // ---- stage 3 -------------------------------------------------------- stream_delay.rs
+  reg s3_valid;
+  always @(posedge clk) begin
+    if (rst) begin
+      s3_valid <= 1'b0;
+    end else if (ce) begin
+      s3_valid <= s2_valid;
+    end
+  end
+
+  // ---- stage 4 -------------------------------------------------------- stream_delay.rs
+  reg s4_valid;
+  always @(posedge clk) begin
+    if (rst) begin
+      s4_valid <= 1'b0;
+    end else if (ce) begin
+      s4_valid <= s3_valid;
+    end
+  end
+
+  assign out_valid = s4_valid;
+endmodule
+`default_nettype wire

@@ -1,0 +1,88 @@
+// predicted_hit: texel coordinate reached at parameter m: floor(p_back + d * m)
+// Source     src/units/traversal/predicted_hit.rs (emitted: do not edit)
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
+//           mul 1 div 2 compare 1 from_int 1 to_int 1
+// Latency    4 clocks
+// Throughput one result per clock
+// Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
+//           0 reads as zero of its sign; results below the smallest normal, after rounding, become
+//           zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
+//           out); nearest, ties to even; x - x is +0.
+`default_nettype none
+module predicted_hit #(
+  parameter integer EXP_W = 7,   // exponent bits
+  parameter integer MAN_W = 16,  // fraction bits, the hidden one not counted
+  parameter integer IDX_W = 14   // bits of a signed, unwrapped texel coordinate
+) (
+  input  wire                 clk,     // rising edge
+  input  wire                 ce,      // clock enable: registers hold while 0
+  input  wire [EXP_W+MAN_W:0] p_back,  // entry point, biased backwards [float, texels]
+  input  wire [EXP_W+MAN_W:0] d,       // direction [float, texels per height code]
+  input  wire [EXP_W+MAN_W:0] m,       // parameter [float, height codes]
+  output wire [IDX_W-1:0]     e        // signed coordinate [texels]
+);
+  localparam integer FloatW = EXP_W + MAN_W + 1;
+
+  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  generate
+    if (2 > EXP_W) begin : gen_illegal_0
+      must_hold_2_at_most_EXP_W u_illegal ();
+    end
+    if (EXP_W > 11) begin : gen_illegal_1
+      must_hold_EXP_W_at_most_11 u_illegal ();
+    end
+    if (2 > MAN_W) begin : gen_illegal_2
+      must_hold_2_at_most_MAN_W u_illegal ();
+    end
+    if (MAN_W > 28) begin : gen_illegal_3
+      must_hold_MAN_W_at_most_28 u_illegal ();
+    end
+    if (IDX_W > 24) begin : gen_illegal_4
+      must_hold_IDX_W_at_most_24 u_illegal ();
+    end
+    if (2 > IDX_W) begin : gen_illegal_5
+      must_hold_2_at_most_IDX_W u_illegal ();
+    end
+  endgenerate
+
+  wire [EXP_W+MAN_W:0] s1_way;
+  fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_mul (
+    .clk(clk),
+    .ce(ce),
+    .a(d),
+    .b(m),
+    .result(s1_way)
+  );
+
+  // ---- stage 1 ------------------------------------------------------- predicted_hit.rs
+  reg [FloatW-1:0] s1_p_back;
+  always @(posedge clk) begin
+    if (ce) begin
+      s1_p_back <= p_back;
+    end
+  end
+  wire [EXP_W+MAN_W:0] s3_position;
+  fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_add (
+    .clk(clk),
+    .ce(ce),
+    .a(s1_p_back),
+    .b(s1_way),
+    .result(s3_position)
+  );
+
+  // ---- stage 2 ------------------------------------------------------- predicted_hit.rs
+
+  // ---- stage 3 ------------------------------------------------------- predicted_hit.rs
+  wire [IDX_W-1:0] s4_texel;
+  fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IDX_W)) u_to_int (
+    .clk(clk),
+    .ce(ce),
+    .a(s3_position),
+    .result(s4_texel)
+  );
+
+  // ---- stage 4 ------------------------------------------------------- predicted_hit.rs
+
+  assign e = s4_texel;
+endmodule
+`default_nettype wire

@@ -1,0 +1,40 @@
+// tb_{{ unit }}_top: makes the clock of tb_{{ unit }} for event-driven simulators.
+`default_nettype none
+module tb_{{ unit }}_top{% if params %} #(
+{%- for p in params %}
+  parameter integer {{ p.name }} = {{ p.default }}{% if not loop.last %},{% endif %}
+{%- endfor %}
+){% endif %};
+  reg        clk;
+  wire       done;
+  wire [7:0] exit_code;
+
+  tb_{{ unit }}{% if params %} #(
+{%- for p in params %}
+    .{{ p.name }}({{ p.name }}){% if not loop.last %},{% endif %}
+{%- endfor %}
+  ){% endif %} bench (
+    .clk(clk),
+    .done(done),
+    .exit_code(exit_code)
+  );
+
+  initial clk = 1'b0;
+  always #5 clk = ~clk;
+
+  always @(posedge done) begin
+`ifdef __ICARUS__
+    $finish_and_return(exit_code);
+`else
+    $finish;
+`endif
+  end
+  initial #1 if (done) begin
+`ifdef __ICARUS__
+    $finish_and_return(exit_code);
+`else
+    $finish;
+`endif
+  end
+endmodule
+`default_nettype wire

@@ -1,0 +1,79 @@
+//! Text of the emitted benches, one pair of files a unit, from templates.
+use crate::emit::Files;
+use crate::ir::{Expr, Module};
+use minijinja::{Environment, context};
+use serde::Serialize;
+use std::sync::Arc;
+
+#[derive(Serialize)]
+struct Port {
+    name: String,
+    /// `[EXP_W+MAN_W:0]`, or blank for one bit.
+    range: String,
+    /// How a 64-bit word is cut to the port.
+    select: String,
+}
+
+#[derive(Serialize)]
+struct Param {
+    name: String,
+    default: i64,
+}
+
+/// The benches of `units` and of `traverse`, whose emitted names start with `prefix`; `warm_up` is the number of clocks until its pipeline can be full.
+pub fn bench_files(units: &[Arc<Module>], traverse: &Module, warm_up: u32, prefix: &str) -> Files {
+    let mut env = Environment::new();
+    env.set_keep_trailing_newline(true);
+    let templates = [
+        ("unit", include_str!("templates/unit.v")),
+        ("top", include_str!("templates/top.v")),
+        ("traverse", include_str!("templates/traverse.v")),
+    ];
+    for (name, text) in templates {
+        env.add_template(name, text).expect("templates are well formed");
+    }
+    let render = |name: &str, value: minijinja::Value| {
+        let t = env.get_template(name).expect("template is there");
+        t.render(value).expect("templates use only what they are given")
+    };
+    let mut files = Files::from([(
+        "testbench/verilator_main.cpp".to_string(),
+        include_str!("templates/verilator_main.cpp").to_string(),
+    )]);
+    for m in units {
+        let latency = m.latency.unwrap_or(0);
+        let value = context! {
+            unit => m.name, dut => format!("{prefix}{}", m.name), params => params(m), latency, clocked => m.clk.is_some(),
+            travel_in => if latency == 0 { "1'b1" } else { "2" },
+            inputs => ports(m.data_inputs().map(|p| p.1)), outputs => ports(m.data_outputs().map(|p| p.1)),
+        };
+        files.insert(format!("testbench/tb_{}.v", m.name), render("unit", value.clone()));
+        files.insert(format!("testbench/tb_{}_top.v", m.name), render("top", value));
+    }
+    let named = |names: &[&str]| ports(names.iter().map(|n| traverse.port(n).expect("traverse has its ports").1));
+    let value = context! {
+        unit => "traverse", dut => format!("{prefix}traverse"), params => params(traverse), warm_up,
+        inputs => named(&crate::trace::INPUTS), outputs => named(&crate::trace::OUTPUTS),
+    };
+    files.insert("testbench/tb_traverse.v".into(), render("traverse", value.clone()));
+    files.insert("testbench/tb_traverse_top.v".into(), render("top", value));
+    files
+}
+
+fn params(m: &Module) -> Vec<Param> {
+    m.params.iter().map(|p| Param { name: p.name.clone(), default: p.default }).collect()
+}
+
+fn ports<'a>(ports: impl Iterator<Item = &'a crate::ir::Port>) -> Vec<Port> {
+    let text = |e: Expr| e.to_string().replace(' ', "");
+    let port = |p: &crate::ir::Port| {
+        let w = p.width.expanded();
+        let one = w.as_const() == Some(1);
+        Port {
+            name: p.name.clone(),
+            range: if one { String::new() } else { format!("[{}:0]", text(w.clone() - 1)) },
+            select: if one { "[0]".into() } else { format!("[{}:0]", text(w - 1)) },
+        }
+    };
+    ports.map(port).collect()
+}

@@ -1,0 +1,139 @@
+//! Replays a unit's vectors in the interpreter, and compares results with what is expected.
+use crate::error::{Error, Result};
+use crate::format::FloatFormat;
+use crate::interp::{Lanes, elaborate};
+use crate::ir::Module;
+use crate::trace::decode;
+use crate::vectors::VectorSet;
+
+/// Results that differ.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mismatch {
+    /// Row.
+    pub vector: usize,
+    /// Output port.
+    pub output: String,
+    /// Expected word.
+    pub expected: u64,
+    /// Word that came.
+    pub got: u64,
+}
+
+/// What a replay found.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CheckReport {
+    /// Unit.
+    pub unit: String,
+    /// `interp`, `icarus` or `verilator`.
+    pub engine: String,
+    /// Rows compared.
+    pub checked: usize,
+    /// Rows that differ.
+    pub mismatched: usize,
+    /// The first difference.
+    pub first: Option<Mismatch>,
+}
+
+impl CheckReport {
+    /// An error that tells the first difference, with its fields decoded where it is a float.
+    ///
+    /// # Errors
+    /// Rows that differ, or no rows.
+    pub fn verdict(&self, set: &VectorSet, m: &Module) -> Result<()> {
+        if self.checked == 0 {
+            return Err(Error::NothingRan(format!("{}: no vectors were checked in {}", self.unit, self.engine)));
+        }
+        let Some(x) = &self.first else { return Ok(()) };
+        let format =
+            set.params.get("EXP_W").zip(set.params.get("MAN_W")).map(|(e, f)| FloatFormat::new(*e as u32, *f as u32));
+        let port = m.port(&x.output).map(|p| p.1);
+        let show = |v: u64| match (format, port) {
+            (Some(f), Some(p)) if p.unit.starts_with("float") => decode(f, v),
+            _ => format!("hex {v:x}"),
+        };
+        let ins: Vec<String> = set
+            .inputs
+            .iter()
+            .zip(set.stimulus.get(x.vector).map_or(&[][..], Vec::as_slice))
+            .map(|(c, v)| format!("{} {v:x}", c.name))
+            .collect();
+        Err(Error::Mismatch(format!(
+            "{}: {} of {} mismatched in {}; first: vector {} ({}), output {}: expected {}, got {}",
+            self.unit,
+            self.mismatched,
+            self.checked,
+            self.engine,
+            x.vector,
+            ins.join(", "),
+            x.output,
+            show(x.expected),
+            show(x.got)
+        )))
+    }
+}
+
+/// Compares rows of results with what is expected.
+///
+/// # Errors
+/// Fewer or more results than expected, or none at all.
+pub fn compare(set: &VectorSet, engine: &str, results: &[Vec<u64>]) -> Result<CheckReport> {
+    let (n, k) = (set.expected.len(), results.len());
+    let unit = &set.unit;
+    match () {
+        () if n == 0 => return Err(Error::NothingRan(format!("{unit}: the vector set is empty, nothing was checked"))),
+        () if k < n => {
+            return Err(Error::Dropped(format!(
+                "{unit}: vector {k} was expected and never came ({k} of {n} results in {engine})"
+            )));
+        }
+        () if k > n => {
+            return Err(Error::Extra(format!(
+                "{unit}: {} results came that nobody expected ({k} for {n} vectors in {engine})",
+                k - n
+            )));
+        }
+        () => {}
+    }
+    let mut report = CheckReport { unit: unit.clone(), engine: engine.into(), checked: n, mismatched: 0, first: None };
+    for (vector, (want, got)) in set.expected.iter().zip(results).enumerate() {
+        if let Some(c) = want.iter().zip(got).position(|(a, b)| a != b) {
+            report.mismatched += 1;
+            let output = set.outputs[c].name.clone();
+            report.first.get_or_insert(Mismatch { vector, output, expected: want[c], got: got[c] });
+        }
+    }
+    Ok(report)
+}
+
+/// Replays `set` in the interpreter at the set's parameter values.
+///
+/// # Errors
+/// Illegal parameters, or as [`compare`].
+pub fn check_interp(m: &Module, set: &VectorSet) -> Result<CheckReport> {
+    const LANES: usize = 64;
+    let net = elaborate(m, &set.params)?;
+    let mut sim = Lanes::new(&net, LANES);
+    if let Some(ce) = net.inputs.iter().find(|p| p.name == "ce") {
+        sim.set(ce.slot).fill(1);
+    }
+    let ins: Vec<_> = set.inputs.iter().map(|c| net.input(&c.name)).collect();
+    let outs: Vec<_> = set.outputs.iter().map(|c| net.output(&c.name)).collect();
+    let latency = m.latency.unwrap_or(0) as usize;
+    let blocks = set.stimulus.len().div_ceil(LANES);
+    let mut results = Vec::with_capacity(set.stimulus.len());
+    // One block of rows enters a clock; its results leave `latency` clocks later.
+    for clock in 0..blocks + latency {
+        for (lane, row) in set.stimulus.iter().skip(clock * LANES).take(LANES).enumerate() {
+            ins.iter().zip(row).for_each(|(s, v)| sim.set(*s)[lane] = *v);
+        }
+        sim.eval();
+        if clock >= latency {
+            let first = (clock - latency) * LANES;
+            for lane in 0..LANES.min(set.stimulus.len() - first) {
+                results.push(outs.iter().map(|s| sim.get(*s)[lane]).collect());
+            }
+        }
+        sim.clock();
+    }
+    compare(set, "interp", &results)
+}

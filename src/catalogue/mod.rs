@@ -1,0 +1,110 @@
+//! One entry a unit: its hardware, its model, its vectors. Here alone hardware and golden model meet.
+mod check;
+mod models;
+mod rays;
+
+pub use check::{CheckReport, Mismatch, check_interp, compare};
+pub use models::model;
+pub use rays::{RaySet, ray_columns, ray_set};
+
+use crate::config::Design;
+use crate::error::{Error, Result};
+use crate::format::FloatFormat;
+use crate::ir::{Binding, Module};
+use crate::units;
+use crate::vectors::{Column, Plan, VectorSet, float_rows, integer_rows};
+use std::sync::Arc;
+
+/// The units that have vectors of their own, leaves first: all but the memory and `traverse`, which ray sets exercise.
+pub fn units(d: &Design) -> Vec<Arc<Module>> {
+    units::all(d).into_iter().filter(|m| m.latency.is_some() && m.name != "height_memory").collect()
+}
+
+/// A unit by name.
+///
+/// # Errors
+/// An unknown name; the sentence offers the nearest one.
+pub fn find(d: &Design, name: &str) -> Result<Arc<Module>> {
+    let all = units::all(d);
+    let near = all.iter().max_by(|a, b| strsim::jaro(&a.name, name).total_cmp(&strsim::jaro(&b.name, name)));
+    let near = near.map(|m| m.name.clone()).unwrap_or_default();
+    let miss = || Error::input(format!("no unit is named {name}; did you mean {near}? (`reliefrtl list` shows all)"));
+    all.iter().find(|m| m.name == name).cloned().ok_or_else(miss)
+}
+
+/// The design that a module's parameter values describe.
+pub fn design_at(d: &Design, b: &Binding) -> Design {
+    let mut d = *d;
+    let set = |name: &str, slot: &mut u32| {
+        if let Some(v) = b.get(name) {
+            *slot = *v as u32;
+        }
+    };
+    let (mut exp, mut man) = (d.format.exp, d.format.man);
+    set("EXP_W", &mut exp);
+    set("MAN_W", &mut man);
+    d.format = FloatFormat::new(exp, man);
+    set("LEVELS", &mut d.traverse.levels);
+    set("HEIGHT_W", &mut d.traverse.height_bits);
+    set("TILE_W", &mut d.traverse.tile_bits);
+    set("FRAC_W", &mut d.traverse.frac_bits);
+    set("STEP_LIMIT", &mut d.traverse.step_limit);
+    d
+}
+
+/// The vectors of a unit at parameter values `over`, with the golden model's results.
+pub fn vector_set(d: &Design, m: &Module, over: &Binding, plan: Plan) -> VectorSet {
+    let b = m.binding_with(over);
+    let at = design_at(d, &b);
+    let column = |p: &crate::ir::Port| Column { name: p.name.clone(), width: p.width.eval(&b) as u32 };
+    let inputs: Vec<Column> = m.data_inputs().map(|(_, p)| column(p)).collect();
+    let outputs: Vec<Column> = m.data_outputs().map(|(_, p)| column(p)).collect();
+    let widths: Vec<u32> = inputs.iter().map(|c| c.width).collect();
+    let floats: Vec<bool> = m.data_inputs().map(|(_, p)| p.unit.starts_with("float")).collect();
+    let (rows, counts) = match floats.iter().filter(|f| **f).count() {
+        n if n == widths.len() => float_rows(at.format, n, plan),
+        0 => integer_rows(&widths, plan),
+        n => {
+            let ints: Vec<u32> = widths.iter().zip(&floats).filter(|(_, f)| !**f).map(|(w, _)| *w).collect();
+            let budget = Plan { rows: plan.rows.max(64), ..plan };
+            let (a, counts) = float_rows(at.format, n, budget);
+            let (i, _) = integer_rows(&ints, budget);
+            let mix = |(k, row): (usize, &Vec<u64>)| {
+                let (mut fs, mut is) = (row.iter(), i[k % i.len()].iter());
+                floats
+                    .iter()
+                    .map(|f| if *f { fs.next() } else { is.next() })
+                    .map(|v| *v.expect("as many as columns"))
+                    .collect()
+            };
+            (a.iter().enumerate().map(mix).collect(), counts)
+        }
+    };
+    let rows: Vec<Vec<u64>> = rows.into_iter().map(|r| models::legal(&m.name, &at, &b, r)).collect();
+    let expected = rows.iter().map(|r| model(&m.name, &at, &b, r)).collect();
+    VectorSet { unit: m.name.clone(), params: b, seed: plan.seed, counts, inputs, outputs, stimulus: rows, expected }
+}
+
+/// Parameter values, besides the defaults, at which a unit's vectors are checked.
+pub fn bindings(m: &Module) -> Vec<Binding> {
+    let of = |pairs: &[(&str, i64)]| -> Binding { pairs.iter().map(|(k, v)| (k.to_string(), *v)).collect() };
+    let has = |p: &str| m.params.iter().any(|q| q.name == p);
+    let mut out = Vec::new();
+    if has("EXP_W") {
+        out.extend([(5, 10), (8, 23), (4, 3)].map(|(e, f)| of(&[("EXP_W", e), ("MAN_W", f)])));
+    }
+    if has("LEVELS") {
+        out.extend(
+            [2, 5, 12]
+                .map(|l| if has("IDX_W") { of(&[("LEVELS", l), ("IDX_W", l + 6)]) } else { of(&[("LEVELS", l)]) }),
+        );
+    }
+    if has("HEIGHT_W") {
+        out.push(of(&[("HEIGHT_W", 16)]));
+    }
+    if has("W") && m.name != "div_rows" {
+        out.extend([1, 2, 3, 7, 17, 32].map(|w| of(&[("W", w)])));
+    }
+    out.retain(|b| m.failed_checks(&m.binding_with(b)).is_empty());
+    out
+}

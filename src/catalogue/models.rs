@@ -1,0 +1,171 @@
+//! The golden model of each unit, in the order of its ports.
+use crate::bits::{mask, signed};
+use crate::config::Design;
+use crate::golden::float as gf;
+use crate::golden::{Crossing, Golden, RayInput, address, descend_levels, level_up, start_level};
+use crate::ir::Binding;
+
+/// Expected outputs of `unit` for one row of inputs, at design `d` and parameter values `b`.
+///
+/// # Panics
+/// If the unit has no model: the catalogue and the units went apart.
+pub fn model(unit: &str, d: &Design, b: &Binding, x: &[u64]) -> Vec<u64> {
+    let f = d.format;
+    let p = |name: &str| b[name] as u32;
+    let idx = b.get("IDX_W").map_or(d.traverse.idx_bits(), |v| *v as u32);
+    let s = |v: u64| signed(v, idx);
+    let index = |v: i64| v as u64 & mask(idx);
+    match unit {
+        "lzc" => vec![(0..p("W")).take_while(|k| x[0] >> (p("W") - 1 - k) & 1 == 0).count() as u64],
+        "interleave" => {
+            let bit = |w: u64, i: u32| w >> i & 1;
+            vec![(0..p("W")).map(|i| bit(x[0], i) << (2 * i) | bit(x[1], i) << (2 * i + 1)).sum()]
+        }
+        "div_rows" => {
+            let (rows, w) = (p("ROWS"), p("W"));
+            let n = u128::from(x[0]) << (rows - 1);
+            let (q, r) = (n / u128::from(x[1]), n % u128::from(x[1]));
+            vec![(r << 1) as u64 & mask(w + 1), q as u64 & mask(rows)]
+        }
+        "fp_add" => vec![gf::add(f, x[0], x[1])],
+        "fp_mul" => vec![gf::mul(f, x[0], x[1])],
+        "fp_div" => vec![gf::div(f, x[0], x[1])],
+        "fp_lt" => vec![u64::from(gf::lt(f, x[0], x[1]))],
+        "fp_from_int" => vec![gf::from_int(f, signed(x[0], p("INT_W")))],
+        "fp_from_fixed" => vec![gf::from_fixed(f, signed(x[0], p("INT_W")), p("FRAC_W"))],
+        "fp_to_int" => vec![gf::to_int(f, x[0], p("INT_W")) as u64 & mask(p("INT_W"))],
+        "fp_to_fixed" => vec![gf::to_fixed(f, x[0], p("INT_W"), p("FRAC_W")) as u64 & mask(p("INT_W"))],
+        "start_level" => vec![u64::from(start_level(d.traverse.levels, idx, s(x[0]), s(x[1]), s(x[2]), s(x[3])))],
+        "height_address" => {
+            let k = x[0] as u32;
+            vec![address(d.traverse.levels, k, x[1] as u32 >> k, x[2] as u32 >> k) as u64]
+        }
+        "node_planes" => {
+            let (k, at, neg) = (x[0] as u32, s(x[1]), x[2] == 1);
+            let size = 1i64 << k;
+            let first = at.div_euclid(size) * size;
+            let plane = if neg { first } else { first + size };
+            let beyond = if neg { first - 1 } else { plane };
+            let (low, high) = if neg { (first, at) } else { (at, first + size - 1) };
+            let even = u64::from(plane.div_euclid(size).rem_euclid(2) == 0);
+            let mut out = vec![index(low), index(high), index(plane), index(beyond)];
+            if matches!(d.mode.level_up, crate::config::LevelUp::Tevs | crate::config::LevelUp::Selective) {
+                // Past the largest coordinate the plane wraps with its word.
+                let wrapped = signed(index(plane), idx).div_euclid(size).rem_euclid(2) == 0;
+                out.push(if index(plane) == plane as u64 & mask(idx) { u64::from(wrapped) } else { even });
+            }
+            out
+        }
+        "plane_time" => {
+            let dist = gf::add(f, gf::from_int(f, s(x[0])), gf::neg(f, x[1]));
+            vec![if x[3] == 1 { f.infinity() } else { gf::mul(f, dist, x[2]) }]
+        }
+        "height_test" => {
+            let t_v = gf::from_int(f, ((1 << p("HEIGHT_W")) - 1 - x[0]) as i64);
+            vec![if gf::lt(f, x[1], t_v) { t_v } else { x[1] }, u64::from(gf::lt(f, t_v, x[1]))]
+        }
+        "predicted_hit" => vec![index(gf::to_int(f, gf::add(f, x[0], gf::mul(f, x[1], x[2])), idx))],
+        "node_crossing" => {
+            let (t, m, t_x, t_y) = (x[0], x[1], x[2], x[3]);
+            let x_first = !gf::lt(f, t_y, t_x);
+            let exit = if x_first { t_x } else { t_y };
+            let inside = gf::lt(f, m, t_x) && gf::lt(f, m, t_y);
+            vec![u64::from(inside), u64::from(x_first), if gf::lt(f, t, exit) { exit } else { t }]
+        }
+        "multi_level_down" => {
+            let many = d.mode.levels_down;
+            let (crossed, o) = if many > 1 { (x[1] == 1, 2) } else { (false, 1) };
+            let down = descend_levels(many, x[0] as u32, crossed);
+            let clamp = |i: usize| index(if s(x[i + 2]) < s(x[i]) { s(x[i]) } else { s(x[i + 2]).min(s(x[i + 1])) });
+            vec![x[0].wrapping_sub(u64::from(down)) & mask(level_bits(d)), clamp(o), clamp(o + 3)]
+        }
+        "level_up" => vec![u64::from(up(d, x, s))],
+        "level_decision" => {
+            let [inside, x_first, up, level, down, m, t_next] = x[..7] else { panic!("level_decision has 13 inputs") };
+            let hit = inside == 1 && level == 0;
+            let pick = |o: usize, crossed: bool| match (inside == 1, hit) {
+                (true, true) => x[o],
+                (true, false) => x[o + 1],
+                (false, _) => x[if crossed { o + 2 } else { o }],
+            };
+            let level_next = match (inside == 1, hit) {
+                (true, true) => level,
+                (true, false) => down,
+                (false, _) => (level + up) & mask(level_bits(d)),
+            };
+            let t = if inside == 1 { m } else { t_next };
+            vec![u64::from(hit), 1 - inside, level_next, pick(7, x_first == 1), pick(10, x_first == 0), t]
+        }
+        "ray_setup" => {
+            let g = Golden::new(d).expect("the set's parameters are legal");
+            let o = g.setup(&RayInput { u: x[0], v: x[1], du: x[2], dv: x[3] });
+            let mut out = vec![u64::from(o.valid), u64::from(o.level)];
+            for a in [o.u, o.v] {
+                out.extend([a.p, a.pb, a.dt, a.r, u64::from(a.never), u64::from(a.neg), index(a.x)]);
+            }
+            out
+        }
+        "hit_position" => {
+            let frac = p("FRAC_W");
+            let at = gf::to_fixed(f, gf::add(f, x[0], gf::mul(f, x[1], x[2])), idx + frac, frac);
+            vec![(at - (s(x[3]) << frac)).clamp(0, (1 << frac) - 1) as u64]
+        }
+        other => panic!("{other} has no golden model"),
+    }
+}
+
+fn level_bits(d: &Design) -> u32 {
+    (d.traverse.levels + 1).next_power_of_two().trailing_zeros()
+}
+
+fn up(d: &Design, x: &[u64], s: impl Fn(u64) -> i64) -> bool {
+    use crate::config::LevelUp as L;
+    let level = x[0] as u32;
+    // A plane whose parity in node units is the wanted one.
+    let plane = |even: u64| (1 - even as i64) << level;
+    let none = Crossing { level, plane: 0, x: 0, y: 0, e_x: 0, e_y: 0, previous: false };
+    let c = match d.mode.level_up {
+        L::Coherent => Crossing { previous: x[1] == 1, ..none },
+        L::Tevs => Crossing { plane: plane(x[1]), ..none },
+        L::Selective => Crossing { plane: plane(x[1]), x: s(x[2]), e_x: s(x[3]), y: s(x[4]), e_y: s(x[5]), ..none },
+        L::None | L::Always => none,
+    };
+    level < d.traverse.levels && level_up(d.mode.level_up, &c)
+}
+
+/// Makes a row one that the unit can meet: levels that exist, divisors that are normalized.
+pub fn legal(unit: &str, d: &Design, b: &Binding, mut x: Vec<u64>) -> Vec<u64> {
+    let n = u64::from(d.traverse.levels);
+    match unit {
+        "height_address" | "node_planes" => x[0] %= n + 1,
+        "level_up" => {
+            // Coordinates keep a bit of headroom: IDX_W holds any sum of an entry point and a travel.
+            let idx = b.get("IDX_W").map_or(d.traverse.idx_bits(), |v| *v as u32);
+            x[0] %= n + 1;
+            x.iter_mut().skip(2).for_each(|v| *v = (signed(*v, idx) >> 1) as u64 & mask(idx));
+        }
+        "multi_level_down" => {
+            x[0] = x[0] % n + 1;
+            order_bounds(d, b, &mut x);
+        }
+        "level_decision" => x[3] %= n + 1,
+        "div_rows" => {
+            let w = b["W"] as u32;
+            x[1] |= 1 << (w - 1);
+            x[0] %= 2 * x[1];
+        }
+        _ => {}
+    }
+    x
+}
+
+/// The lower bound of a descent comes before the upper one.
+fn order_bounds(d: &Design, b: &Binding, x: &mut [u64]) {
+    let idx = b.get("IDX_W").map_or(d.traverse.idx_bits(), |v| *v as u32);
+    let first = if d.mode.levels_down > 1 { 2 } else { 1 };
+    for o in [first, first + 3] {
+        if signed(x[o], idx) > signed(x[o + 1], idx) {
+            x.swap(o, o + 1);
+        }
+    }
+}

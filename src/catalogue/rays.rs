@@ -1,0 +1,70 @@
+//! Vector sets of `traverse`: rays, a height pyramid, expected hits, and every iteration on the way.
+use crate::config::Design;
+use crate::error::Result;
+use crate::golden::{Golden, Pyramid, RayInput};
+use crate::ir::Module;
+use crate::trace::{INPUTS, OUTPUTS};
+use crate::vectors::{Column, Counts, VectorSet};
+use std::fmt::Write;
+
+/// A set of rays over a map.
+pub struct RaySet {
+    /// Rays and expected hits.
+    pub set: VectorSet,
+    /// The pyramid, `$readmemh` text: number of words, then a word a line.
+    pub memory: String,
+    /// Every iteration of every ray, CSV.
+    pub trace: String,
+}
+
+/// Input and output columns of `traverse` at its defaults.
+pub fn ray_columns(m: &Module) -> (Vec<Column>, Vec<Column>) {
+    let b = m.default_binding();
+    let column = |name: &&str| {
+        let port = m.port(name).expect("traverse has its ports").1;
+        Column { name: name.to_string(), width: port.width.eval(&b) as u32 }
+    };
+    (INPUTS.iter().map(column).collect(), OUTPUTS.iter().map(column).collect())
+}
+
+/// The golden model's hits of `rays`, with the per-iteration trace.
+///
+/// # Errors
+/// An illegal design.
+pub fn ray_set(d: &Design, m: &Module, pyramid: &Pyramid, rays: &[RayInput], seed: u64) -> Result<RaySet> {
+    let g = Golden::new(d)?;
+    let mut trace = "ray,step,level,x,y,height,t,decision\n".to_string();
+    let mut expected = Vec::with_capacity(rays.len());
+    for (k, r) in rays.iter().enumerate() {
+        let mut step = 0;
+        let h = g.trace_with(pyramid, r, |i| {
+            let (x, y) = (i.x, i.y);
+            writeln!(trace, "{k},{step},{},{x},{y},{},{:x},{:?}", i.level, i.height, i.t, i.decision)
+                .expect("writing to a string can't fail");
+            step += 1;
+        });
+        let words = [h.i, h.j, h.fu, h.fv].map(u64::from);
+        let tail = [h.steps, h.crossings, h.ups].map(u64::from);
+        expected.push([&words[..], &[h.t, u64::from(h.wall), u64::from(h.limit)], &tail].concat());
+    }
+    let (inputs, outputs) = ray_columns(m);
+    let set = VectorSet {
+        unit: m.name.clone(),
+        params: m.default_binding(),
+        seed,
+        counts: Counts { corners: 0, random: rays.len(), exhaustive: 0 },
+        inputs,
+        outputs,
+        stimulus: rays.iter().map(|r| vec![r.u, r.v, r.du, r.dv]).collect(),
+        expected,
+    };
+    let mut memory = format!(
+        "// height pyramid: number of words, then level 0 first, the root last\n{:x}\n",
+        pyramid.memory().len()
+    );
+    let digits = d.traverse.height_bits.div_ceil(4) as usize;
+    for w in pyramid.memory() {
+        writeln!(memory, "{w:0digits$x}").expect("writing to a string can't fail");
+    }
+    Ok(RaySet { set, memory, trace })
+}

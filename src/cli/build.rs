@@ -1,0 +1,104 @@
+//! `reliefrtl build`: the whole way, and a summary. `vectors`: the golden vectors alone.
+use super::args::{BuildArgs, Cli, Engine};
+use super::output::{spinner, table};
+use crate::config::View;
+use crate::error::Result;
+use crate::project::{self, Scene, check_tree};
+use crate::report::steps;
+use crate::scene::Camera;
+use serde_json::json;
+
+/// Runs `build`.
+pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
+    let c = super::config::load(cli)?;
+    let bar = spinner(cli, "building");
+    let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
+    let p = project::project(&c, &scene)?;
+    let camera = Camera::standard(View::Oblique, c.view.width, c.view.height);
+    let stride = c.view.stride.min(2);
+    bar.set_message("tracing the picture through the datapath");
+    let (rays, hits) = super::render::trace(cli, &c, Engine::Interp, &scene, &camera, stride)?;
+    let picture = super::render::picture(&c, &scene, &camera, stride, &rays, &hits, false)?.to_png()?;
+    let mut dir = crate::files::OutDir::new(&a.out)?;
+    p.files.iter().try_for_each(|(path, text)| dir.add(path, text.as_bytes()))?;
+    dir.add("preview.png", &picture)?;
+    dir.commit()?;
+    bar.set_message("checking every vector in the interpreter");
+    let checked = check_tree(&c, &a.out, None, None, None, &|_| ())?;
+    let mut views = Vec::new();
+    for view in &c.view.names {
+        bar.set_message(format!("tracing the {view} view"));
+        let camera = Camera::standard(*view, c.view.width, c.view.height);
+        let (_, hits) = super::render::trace(cli, &c, Engine::Interp, &scene, &camera, c.view.stride)?;
+        views.push((view, steps(&hits)));
+    }
+    bar.finish_and_clear();
+    let (t, depth) = (&p.traverse, p.traverse.setup + p.traverse.slots + p.traverse.finish);
+    if cli.json {
+        let views: Vec<_> = views
+            .iter()
+            .map(|(v, s)| json!({"view": v.word(), "rays": s.rays, "mean_steps": s.mean, "max_steps": s.max, "max_ray": s.witness, "given_up": s.limits}))
+            .collect();
+        let units: Vec<_> =
+            checked.iter().map(|x| json!({"unit": x.unit, "checked": x.rows, "mismatched": 0})).collect();
+        let value = json!({"out": a.out, "modules": p.modules.len(), "slots": t.slots, "setup": t.setup, "finish": t.finish, "units": units, "views": views});
+        println!("{}", serde_json::to_string_pretty(&value).expect("plain data"));
+        return Ok(());
+    }
+    println!("map {}, config {}, seed {}", scene.name, c.hash(), c.vectors.seed);
+    println!("{} modules in {}; parameters of traverse:", p.modules.len(), a.out.join("rtl").display());
+    let params: Vec<String> = t.module.params.iter().map(|q| format!("{}={}", q.name, q.default)).collect();
+    println!("  {}", params.join(" "));
+    println!(
+        "pipeline: {} clocks of setup, a loop of {} slots, {} clocks to the result; {depth} in all\n",
+        t.setup, t.slots, t.finish
+    );
+    println!("golden vectors, checked by the interpreter of the emitted datapath:");
+    super::check::print(cli, &checked);
+    println!(
+        "\nrays traced through the datapath (every {}th pixel of {} x {} in each direction):",
+        c.view.stride, c.view.width, c.view.height
+    );
+    let rows: Vec<Vec<String>> = views
+        .iter()
+        .map(|(v, s)| {
+            // In the steady state a slot starts an iteration every clock, so a ray costs as many clocks as it has steps.
+            let mean = format!("{:.2}", s.mean);
+            vec![
+                v.word().into(),
+                s.rays.to_string(),
+                mean.clone(),
+                s.max.to_string(),
+                s.witness.to_string(),
+                mean,
+                s.limits.to_string(),
+            ]
+        })
+        .collect();
+    print!("{}", table(&["view", "rays", "mean steps", "max steps", "at ray", "clocks/ray", "given up"], &rows));
+    println!("\nNext, in {}:", a.out.display());
+    println!(
+        "  iverilog -g2005 -Wall -y rtl -s tb_traverse_top -o tb.vvp testbench/tb_traverse.v testbench/tb_traverse_top.v && vvp -n tb.vvp"
+    );
+    println!(
+        "  verilator --cc --exe --build -O3 -Wno-lint --prefix Vtb --top-module tb_traverse -y rtl testbench/tb_traverse.v testbench/verilator_main.cpp && ./obj_dir/Vtb"
+    );
+    println!("  open preview.png");
+    Ok(())
+}
+
+/// Runs `vectors`.
+pub fn vectors(cli: &Cli, a: &BuildArgs) -> Result<()> {
+    let c = super::config::load(cli)?;
+    let bar = spinner(cli, "computing vectors");
+    let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
+    let files = project::vectors(&c, &scene)?;
+    super::output::write_tree(&a.out, &files)?;
+    bar.finish_and_clear();
+    if cli.json {
+        println!("{}", json!({"out": a.out, "files": files.keys().collect::<Vec<_>>()}));
+    } else {
+        println!("{} files in {}", files.len(), a.out.join("golden").display());
+    }
+    Ok(())
+}

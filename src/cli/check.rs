@@ -1,0 +1,52 @@
+//! `reliefrtl check`: golden vectors replayed in an engine.
+use super::args::{CheckArgs, Cli, Engine};
+use super::output::spinner;
+use crate::error::{Error, Result};
+use crate::project::{Checked, Scene, check_tree, project};
+use std::path::PathBuf;
+
+/// Runs `check`.
+pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
+    let c = super::config::load(cli)?;
+    if a.engine == Engine::Golden {
+        return Err(Error::input(
+            "check --engine golden would compare the golden model with itself: use interp, icarus or verilator",
+        ));
+    }
+    let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
+    let dir: PathBuf = match &a.dir {
+        Some(dir) => dir.clone(),
+        None => {
+            let tree = work.path().join("tree");
+            super::output::write_tree(&tree, &project(&c, &Scene::new(&c, None, false)?)?.files)?;
+            tree
+        }
+    };
+    let bar = spinner(cli, "checking");
+    let seen = |x: &Checked| bar.set_message(format!("{} done", x.unit));
+    let done = check_tree(&c, &dir, a.engine.simulator(), a.unit.as_deref(), a.canary, &seen);
+    bar.finish_and_clear();
+    let done = done?;
+    print(cli, &done);
+    match a.canary {
+        Some(k) => Err(Error::ToolFailed(format!("the canary {k:?} was not noticed: this check can't fail"))),
+        None => Ok(()),
+    }
+}
+
+/// Prints what was checked.
+pub fn print(cli: &Cli, done: &[Checked]) {
+    if cli.json {
+        let rows: Vec<_> = done
+            .iter()
+            .map(|x| serde_json::json!({"unit": x.unit, "checked": x.rows, "mismatched": 0, "note": x.note}))
+            .collect();
+        println!("{}", serde_json::to_string_pretty(&rows).expect("plain data"));
+        return;
+    }
+    for x in done {
+        println!("{:<16} 0 of {} mismatched{}{}", x.unit, x.rows, if x.note.is_empty() { "" } else { "; " }, x.note);
+    }
+    let total: usize = done.iter().map(|x| x.rows).sum();
+    println!("{} units, 0 of {total} vectors mismatched", done.len());
+}

@@ -1,0 +1,85 @@
+//! `reliefrtl render`: the map as a picture, every pixel traced through the datapath.
+use super::args::{Cli, Engine, RenderArgs};
+use crate::config::{Config, View};
+use crate::error::{Error, Result};
+use crate::golden::RayHit;
+use crate::golden::float::to_f64;
+use crate::project::{Scene, encode};
+use crate::scene::{Camera, Picture, ShadePoint, Shader, ViewRay};
+
+/// Runs `render`.
+pub fn run(cli: &Cli, a: &RenderArgs) -> Result<()> {
+    let c = super::config::load(cli)?;
+    let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
+    let (camera, stride) = match a.view.parse::<View>() {
+        Ok(view) => (Camera::standard(view, c.view.width, c.view.height), c.view.stride),
+        Err(_) if a.view.ends_with(".toml") => (Camera::load(&a.view)?, 1),
+        Err(_) => {
+            let views = View::WORDS.join(", ");
+            return Err(Error::input(format!(
+                "--view {} is none of {views}, nor a camera file ending in .toml",
+                a.view
+            )));
+        }
+    };
+    let (rays, hits) = trace(cli, &c, a.engine, &scene, &camera, stride)?;
+    picture(&c, &scene, &camera, stride, &rays, &hits, a.steps)?.save(&a.out)?;
+    if cli.json {
+        println!("{}", serde_json::json!({"rays": hits.len(), "out": a.out}));
+    } else {
+        println!("{} rays traced, picture in {}", hits.len(), a.out.display());
+    }
+    Ok(())
+}
+
+/// Rays of a camera and their hits.
+///
+/// # Errors
+/// As the engine.
+pub fn trace(
+    cli: &Cli,
+    c: &Config,
+    engine: Engine,
+    scene: &Scene,
+    camera: &Camera,
+    stride: u32,
+) -> Result<(Vec<ViewRay>, Vec<RayHit>)> {
+    let rays = camera.rays(c.map.scale, c.map.repeat, stride);
+    let encoded: Vec<_> = rays.iter().map(|r| encode(c, r)).collect();
+    let hits = super::trace::hits(cli, c, engine, scene, &encoded)?;
+    Ok((rays, hits))
+}
+
+/// The picture of hits: the surface, or the iterations.
+///
+/// # Errors
+/// None today; pictures of impossible sizes are refused by the camera.
+pub fn picture(
+    c: &Config,
+    scene: &Scene,
+    camera: &Camera,
+    stride: u32,
+    rays: &[ViewRay],
+    hits: &[RayHit],
+    steps: bool,
+) -> Result<Picture> {
+    let (w, h) = camera.picture_size(stride);
+    let (w, h) = (w as usize, h as usize);
+    let at = |r: &ViewRay| (r.py / stride) as usize * w + (r.px / stride) as usize;
+    let t = &c.traverse;
+    if steps {
+        let mut pixels = vec![None; w * h];
+        rays.iter().zip(hits).for_each(|(r, x)| pixels[at(r)] = Some(x.steps));
+        return Ok(Picture::steps(w, h, &pixels));
+    }
+    let full = f64::from((1u32 << t.height_bits) - 1);
+    let unit =
+        |i: u32, f: u32| (f64::from(i) + f64::from(f) / 2f64.powi(t.frac_bits as i32)) / 2f64.powi(t.levels as i32);
+    let mut pixels = vec![None; w * h];
+    for (r, x) in rays.iter().zip(hits) {
+        let t = to_f64(c.format.float(), x.t) / full;
+        pixels[at(r)] = Some(ShadePoint { u: unit(x.i, x.fu), v: unit(x.j, x.fv), t, wall: x.wall });
+    }
+    let shader = Shader::new(&scene.texels, t.levels, t.height_bits, c.map.scale, c.map.repeat, scene.kind);
+    Ok(Picture::shaded(&shader, w, h, &pixels))
+}

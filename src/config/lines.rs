@@ -1,0 +1,57 @@
+//! On which line of a TOML text a key stands.
+use crate::error::{Error, Result};
+use std::collections::HashMap;
+
+/// The line of each section and key.
+pub(crate) struct Lines {
+    name: String,
+    of: HashMap<String, usize>,
+}
+
+impl Lines {
+    /// Reads the text; `name` stands for the file.
+    pub(crate) fn of(text: &str, name: &str) -> Result<Self> {
+        let table = toml::de::DeTable::parse(text).map_err(|error| syntax(text, name, &error))?;
+        let mut of = HashMap::new();
+        for (section, value) in table.get_ref() {
+            of.insert(section.get_ref().to_string(), line(text, section.span().start));
+            for (entry, _) in value.get_ref().as_table().into_iter().flatten() {
+                of.insert(format!("{}.{}", section.get_ref(), entry.get_ref()), line(text, entry.span().start));
+            }
+        }
+        Ok(Self { name: name.to_owned(), of })
+    }
+
+    /// File and line of this path.
+    pub(crate) fn at(&self, path: &str) -> String {
+        match self.of.get(path) {
+            Some(line) => format!("{}, line {line}", self.name),
+            None => self.name.clone(),
+        }
+    }
+}
+
+fn line(text: &str, offset: usize) -> usize {
+    1 + text.as_bytes()[..offset.min(text.len())].iter().filter(|&&byte| byte == b'\n').count()
+}
+
+/// What the TOML reader said, in one sentence with the place.
+pub(crate) fn syntax(text: &str, name: &str, error: &toml::de::Error) -> Error {
+    let place = match error.span() {
+        Some(span) => format!("{name}, line {}", line(text, span.start)),
+        None => name.to_owned(),
+    };
+    Error::input(format!("not TOML ({place}): {}", error.message().trim().replace('\n', " ")))
+}
+
+/// The text of a TOML file.
+pub(crate) fn read(path: &std::path::Path) -> Result<String> {
+    let bytes = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
+    String::from_utf8(bytes).map_err(|error| {
+        Error::input(format!(
+            "{} is not UTF-8 text: the byte at offset {} is no part of it",
+            path.display(),
+            error.utf8_error().valid_up_to()
+        ))
+    })
+}

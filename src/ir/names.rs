@@ -1,0 +1,45 @@
+//! Names of a module's nets: base name and stage, the same in Verilog, waveforms and reports.
+use super::module::{Module, NodeId, Op};
+
+/// Printed names of a module's nodes.
+pub struct Names<'m> {
+    /// The module.
+    pub m: &'m Module,
+    /// True when names carry their stage.
+    pub staged: bool,
+    /// Stage under which each node is printed.
+    pub stage: Vec<u32>,
+}
+
+impl<'m> Names<'m> {
+    /// Names the nets of `m`.
+    pub fn new(m: &'m Module) -> Self {
+        let mut stage: Vec<u32> = Vec::with_capacity(m.nodes.len());
+        for n in &m.nodes {
+            let of_args =
+                n.args.iter().filter(|_| n.op != Op::Wire).filter_map(|a| stage.get(a.0 as usize)).copied().max();
+            stage.push(n.stage.unwrap_or(if matches!(n.op, Op::Reg { .. } | Op::Wire) {
+                0
+            } else {
+                of_args.unwrap_or(0)
+            }));
+        }
+        let staged = m.nodes.iter().any(|n| n.stage.is_some_and(|s| s > 0));
+        Self { m, staged, stage }
+    }
+
+    /// The net that carries a node, if it has one.
+    pub fn net(&self, id: NodeId) -> Option<String> {
+        let n = self.m.node(id);
+        match (&n.op, &n.name) {
+            (Op::Input(p), _) => Some(self.m.ports[*p].name.clone()),
+            (op, _) if op.is_const() => None,
+            (_, Some(name)) => Some(match n.stage {
+                Some(s) if self.staged => format!("s{s}_{name}"),
+                _ if self.m.port(name).is_some() => format!("{name}_net"),
+                _ => name.clone(),
+            }),
+            _ => None,
+        }
+    }
+}

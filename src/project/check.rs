@@ -1,0 +1,166 @@
+//! Checks an emitted tree: every unit's vectors replayed by the interpreter or a simulator.
+use crate::bench::{Simulator, run_bench};
+use crate::catalogue::{CheckReport, check_interp, compare, units};
+use crate::config::{Config, Design};
+use crate::error::{Error, Result};
+use crate::golden::RayInput;
+use crate::interp::{Stream, Traffic};
+use crate::ir::{Binding, Module};
+use crate::trace::{INPUTS, OUTPUTS, Pipeline, diagnose_image};
+use crate::units::traversal::traverse;
+use crate::vectors::{VectorSet, read_set, set_files};
+use rayon::prelude::*;
+use std::path::Path;
+use std::sync::Arc;
+
+/// One unit's result.
+#[derive(Clone, Debug)]
+pub struct Checked {
+    /// Unit.
+    pub unit: String,
+    /// Rows compared.
+    pub rows: usize,
+    /// A line that the engine printed beside the verdict (slots busy).
+    pub note: String,
+}
+
+/// A fault put into the vectors, to see the check fail.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
+pub enum Canary {
+    /// One bit of one expected word is flipped: exit code 1.
+    Flip,
+    /// One input never enters, so its result never comes: exit code 6.
+    Drop,
+    /// One input enters twice, so a result comes that nobody expects: exit code 7.
+    Extra,
+    /// No vectors at all: exit code 5.
+    Empty,
+}
+
+impl Canary {
+    /// Puts the fault into a set.
+    pub fn spoil(self, s: &mut VectorSet) {
+        let middle = s.expected.len() / 2;
+        match self {
+            Self::Flip => s.expected[middle][0] ^= 1,
+            Self::Drop => drop(s.stimulus.pop()),
+            Self::Extra => s.stimulus.push(s.stimulus[middle].clone()),
+            Self::Empty => {
+                s.stimulus.clear();
+                s.expected.clear();
+            }
+        }
+    }
+}
+
+/// Checks the tree at `dir` (as `build` writes it): all units, or `only` one. `sim` is a simulator, or the interpreter.
+/// `seen` is called after each unit.
+///
+/// # Errors
+/// The first unit that fails, by order of the units.
+pub fn check_tree(
+    c: &Config,
+    dir: &Path,
+    sim: Option<Simulator>,
+    only: Option<&str>,
+    canary: Option<Canary>,
+    seen: &(dyn Fn(&Checked) + Sync),
+) -> Result<Vec<Checked>> {
+    let d = c.design();
+    let mut list = units(&d);
+    list.push(traverse(&d).module);
+    if let Some(name) = only {
+        let m = crate::catalogue::find(&d, name)?;
+        list.retain(|x| x.name == m.name);
+    }
+    if list.is_empty() {
+        return Err(Error::NothingRan("the chosen unit has no vectors of its own; nothing was checked".into()));
+    }
+    let one = |m: &Arc<Module>| {
+        let r = unit(&d, dir, m, sim, canary);
+        if let Ok(c) = &r {
+            seen(c);
+        }
+        r
+    };
+    let all: Vec<Result<Checked>> = list.par_iter().map(one).collect();
+    all.into_iter().collect()
+}
+
+fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary: Option<Canary>) -> Result<Checked> {
+    let place = dir.join("golden").join(&m.name);
+    let (mut set, whole) = read_set(&place)?;
+    if let Some(canary) = canary {
+        canary.spoil(&mut set);
+    }
+    let checked = match sim {
+        None if m.latency.is_some() => {
+            let r = check_interp(m, &set)?;
+            r.verdict(&set, m)?;
+            Checked { unit: m.name.clone(), rows: r.checked, note: String::new() }
+        }
+        None => rays(d, &place, m, &set)?,
+        Some(s) => {
+            let spoiled = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
+            let mut from = place.canonicalize().map_err(|e| Error::file("find", &place, e))?;
+            if canary.is_some() {
+                for (name, text) in set_files(&set) {
+                    crate::files::write_atomic(spoiled.path().join(name), text.as_bytes())?;
+                }
+                if m.latency.is_none() {
+                    let memory = from.join("memory.hex");
+                    std::fs::copy(&memory, spoiled.path().join("memory.hex"))
+                        .map_err(|e| Error::file("copy", memory, e))?;
+                }
+                from = spoiled.path().to_path_buf();
+            }
+            let o = run_bench(s, dir, &m.name, &Binding::new(), &[format!("vectors={}", from.display())])?;
+            let note = o.output.lines().find(|l| l.starts_with("slots busy")).unwrap_or_default().to_string();
+            Checked { unit: m.name.clone(), rows: o.checked, note }
+        }
+    };
+    if !whole && canary.is_none() {
+        return Err(Error::input(format!(
+            "{} does not hold the rows that vectors.json describes (blake3 differs)",
+            place.display()
+        )));
+    }
+    Ok(checked)
+}
+
+/// The traverse unit in the interpreter.
+fn rays(d: &Design, place: &Path, m: &Module, set: &VectorSet) -> Result<Checked> {
+    let path = place.join("memory.hex");
+    let text = std::fs::read_to_string(&path).map_err(|e| Error::file("read", &path, e))?;
+    let bad = || Error::input(format!("{} is not a pyramid image", path.display()));
+    let words = text.lines().map(|l| l.split("//").next().unwrap_or("").trim()).filter(|l| !l.is_empty());
+    let words = words.map(|w| u64::from_str_radix(w, 16).map_err(|_| bad())).collect::<Result<Vec<u64>>>()?;
+    let image = Arc::new(words.get(1..).ok_or_else(bad)?.to_vec());
+    let p = Pipeline::new(d, &Binding::new())?;
+    if image.len() != p.net.mems[0].depth {
+        return Err(Error::input(format!(
+            "{} has {} words, the pyramid has {}",
+            path.display(),
+            image.len(),
+            p.net.mems[0].depth
+        )));
+    }
+    let stream = Stream::new(&p.net, &INPUTS, &OUTPUTS, u64::from(p.depth));
+    let run = stream.run(&set.stimulus, &image, 1, Traffic::default())?;
+    let r: CheckReport = compare(set, "interp", &run.results)?;
+    if let Some(x) = &r.first {
+        let s = &set.stimulus[x.vector];
+        let ray = RayInput { u: s[0], v: s[1], du: s[2], dv: s[3] };
+        let told = match diagnose_image(d, &image, &ray)? {
+            Some(divergence) => divergence.to_string(),
+            None => {
+                "interpreter and golden model agree in every iteration of this ray: the expected row is what differs"
+                    .into()
+            }
+        };
+        let e = r.verdict(set, m).expect_err("there is a mismatch");
+        return Err(Error::Mismatch(format!("{e}; {told}")));
+    }
+    let note = format!("slots busy: {} of {} under full load; {} clocks in all", run.busy, run.loaded, run.cycles);
+    Ok(Checked { unit: m.name.clone(), rows: r.checked, note })
+}

@@ -1,0 +1,74 @@
+//! A whole project from one configuration: scene, Verilog, benches, vectors, manifest; and its check by any engine.
+mod check;
+mod scene;
+
+pub use check::{Canary, Checked, check_tree};
+pub use scene::{Scene, encode, ray};
+
+use crate::bench::bench_files;
+use crate::catalogue::{ray_set, units, vector_set};
+use crate::config::Config;
+use crate::emit::{self, Files};
+use crate::error::Result;
+use crate::ir::{Binding, Module};
+use crate::units::all;
+use crate::units::traversal::{Traverse, traverse};
+use crate::vectors::{Plan, set_files};
+use std::sync::Arc;
+
+/// Everything that `build` writes but the picture.
+pub struct Project {
+    /// Modules, leaves first.
+    pub modules: Vec<Arc<Module>>,
+    /// The traverse unit and its schedule.
+    pub traverse: Traverse,
+    /// Files by their path from the output directory.
+    pub files: Files,
+}
+
+/// The Verilog and the manifest.
+///
+/// # Errors
+/// A configuration that its own modules refuse.
+pub fn hardware(c: &Config) -> Result<Project> {
+    let d = c.design();
+    let modules = emit::modules(&all(&d))?;
+    let mut files = emit::rtl(c, &modules);
+    let manifest = emit::manifest(c, &modules, &files);
+    files.insert("manifest.json".into(), serde_json::to_string_pretty(&manifest).expect("plain data") + "\n");
+    Ok(Project { modules, traverse: traverse(&d), files })
+}
+
+/// The vectors of every unit, and of `traverse` over `scene`.
+///
+/// # Errors
+/// An illegal design.
+pub fn vectors(c: &Config, scene: &Scene) -> Result<Files> {
+    let d = c.design();
+    let plan = Plan { rows: c.vectors.arithmetic as usize, seed: c.vectors.seed };
+    let mut files = Files::new();
+    for m in units(&d) {
+        let set = vector_set(&d, &m, &Binding::new(), plan);
+        files.extend(set_files(&set).into_iter().map(|(n, t)| (format!("golden/{}/{n}", m.name), t)));
+    }
+    let t = traverse(&d);
+    let rays = scene.sample(c);
+    let set = ray_set(&d, &t.module, &scene.pyramid, &rays, c.vectors.seed)?;
+    files.extend(set_files(&set.set).into_iter().map(|(n, t)| (format!("golden/traverse/{n}"), t)));
+    files.insert("golden/traverse/memory.hex".into(), set.memory);
+    files.insert("golden/traverse/trace.csv".into(), set.trace);
+    Ok(files)
+}
+
+/// The whole project.
+///
+/// # Errors
+/// As [`hardware`] and [`vectors`].
+pub fn project(c: &Config, scene: &Scene) -> Result<Project> {
+    let mut p = hardware(c)?;
+    let d = c.design();
+    let depth = p.traverse.setup + p.traverse.slots + p.traverse.finish;
+    p.files.extend(bench_files(&units(&d), &p.traverse.module, depth, &c.emit.prefix));
+    p.files.extend(vectors(c, scene)?);
+    Ok(p)
+}

@@ -1,0 +1,68 @@
+//! The scene of a configuration: height codes, pyramid, and the rays of its views.
+use crate::config::{Config, MapKind, View};
+use crate::error::{Error, Result};
+use crate::golden::{Pyramid, RayInput};
+use crate::scene::{Camera, ViewRay, load, procedural, to_codes};
+use std::path::Path;
+
+/// A map, ready to be traced.
+pub struct Scene {
+    /// Height codes, row-major.
+    pub texels: Vec<u32>,
+    /// Its pyramid.
+    pub pyramid: Pyramid,
+    /// What the map is, for shading.
+    pub kind: MapKind,
+    /// Name for messages: a kind, or the file's name.
+    pub name: String,
+}
+
+impl Scene {
+    /// The map of a configuration; `file` and `resample` come from the command line and go first.
+    ///
+    /// # Errors
+    /// A map that can't be read, or does not fit.
+    pub fn new(c: &Config, file: Option<&Path>, resample: bool) -> Result<Self> {
+        let t = &c.traverse;
+        let file = file.or(c.map.file.as_deref().filter(|_| c.map.kind == MapKind::File));
+        let (map, kind, name) = match file {
+            Some(path) => (load(path)?, MapKind::File, path.display().to_string()),
+            None => (procedural(c.map.kind, t.levels, c.map.seed)?, c.map.kind, c.map.kind.word().to_string()),
+        };
+        let texels = to_codes(&map, t.levels, t.height_bits, resample || c.map.resample)
+            .map_err(|e| Error::input(format!("{name}: {e}")))?;
+        let pyramid = Pyramid::build(t.levels, t.height_bits, &texels)?;
+        Ok(Self { texels, pyramid, kind, name })
+    }
+
+    /// The rays of a standard view at the configured size, every `stride`-th pixel.
+    pub fn view(&self, c: &Config, view: View, stride: u32) -> Vec<ViewRay> {
+        Camera::standard(view, c.view.width, c.view.height).rays(c.map.scale, c.map.repeat, stride)
+    }
+
+    /// Rays for vectors: `vectors.rays` of each view, evenly over the picture.
+    pub fn sample(&self, c: &Config) -> Vec<RayInput> {
+        let mut out = Vec::new();
+        for view in &c.view.names {
+            let rays = self.view(c, *view, c.view.stride);
+            let n = (c.vectors.rays as usize).min(rays.len());
+            out.extend((0..n).map(|k| encode(c, &rays[k * rays.len() / n])));
+        }
+        out
+    }
+}
+
+/// A camera ray in the configured format.
+pub fn encode(c: &Config, r: &ViewRay) -> RayInput {
+    ray(c, [r.u, r.v, r.du, r.dv])
+}
+
+/// A ray (u, v, du, dv, in tiles) in the configured format. The map repeats, so the entry point is wrapped into \[0, 1),
+/// also where it rounds up to 1.
+pub fn ray(c: &Config, [u, v, du, dv]: [f64; 4]) -> RayInput {
+    let f = c.format.float();
+    let one = (f.bias() as u64) << f.man;
+    let wrap = |x: u64| if x == one { 0 } else { x };
+    let r = RayInput::from_f64(f, u.rem_euclid(1.0), v.rem_euclid(1.0), du, dv);
+    RayInput { u: wrap(r.u), v: wrap(r.v), ..r }
+}

@@ -1,0 +1,73 @@
+//! Hits against the exact texel walk: wrong texels with their witnesses, and the largest error of the parameter.
+use crate::config::Design;
+use crate::error::Result;
+use crate::golden::float::to_f64;
+use crate::golden::{RayHit, RayInput};
+use crate::oracle::{ExactMap, ExactRay};
+use rayon::prelude::*;
+
+/// A ray whose texel is not the exact one.
+#[derive(Clone, Copy, Debug)]
+pub struct WrongTexel {
+    /// Index of the ray.
+    pub ray: usize,
+    /// What the datapath returned.
+    pub got: (u32, u32),
+    /// What the exact walk returns.
+    pub exact: (u32, u32),
+    /// Smallest difference of compared parameters in the exact walk, over M: how close the decision was.
+    pub margin: f64,
+}
+
+/// The comparison.
+#[derive(Clone, Debug, Default)]
+pub struct Accuracy {
+    /// Rays compared.
+    pub rays: usize,
+    /// Rays that the datapath gave up (not compared further).
+    pub limits: usize,
+    /// Wrong texels, in the order of the rays.
+    pub wrong: Vec<WrongTexel>,
+    /// Rays with the right texel and the wrong wall flag.
+    pub wrong_wall: usize,
+    /// Largest |t - exact t| over M among right texels, and the ray that has it.
+    pub worst_t: (f64, usize),
+}
+
+/// Compares `hits` with the exact walk of the same encoded rays over `texels`.
+///
+/// # Errors
+/// If the operands are too wide for the exact arithmetic.
+pub fn accuracy(d: &Design, texels: &[u32], rays: &[RayInput], hits: &[RayHit]) -> Result<Accuracy> {
+    let t = &d.traverse;
+    let map = ExactMap { levels: t.levels, height_bits: t.height_bits, texels };
+    let full = f64::from((1u32 << t.height_bits) - 1);
+    let exact: Vec<_> = rays
+        .par_iter()
+        .zip(hits)
+        .map(|(r, h)| {
+            if h.limit {
+                Ok(None)
+            } else {
+                map.trace(&ExactRay { format: d.format, p: [r.u, r.v], d: [r.du, r.dv] }).map(Some)
+            }
+        })
+        .collect::<Result<_>>()?;
+    let mut a = Accuracy { rays: rays.len(), ..Accuracy::default() };
+    for (ray, (h, e)) in hits.iter().zip(&exact).enumerate() {
+        let Some(e) = e else {
+            a.limits += 1;
+            continue;
+        };
+        if (h.i, h.j) != (e.i, e.j) {
+            a.wrong.push(WrongTexel { ray, got: (h.i, h.j), exact: (e.i, e.j), margin: e.margin });
+            continue;
+        }
+        a.wrong_wall += usize::from(h.wall != e.wall);
+        let error = (to_f64(d.format, h.t) - e.t_f64).abs() / full;
+        if error > a.worst_t.0 {
+            a.worst_t = (error, ray);
+        }
+    }
+    Ok(a)
+}

@@ -1,0 +1,6 @@
+//! Figures: steps, error against the exact oracle, speed of the engines. Each with its count and its worst case.
+mod accuracy;
+mod steps;
+
+pub use accuracy::{Accuracy, WrongTexel, accuracy};
+pub use steps::{PUBLISHED, Published, ROWS, Steps, steps};

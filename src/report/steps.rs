@@ -1,0 +1,129 @@
+//! Iterations per ray, beside the published table (PIDM-HW table 4).
+use crate::config::{LevelUp, ModeConfig};
+use crate::golden::RayHit;
+
+/// Mean and largest number of iterations.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Steps {
+    /// Rays counted (those given up are left out).
+    pub rays: usize,
+    /// Rays given up.
+    pub limits: usize,
+    /// Mean.
+    pub mean: f64,
+    /// Largest.
+    pub max: u32,
+    /// The ray that has it.
+    pub witness: usize,
+}
+
+/// Counts the iterations of `hits`.
+pub fn steps(hits: &[RayHit]) -> Steps {
+    let mut s = Steps::default();
+    let mut sum = 0u64;
+    for (i, h) in hits.iter().enumerate() {
+        if h.limit {
+            s.limits += 1;
+            continue;
+        }
+        s.rays += 1;
+        sum += u64::from(h.steps);
+        if h.steps > s.max {
+            (s.max, s.witness) = (h.steps, i);
+        }
+    }
+    s.mean = if s.rays == 0 { 0.0 } else { sum as f64 / s.rays as f64 };
+    s
+}
+
+const fn mode(start_level: bool, levels_down: u32, level_up: LevelUp) -> ModeConfig {
+    ModeConfig { start_level, levels_down, level_up }
+}
+
+/// Rows of the published table: name and modes.
+pub const ROWS: [(&str, ModeConfig); 7] = [
+    ("PDM baseline [10]", mode(false, 1, LevelUp::None)),
+    ("Tevs [12]", mode(false, 1, LevelUp::Tevs)),
+    ("(a) start level", mode(true, 1, LevelUp::None)),
+    ("(b) two levels down", mode(false, 2, LevelUp::None)),
+    ("(c1) selective up", mode(false, 1, LevelUp::Selective)),
+    ("(c2) coherent up", mode(false, 1, LevelUp::Coherent)),
+    ("a + b + c1", mode(true, 2, LevelUp::Selective)),
+];
+
+/// One scene of the published table.
+#[derive(Clone, Copy, Debug)]
+pub struct Published {
+    /// File stem of the map.
+    pub scene: &'static str,
+    /// Height scale in world units.
+    pub scale: f64,
+    /// Repeats of the map along the quad.
+    pub repeat: u32,
+    /// Mean iterations by row of [`ROWS`], then front, oblique, grazing; `None` where our copy is not legible.
+    pub means: [[Option<f64>; 3]; 7],
+}
+
+const fn row(f: f64, o: f64, g: f64) -> [Option<f64>; 3] {
+    [Some(f), Some(o), Some(g)]
+}
+
+/// The scenes of PIDM-HW table 4 that are 256 x 256 maps with a published camera.
+pub const PUBLISHED: [Published; 4] = [
+    Published {
+        scene: "rocks",
+        scale: 10.0,
+        repeat: 4,
+        means: [
+            row(11.6, 19.7, 37.9),
+            row(12.6, 19.6, 30.2),
+            row(9.5, 19.3, 37.9),
+            row(8.9, 18.3, 37.8),
+            row(11.6, 18.4, 29.2),
+            row(12.1, 19.8, 31.6),
+            row(8.0, 16.4, 28.3),
+        ],
+    },
+    Published {
+        scene: "stones",
+        scale: 5.0,
+        repeat: 1,
+        means: [
+            row(9.3, 10.9, 18.4),
+            row(9.5, 11.5, 19.2),
+            row(4.4, 8.4, 18.0),
+            row(5.6, 7.8, 16.4),
+            row(9.3, 11.0, 18.2),
+            row(9.3, 11.3, 19.3),
+            [Some(3.2), Some(6.6), None],
+        ],
+    },
+    Published {
+        scene: "four",
+        scale: 30.0,
+        repeat: 1,
+        means: [
+            row(9.8, 14.9, 21.3),
+            row(10.2, 15.0, 20.0),
+            row(7.4, 14.3, 21.3),
+            row(6.9, 13.8, 21.6),
+            row(9.8, 14.4, 19.7),
+            row(10.0, 15.4, 20.6),
+            [Some(5.6), Some(12.6), None],
+        ],
+    },
+    Published {
+        scene: "saints",
+        scale: 20.0,
+        repeat: 1,
+        means: [
+            row(9.5, 12.4, 23.6),
+            row(9.8, 13.2, 20.7),
+            row(6.6, 11.4, 23.3),
+            row(6.1, 10.1, 23.2),
+            row(9.5, 12.3, 20.0),
+            row(9.6, 12.9, 21.4),
+            row(4.7, 9.5, 18.8),
+        ],
+    },
+];

@@ -1,0 +1,24 @@
+//! What the rays meet and where they come from: height maps, cameras, ray lists; and pictures of the result.
+mod camera;
+mod codes;
+mod degrees;
+mod height_map;
+mod load;
+mod maps;
+mod noise;
+mod palette;
+mod pgm;
+mod picture;
+mod rays_csv;
+mod rocks;
+mod shade;
+
+pub use crate::config::{MapKind, View};
+pub use camera::{Camera, QUAD_SIDE, ViewRay};
+pub use codes::to_codes;
+pub use height_map::{Depth, HeightMap};
+pub use load::{decode, load};
+pub use maps::procedural;
+pub use picture::Picture;
+pub use rays_csv::{parse_rays, read_rays};
+pub use shade::{ShadePoint, Shader};

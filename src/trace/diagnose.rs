@@ -1,0 +1,150 @@
+//! Where a ray goes wrong: the pipeline's signals beside the golden model's, iteration by iteration.
+use super::interp::Pipeline;
+use crate::config::Design;
+use crate::error::Result;
+use crate::format::FloatFormat;
+use crate::golden::float::to_f64;
+use crate::golden::{Golden, Iteration, Pyramid, RayInput};
+use crate::interp::{Lanes, Netlist, Slot};
+use crate::ir::Binding;
+use std::sync::Arc;
+
+/// The first signal that differs from the model.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Divergence {
+    /// Iteration, counted from 0.
+    pub iteration: usize,
+    /// Pipeline stage in which the signal stands.
+    pub stage: u32,
+    /// Net name in `traverse`.
+    pub signal: String,
+    /// What the model has, with its fields decoded.
+    pub expected: String,
+    /// What the pipeline has.
+    pub got: String,
+}
+
+impl std::fmt::Display for Divergence {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { iteration, stage, signal, expected, got } = self;
+        write!(f, "first wrong signal: iteration {iteration}, stage {stage}, {signal}: expected {expected}, got {got}")
+    }
+}
+
+/// How a signal is shown.
+#[derive(Clone, Copy)]
+enum Shown {
+    Integer,
+    Float,
+}
+
+/// Signals that are compared, in the order in which they are computed, with the model's value.
+type Probe = (&'static str, Shown, fn(&Iteration) -> u64);
+const PROBES: [Probe; 12] = [
+    ("level", Shown::Integer, |i| u64::from(i.level)),
+    ("x", Shown::Integer, |i| i.x as u64),
+    ("y", Shown::Integer, |i| i.y as u64),
+    ("t", Shown::Float, |i| i.t),
+    ("x_plane", Shown::Integer, |i| i.b_x as u64),
+    ("y_plane", Shown::Integer, |i| i.b_y as u64),
+    ("height", Shown::Integer, |i| u64::from(i.height)),
+    ("m", Shown::Float, |i| i.m),
+    ("t_x", Shown::Float, |i| i.t_x),
+    ("t_y", Shown::Float, |i| i.t_y),
+    ("x_hit", Shown::Integer, |i| i.e_x as u64),
+    ("y_hit", Shown::Integer, |i| i.e_y as u64),
+];
+
+/// As [`diagnose`], over a memory image (level 0 first, in Morton order).
+///
+/// # Errors
+/// Illegal parameters, or an image whose upper levels are not the maxima of the lower ones.
+pub fn diagnose_image(design: &Design, image: &[u64], ray: &RayInput) -> Result<Option<Divergence>> {
+    let n = design.traverse.levels;
+    let side = 1u32 << n;
+    let texel = |k: u32| image[crate::golden::address(n, 0, k % side, k / side)] as u32;
+    let texels: Vec<u32> = (0..side * side).map(texel).collect();
+    diagnose(design, &Pyramid::build(n, design.traverse.height_bits, &texels)?, ray)
+}
+
+/// Traces one ray in both and returns the first difference; `None` if pipeline and model agree all the way.
+///
+/// # Errors
+/// Illegal parameters.
+pub fn diagnose(design: &Design, pyramid: &Pyramid, ray: &RayInput) -> Result<Option<Divergence>> {
+    let mut iterations = Vec::new();
+    Golden::new(design)?.trace_with(pyramid, ray, |i| iterations.push(*i));
+    let p = Pipeline::new(design, &Binding::new())?;
+    let probes: Vec<(u32, String, Slot)> = PROBES.iter().map(|(name, ..)| find(&p.net, name)).collect();
+    let clocks = p.depth as usize + iterations.len() * p.slots as usize + 2;
+    let (log, start) = record(&p.net, pyramid, ray, clocks, &probes);
+    for (n, it) in iterations.iter().enumerate() {
+        for ((name, shown, model), (k, (stage, net, slot))) in PROBES.iter().zip(probes.iter().enumerate()) {
+            let width = p.net.widths[*slot as usize];
+            let want = model(it) & crate::bits::mask(width);
+            let at = start + n * p.slots as usize + *stage as usize;
+            let got = log.get(at).map_or(u64::MAX, |row| row[k]);
+            if want != got {
+                let show = |v: u64| display(design.format, *shown, v, width);
+                debug_assert!(net.ends_with(name));
+                let (expected, got) = (show(want), show(got));
+                return Ok(Some(Divergence { iteration: n, stage: *stage, signal: net.clone(), expected, got }));
+            }
+        }
+    }
+    Ok(None)
+}
+
+/// The earliest stage in which a net of that base name stands.
+fn find(net: &Netlist, name: &str) -> (u32, String, Slot) {
+    let named = |s: u32| format!("s{s}_{name}");
+    let hit = (0..64).find_map(|s| net.names.get(&named(s)).map(|slot| (s, named(s), *slot)));
+    hit.unwrap_or_else(|| panic!("traverse has no net {name}"))
+}
+
+/// Probed values clock by clock, and the clock in which the ray stands in stage 0 for the first time.
+fn record(
+    net: &Netlist,
+    pyramid: &Pyramid,
+    ray: &RayInput,
+    clocks: usize,
+    probes: &[(u32, String, Slot)],
+) -> (Vec<Vec<u64>>, usize) {
+    let mut sim = Lanes::new(net, 1);
+    sim.load(0, Arc::new(pyramid.memory().iter().map(|w| u64::from(*w)).collect()));
+    let set = |sim: &mut Lanes<'_>, name: &str, v: u64| sim.set(net.input(name))[0] = v;
+    set(&mut sim, "rst", 1);
+    sim.eval();
+    sim.clock();
+    set(&mut sim, "rst", 0);
+    set(&mut sim, "out_ready", 1);
+    set(&mut sim, "in_valid", 1);
+    for (name, v) in [("in_u", ray.u), ("in_v", ray.v), ("in_du", ray.du), ("in_dv", ray.dv)] {
+        set(&mut sim, name, v);
+    }
+    let (mut log, mut start) = (Vec::new(), None);
+    for clock in 0..clocks {
+        sim.eval();
+        if start.is_none() && sim.get(net.output("slot_busy"))[0] == 1 {
+            start = Some(clock);
+        }
+        log.push(probes.iter().map(|p| sim.get(p.2)[0]).collect());
+        sim.clock();
+        set(&mut sim, "in_valid", 0);
+    }
+    (log, start.unwrap_or(0))
+}
+
+fn display(format: FloatFormat, shown: Shown, v: u64, width: u32) -> String {
+    match shown {
+        Shown::Integer => format!("{} (hex {v:x})", crate::bits::signed(v, width)),
+        Shown::Float => decode(format, v),
+    }
+}
+
+/// A float's fields and value: `hex 47f000 = 0 10001111 1100..., 124`.
+pub fn decode(format: FloatFormat, v: u64) -> String {
+    let sign = u8::from(v & format.sign_bit() != 0);
+    let (exp, man) = ((v >> format.man) & format.exp_max(), v & format.man_mask());
+    format!("hex {v:x} (sign {sign}, exponent {exp}, fraction {man:x}, value {})", to_f64(format, v))
+}

@@ -1,0 +1,8 @@
+//! Vector sets: stimulus and expected results, one set replayed by every engine.
+mod corners;
+mod files;
+mod set;
+
+pub use corners::{Plan, float_rows, integer_rows};
+pub use files::{Rows, read_csv, read_json, read_set, set_files};
+pub use set::{Column, Counts, VectorSet};

@@ -1,0 +1,60 @@
+//! A set of vectors in memory.
+use crate::ir::Binding;
+use serde::{Deserialize, Serialize};
+
+/// A column of words.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Column {
+    /// Port name.
+    pub name: String,
+    /// Bits, 1 to 64.
+    pub width: u32,
+}
+
+/// How the rows came about.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Counts {
+    /// Rows from tables of corner cases crossed with each other.
+    pub corners: usize,
+    /// Weighted random rows.
+    pub random: usize,
+    /// Every input once (then the other two are 0).
+    pub exhaustive: usize,
+}
+
+/// Stimulus and expected results of one unit at one set of parameter values.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct VectorSet {
+    /// Unit, as the emitted module is named.
+    pub unit: String,
+    /// Parameter values.
+    pub params: Binding,
+    /// Seed of the random rows (ChaCha8).
+    pub seed: u64,
+    /// How the rows came about.
+    pub counts: Counts,
+    /// Input columns, in port order.
+    pub inputs: Vec<Column>,
+    /// Output columns, in port order.
+    pub outputs: Vec<Column>,
+    /// Inputs of each row.
+    pub stimulus: Vec<Vec<u64>>,
+    /// Expected outputs of each row.
+    pub expected: Vec<Vec<u64>>,
+}
+
+impl VectorSet {
+    /// blake3 of columns and rows, in hex: what the description pins.
+    pub fn hash(&self) -> String {
+        let mut h = blake3::Hasher::new();
+        for c in self.inputs.iter().chain(&self.outputs) {
+            h.update(format!("{} {}\n", c.name, c.width).as_bytes());
+        }
+        for row in self.stimulus.iter().chain(&self.expected) {
+            for v in row {
+                h.update(&v.to_le_bytes());
+            }
+        }
+        h.finalize().to_hex().to_string()
+    }
+}

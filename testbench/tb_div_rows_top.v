@@ -1,0 +1,38 @@
+// tb_div_rows_top: makes the clock of tb_div_rows for event-driven simulators.
+`default_nettype none
+module tb_div_rows_top #(
+  parameter integer W = 17,
+  parameter integer ROWS = 19
+);
+  reg        clk;
+  wire       done;
+  wire [7:0] exit_code;
+
+  tb_div_rows #(
+    .W(W),
+    .ROWS(ROWS)
+  ) bench (
+    .clk(clk),
+    .done(done),
+    .exit_code(exit_code)
+  );
+
+  initial clk = 1'b0;
+  always #5 clk = ~clk;
+
+  always @(posedge done) begin
+`ifdef __ICARUS__
+    $finish_and_return(exit_code);
+`else
+    $finish;
+`endif
+  end
+  initial #1 if (done) begin
+`ifdef __ICARUS__
+    $finish_and_return(exit_code);
+`else
+    $finish;
+`endif
+  end
+endmodule
+`default_nettype wire

@@ -1,0 +1,38 @@
+// tb_fp_mul_top: makes the clock of tb_fp_mul for event-driven simulators.
+`default_nettype none
+module tb_fp_mul_top #(
+  parameter integer EXP_W = 7,
+  parameter integer MAN_W = 16
+);
+  reg        clk;
+  wire       done;
+  wire [7:0] exit_code;
+
+  tb_fp_mul #(
+    .EXP_W(EXP_W),
+    .MAN_W(MAN_W)
+  ) bench (
+    .clk(clk),
+    .done(done),
+    .exit_code(exit_code)
+  );
+
+  initial clk = 1'b0;
+  always #5 clk = ~clk;
+
+  always @(posedge done) begin
+`ifdef __ICARUS__
+    $finish_and_return(exit_code);
+`else
+    $finish;
+`endif
+  end
+  initial #1 if (done) begin
+`ifdef __ICARUS__
+    $finish_and_return(exit_code);
+`else
+    $finish;
+`endif
+  end
+endmodule
+`default_nettype wire

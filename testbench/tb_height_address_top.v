@@ -1,0 +1,36 @@
+// tb_height_address_top: makes the clock of tb_height_address for event-driven simulators.
+`default_nettype none
+module tb_height_address_top #(
+  parameter integer LEVELS = 8
+);
+  reg        clk;
+  wire       done;
+  wire [7:0] exit_code;
+
+  tb_height_address #(
+    .LEVELS(LEVELS)
+  ) bench (
+    .clk(clk),
+    .done(done),
+    .exit_code(exit_code)
+  );
+
+  initial clk = 1'b0;
+  always #5 clk = ~clk;
+
+  always @(posedge done) begin
+`ifdef __ICARUS__
+    $finish_and_return(exit_code);
+`else
+    $finish;
+`endif
+  end
+  initial #1 if (done) begin
+`ifdef __ICARUS__
+    $finish_and_return(exit_code);
+`else
+    $finish;
+`endif
+  end
+endmodule
+`default_nettype wire

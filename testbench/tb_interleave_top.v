@@ -1,0 +1,36 @@
+// tb_interleave_top: makes the clock of tb_interleave for event-driven simulators.
+`default_nettype none
+module tb_interleave_top #(
+  parameter integer W = 9
+);
+  reg        clk;
+  wire       done;
+  wire [7:0] exit_code;
+
+  tb_interleave #(
+    .W(W)
+  ) bench (
+    .clk(clk),
+    .done(done),
+    .exit_code(exit_code)
+  );
+
+  initial clk = 1'b0;
+  always #5 clk = ~clk;
+
+  always @(posedge done) begin
+`ifdef __ICARUS__
+    $finish_and_return(exit_code);
+`else
+    $finish;
+`endif
+  end
+  initial #1 if (done) begin
+`ifdef __ICARUS__
+    $finish_and_return(exit_code);
+`else
+    $finish;
+`endif
+  end
+endmodule
+`default_nettype wire

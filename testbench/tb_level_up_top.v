@@ -1,0 +1,38 @@
+// tb_level_up_top: makes the clock of tb_level_up for event-driven simulators.
+`default_nettype none
+module tb_level_up_top #(
+  parameter integer LEVELS = 8,
+  parameter integer IDX_W = 14
+);
+  reg        clk;
+  wire       done;
+  wire [7:0] exit_code;
+
+  tb_level_up #(
+    .LEVELS(LEVELS),
+    .IDX_W(IDX_W)
+  ) bench (
+    .clk(clk),
+    .done(done),
+    .exit_code(exit_code)
+  );
+
+  initial clk = 1'b0;
+  always #5 clk = ~clk;
+
+  always @(posedge done) begin
+`ifdef __ICARUS__
+    $finish_and_return(exit_code);
+`else
+    $finish;
+`endif
+  end
+  initial #1 if (done) begin
+`ifdef __ICARUS__
+    $finish_and_return(exit_code);
+`else
+    $finish;
+`endif
+  end
+endmodule
+`default_nettype wire

@@ -1,0 +1,187 @@
+//! The emitted Verilog in Icarus and Verilator, at its defaults and at other parameter values; traffic; canaries.
+//! A missing simulator fails these tests (`tools/test.sh` installs them) unless RELIEFRTL_NO_SIMULATORS=1.
+use rand::{Rng, SeedableRng};
+use reliefrtl::bench::{Simulator, run_bench};
+use reliefrtl::catalogue::{bindings, design_at, find, ray_set, vector_set};
+use reliefrtl::config::Config;
+use reliefrtl::emit::Files;
+use reliefrtl::golden::{Pyramid, RayInput};
+use reliefrtl::ir::Binding;
+use reliefrtl::project::{Canary, Scene, check_tree, project};
+use reliefrtl::vectors::{Plan, set_files};
+use std::path::{Path, PathBuf};
+use tempfile::TempDir;
+
+fn skip() -> bool {
+    std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1")
+}
+
+fn write(dir: &Path, files: &Files) {
+    for (path, text) in files {
+        let place = dir.join(path);
+        std::fs::create_dir_all(place.parent().unwrap()).unwrap();
+        std::fs::write(place, text).unwrap();
+    }
+}
+
+fn tree() -> (Config, TempDir) {
+    let mut c = Config::default();
+    c.vectors.arithmetic = 600;
+    c.vectors.rays = 60;
+    let dir = tempfile::tempdir().unwrap();
+    write(dir.path(), &project(&c, &Scene::new(&c, None, false).unwrap()).unwrap().files);
+    (c, dir)
+}
+
+fn all_units(sim: Simulator) {
+    let (c, dir) = tree();
+    let done = check_tree(&c, dir.path(), Some(sim), None, None, &|_| ()).unwrap();
+    assert_eq!(done.len(), 24);
+    assert!(done.iter().all(|x| x.rows > 0));
+    let interp = check_tree(&c, dir.path(), None, Some("traverse"), None, &|_| ()).unwrap();
+    let busy = |note: &str| note.split(';').next().unwrap().to_string();
+    let (here, there) = (busy(&done[23].note), busy(&interp[0].note));
+    assert_eq!(here, there, "slots busy in {} and in the interpreter", sim.name());
+    let words: Vec<f64> = here.split_whitespace().filter_map(|w| w.parse().ok()).collect();
+    assert!(words.len() == 2 && words[0] / words[1] >= 0.98, "{here}");
+    println!("{}: 0 of {} mismatched", sim.name(), done.iter().map(|x| x.rows).sum::<usize>());
+}
+
+#[test]
+fn every_unit_in_icarus() {
+    if !skip() {
+        all_units(Simulator::Icarus);
+    }
+}
+
+#[test]
+fn every_unit_in_verilator() {
+    if !skip() {
+        all_units(Simulator::Verilator);
+    }
+}
+
+/// The same emitted text with other parameter values given to the simulator.
+fn reparameterized(sim: Simulator, units: &[&str]) {
+    let (c, dir) = tree();
+    let d = c.design();
+    let mut runs = 0;
+    for name in units {
+        let m = find(&d, name).unwrap();
+        for b in bindings(&m) {
+            let set = vector_set(&d, &m, &b, Plan { rows: 400, seed: 3 });
+            let place = tempfile::tempdir().unwrap();
+            write(place.path(), &set_files(&set));
+            let vectors = [format!("vectors={}", place.path().display())];
+            let o = run_bench(sim, dir.path(), name, &set.params, &vectors)
+                .unwrap_or_else(|e| panic!("{name} at {b:?}: {e}"));
+            assert_eq!(o.checked, set.stimulus.len());
+            runs += 1;
+        }
+    }
+    assert!(runs > units.len());
+}
+
+#[test]
+fn other_parameters_in_icarus() {
+    if !skip() {
+        let all = reliefrtl::catalogue::units(&Config::default().design());
+        let names: Vec<&str> = all.iter().map(|m| m.name.as_str()).collect();
+        reparameterized(Simulator::Icarus, &names);
+    }
+}
+
+#[test]
+fn other_parameters_in_verilator() {
+    if !skip() {
+        reparameterized(Simulator::Verilator, &["fp_add", "fp_mul", "fp_div", "fp_lt"]);
+    }
+}
+
+/// `traverse` at other sizes: the emitted text stays, the simulator gets LEVELS and HEIGHT_W.
+fn traverse_at(sim: Simulator, sizes: &[(u32, u32)], plusargs: &[&str]) {
+    let (c, dir) = tree();
+    for (levels, height) in sizes {
+        let over = Binding::from([("LEVELS".into(), i64::from(*levels)), ("HEIGHT_W".into(), i64::from(*height))]);
+        let d = design_at(&c.design(), &over);
+        let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(u64::from(*levels));
+        let top = (1u32 << height) - 1;
+        let texels: Vec<u32> =
+            (0..1usize << (2 * levels)).map(|_| rng.random_range(0..=top) >> rng.random_range(0..4)).collect();
+        let pyramid = Pyramid::build(*levels, *height, &texels).unwrap();
+        let rays: Vec<RayInput> = (0..150)
+            .map(|_| {
+                let mut d1 = || (rng.random::<f64>() - 0.5) * if rng.random::<bool>() { 0.3 } else { 6.0 };
+                let (du, dv) = (d1(), d1());
+                RayInput::from_f64(d.format, rng.random_range(0.0..0.99), rng.random_range(0.0..0.99), du, dv)
+            })
+            .collect();
+        let m = find(&d, "traverse").unwrap();
+        let set = ray_set(&d, &m, &pyramid, &rays, 1).unwrap();
+        let place = tempfile::tempdir().unwrap();
+        let mut files = set_files(&set.set);
+        files.insert("memory.hex".into(), set.memory);
+        write(place.path(), &files);
+        let mut args = vec![format!("vectors={}", place.path().display())];
+        args.extend(plusargs.iter().map(|s| s.to_string()));
+        let o = run_bench(sim, dir.path(), "traverse", &over, &args)
+            .unwrap_or_else(|e| panic!("{levels} levels, {height} bits: {e}"));
+        assert_eq!(o.checked, rays.len());
+    }
+}
+
+#[test]
+fn traverse_at_2_to_12_levels_in_verilator() {
+    if !skip() {
+        let sizes: Vec<(u32, u32)> =
+            (2..=10).map(|l| (l, if l % 2 == 0 { 8 } else { 16 })).chain([(2, 16), (12, 8), (12, 16)]).collect();
+        traverse_at(Simulator::Verilator, &sizes, &[]);
+    }
+}
+
+#[test]
+fn traverse_at_other_sizes_in_icarus() {
+    if !skip() {
+        traverse_at(Simulator::Icarus, &[(2, 8), (3, 16), (5, 8), (6, 16)], &[]);
+    }
+}
+
+#[test]
+fn traffic_loses_and_repeats_nothing() {
+    if !skip() {
+        for sim in [Simulator::Icarus, Simulator::Verilator] {
+            for traffic in [&["gaps"][..], &["stalls"], &["gaps", "stalls", "flood"]] {
+                traverse_at(sim, &[(4, 8)], traffic);
+            }
+        }
+    }
+}
+
+#[test]
+fn canaries_are_noticed() {
+    let (c, dir) = tree();
+    let engines = if skip() { vec![None] } else { vec![None, Some(Simulator::Icarus), Some(Simulator::Verilator)] };
+    for sim in engines {
+        for (canary, code) in [(Canary::Flip, 1), (Canary::Drop, 6), (Canary::Extra, 7), (Canary::Empty, 5)] {
+            for unit in ["fp_lt", "traverse"] {
+                let e = check_tree(&c, dir.path(), sim, Some(unit), Some(canary), &|_| ()).unwrap_err();
+                assert_eq!(e.exit_code(), code, "{sim:?} {canary:?} {unit}: {e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_missing_simulator_is_named() {
+    let dir: PathBuf = tree().1.keep();
+    let out = std::process::Command::new(env!("CARGO_BIN_EXE_reliefrtl"))
+        .args(["check", "--engine", "verilator", "--unit", "fp_lt", "--dir"])
+        .arg(&dir)
+        .env("VERILATOR", "no-such-program")
+        .output()
+        .unwrap();
+    assert_eq!(out.status.code(), Some(3));
+    let text = String::from_utf8_lossy(&out.stderr).into_owned();
+    assert!(text.contains("no-such-program is not installed"), "{text}");
+    std::fs::remove_dir_all(dir).unwrap();
+}

@@ -1,0 +1,72 @@
+//! The emitted traverse unit in the interpreter, in every mode, equals the golden model ray by ray; all modes hit alike.
+use rand::{Rng, SeedableRng};
+use reliefrtl::config::{Design, LevelUp, ModeConfig};
+use reliefrtl::golden::{Golden, Pyramid, RayHit, RayInput};
+use reliefrtl::interp::Traffic;
+use reliefrtl::ir::Binding;
+use reliefrtl::trace::{Pipeline, hit};
+
+fn hard(d: &Design, seed: u64) -> (Pyramid, Vec<RayInput>) {
+    let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(seed);
+    let n = d.traverse.levels;
+    let texels: Vec<u32> =
+        (0..1usize << (2 * n)).map(|_| rng.random_range(0..=255u32) >> rng.random_range(0..5)).collect();
+    let ray = |k: usize, rng: &mut rand_chacha::ChaCha8Rng| {
+        let grid = |rng: &mut rand_chacha::ChaCha8Rng| f64::from(rng.random_range(0..1u32 << n)) / f64::from(1u32 << n);
+        let far = |rng: &mut rand_chacha::ChaCha8Rng| (rng.random::<f64>() - 0.5) * 8.0;
+        match k % 5 {
+            0 => [grid(rng), grid(rng), far(rng), far(rng)],
+            1 => [grid(rng), rng.random_range(0.0..0.99), 0.0, far(rng)],
+            2 => [grid(rng), grid(rng), 0.25, -0.25],
+            3 => [rng.random_range(0.0..0.99), grid(rng), far(rng) / 50.0, 0.0],
+            _ => [rng.random_range(0.0..0.99), rng.random_range(0.0..0.99), far(rng), far(rng) / 9.0],
+        }
+    };
+    let rays =
+        (0..250).map(|k| ray(k, &mut rng)).map(|[u, v, a, b]| RayInput::from_f64(d.format, u, v, a, b)).collect();
+    (Pyramid::build(n, 8, &texels).unwrap(), rays)
+}
+
+#[test]
+fn every_mode_equals_golden_and_hits_alike() {
+    let mut d = Design::default();
+    d.traverse.levels = 5;
+    let (pyramid, rays) = hard(&d, 3);
+    let mut first: Option<Vec<RayHit>> = None;
+    let mut runs = 0;
+    for level_up in LevelUp::ALL {
+        for levels_down in 1..=4 {
+            for start_level in [false, true] {
+                d.mode = ModeConfig { start_level, levels_down, level_up };
+                let g = Golden::new(&d).unwrap();
+                let p = Pipeline::new(&d, &Binding::new()).unwrap();
+                let traffic = Traffic { gaps: 60, stalls: 90, seed: runs };
+                let run = p.run(&pyramid, &rays, 8, traffic).unwrap();
+                let hits: Vec<RayHit> = run.results.iter().map(|r| hit(r)).collect();
+                for (k, (h, r)) in hits.iter().zip(&rays).enumerate() {
+                    assert_eq!(*h, g.trace(&pyramid, r), "ray {k} in {:?}", d.mode);
+                }
+                let place = |h: &RayHit| (h.i, h.j, h.fu, h.fv, h.t, h.wall, h.limit);
+                let base = first.get_or_insert(hits.clone());
+                assert!(base.iter().map(place).eq(hits.iter().map(place)), "{:?} hits elsewhere", d.mode);
+                runs += 1;
+            }
+        }
+    }
+    assert_eq!(runs, 40);
+}
+
+#[test]
+fn other_latencies_and_full_load() {
+    for l in [1, 3, 5] {
+        let mut d = Design::default();
+        d.traverse.levels = 5;
+        (d.latency.add, d.latency.mul, d.latency.div, d.latency.decision) = (l, l, 2 * l, 1 + l / 3);
+        let (pyramid, rays) = hard(&d, 8);
+        let g = Golden::new(&d).unwrap();
+        let p = Pipeline::new(&d, &Binding::new()).unwrap();
+        let run = p.run(&pyramid, &rays, 1, Traffic::default()).unwrap();
+        assert!(run.results.iter().zip(&rays).all(|(h, r)| hit(h) == g.trace(&pyramid, r)));
+        assert!(run.loaded > 500 && run.busy as f64 / run.loaded as f64 >= 0.98, "{} of {}", run.busy, run.loaded);
+    }
+}

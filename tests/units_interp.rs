@@ -1,0 +1,69 @@
+//! Every unit in the interpreter against the golden model, at its defaults and at other parameter values.
+use reliefrtl::catalogue::{bindings, check_interp, units, vector_set};
+use reliefrtl::config::{Design, LevelUp, ModeConfig};
+use reliefrtl::format::FloatFormat;
+use reliefrtl::ir::Binding;
+use reliefrtl::vectors::Plan;
+
+fn check_all(d: &Design, rows: usize) -> usize {
+    let mut checked = 0;
+    for m in units(d) {
+        for b in std::iter::once(Binding::new()).chain(bindings(&m)) {
+            let set = vector_set(d, &m, &b, Plan { rows, seed: 7 });
+            let report = check_interp(&m, &set).unwrap();
+            assert!(report.checked > 0, "{}", m.name);
+            report.verdict(&set, &m).unwrap_or_else(|e| panic!("{e} (at {b:?})"));
+            checked += report.checked;
+        }
+    }
+    checked
+}
+
+#[test]
+fn units_equal_their_models() {
+    let checked = check_all(&Design::default(), 4000);
+    println!("0 of {checked} mismatched (seed 7)");
+    assert!(checked > 200_000, "only {checked} rows were checked");
+}
+
+#[test]
+fn units_equal_their_models_in_every_mode() {
+    for level_up in LevelUp::ALL {
+        for levels_down in 1..=4 {
+            let mut d = Design {
+                mode: ModeConfig { start_level: levels_down % 2 == 0, levels_down, level_up },
+                ..Design::default()
+            };
+            d.latency.add = levels_down;
+            d.latency.div = 6 * levels_down;
+            check_all(&d, 300);
+        }
+    }
+}
+
+#[test]
+fn latency_changes_no_result() {
+    for l in [0, 1, 2, 3, 5, 8, 20] {
+        let mut d = Design::default();
+        d.latency.add = l;
+        d.latency.mul = l;
+        d.latency.div = l;
+        d.latency.compare = l;
+        d.latency.from_int = l;
+        d.latency.to_int = l;
+        check_all(&d, 200);
+    }
+}
+
+#[test]
+fn small_floats_exhaustively() {
+    let d = Design { format: FloatFormat::new(4, 3), ..Design::default() };
+    for name in ["fp_add", "fp_mul", "fp_div", "fp_lt"] {
+        let m = reliefrtl::catalogue::find(&Design::default(), name).unwrap();
+        let b = Binding::from([("EXP_W".into(), 4), ("MAN_W".into(), 3)]);
+        let set = vector_set(&d, &m, &b, Plan { rows: 1, seed: 1 });
+        let report = check_interp(&m, &set).unwrap();
+        assert_eq!(report.checked, 1 << 16, "{name}: all pairs");
+        report.verdict(&set, &m).unwrap();
+    }
+}
