@@ -4,7 +4,8 @@ use super::layout::{COLUMNS, is_wide, range, wide, wrap};
 use super::text::Printer;
 use crate::ir::{Dir, Op};
 
-fn has_word(text: &str, word: &str) -> bool {
+/// True if `word` occurs in `text` as a whole word.
+pub(super) fn has_word(text: &str, word: &str) -> bool {
     text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).any(|w| w == word)
 }
 
@@ -136,7 +137,7 @@ impl Printer<'_> {
             let name = format!("must_hold_{}_at_most_{}", sum(&c.lhs), sum(&c.rhs));
             self.out += &wrap(&format!("    if ({} > {}) begin : gen_illegal_{i}", c.lhs, c.rhs));
             self.out += &wrap(&format!("      {name} u_illegal ();"));
-            self.line("    end");
+            self.out += "    end\n";
         }
         self.out += "  endgenerate\n";
     }

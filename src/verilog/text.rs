@@ -1,6 +1,7 @@
 //! The whole text of a module: what stands before the body, then stages, loop, outputs.
 use super::align::aligned;
 use super::expr::Expressions;
+use super::header::has_word;
 use super::layout::{COLUMNS, range, wrap};
 use super::prim;
 use crate::ir::{Atom, Body, Expr, Module, Names, NodeId, Op};
@@ -268,15 +269,22 @@ impl Printer<'_> {
         self.out += "  );\n";
     }
 
+    /// Bits that nothing needs; in a unit without registers, clock, enable and reset are among them.
     fn sinks(&mut self) {
-        if self.m.unused.is_empty() {
+        let m = self.m;
+        let idle = |p: &Option<usize>| p.map(|p| m.ports[p].name.clone()).filter(|name| !has_word(&self.out, name));
+        let idle: Vec<String> = [m.clk, m.ce, m.rst].iter().filter_map(idle).collect();
+        if m.unused.is_empty() && idle.is_empty() {
             return;
         }
         self.out += "\n  // Bits that nothing needs, named so that no lint has to be switched off for the rest.\n";
         self.out += "  // verilator lint_off UNUSED\n";
-        for (k, id) in self.m.unused.iter().enumerate() {
+        for (k, id) in m.unused.iter().enumerate() {
             let (e, _) = self.names.operand(*id);
             self.line(&format!("  wire unused_{k} = &{{1'b0, {e}}};"));
+        }
+        if !idle.is_empty() {
+            self.line(&format!("  wire unused_control = &{{1'b0, {}}};", idle.join(", ")));
         }
         self.out += "  // verilator lint_on UNUSED\n";
     }
