@@ -134,8 +134,8 @@ module fp_add #(
   wire                   s1_sign = s1_is_inf ? s1_inf_sign : s1_sum_is_zero ? s1_both_minus
       : s1_big_sign;
   wire [EXP_W+MAN_W-1:0] s1_number = {s1_exp[EXP_W-1:0], s1_frac};
-  wire [EXP_W+MAN_W-1:0] s1_body = s1_give_inf ? {{EXP_W{1'b1}}, {MAN_W{1'b0}}} : s1_give_zero ?
-      {(EXP_W + MAN_W){1'b0}} : s1_number;
+  wire [EXP_W+MAN_W-1:0] s1_body = s1_give_inf ? {{EXP_W{1'b1}}, {MAN_W{1'b0}}}
+      : s1_give_zero ? {(EXP_W + MAN_W){1'b0}} : s1_number;
   wire [FloatW-1:0]      s1_value = s1_is_nan ? {1'b0, {EXP_W{1'b1}}, 1'b1, {(MAN_W - 1){1'b0}}}
       : {s1_sign, s1_body};
 

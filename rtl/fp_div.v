@@ -74,7 +74,7 @@ module fp_div #(
   // Rows of compare, subtract, double: one quotient bit each, the integer bit first.
   wire [SigW:0]        s0_rem_0;
   wire [(QuotW/2)-1:0] s0_digits_0;
-  div_rows #(.W(SigW), .ROWS((QuotW / 2))) u_rows_0 (
+  div_rows #(.W(SigW), .ROWS(QuotW / 2)) u_rows_0 (
     .rem_in (s0_rem),
     .div    (s0_divisor),
     .rem_out(s0_rem_0),
@@ -105,20 +105,20 @@ module fp_div #(
 
   // ---- stage 1: rows 1 --------------------------------------------------------- div.rs
   // Rows of compare, subtract, double: one quotient bit each, the integer bit first.
-  wire [SigW:0] s1_rem_1;
-  wire [((2*QuotW)/2)-(QuotW/2)-1:0] s1_digits_1;
-  div_rows #(.W(SigW), .ROWS(((2 * QuotW) / 2) - (QuotW / 2))) u_rows_1 (
+  wire [SigW:0]              s1_rem_1;
+  wire [QuotW-(QuotW/2)-1:0] s1_digits_1;
+  div_rows #(.W(SigW), .ROWS(QuotW - (QuotW / 2))) u_rows_1 (
     .rem_in (s1_rem_0),
     .div    (s1_divisor),
     .rem_out(s1_rem_1),
     .quot   (s1_digits_1)
   );
-  wire [((2*QuotW)/2)-1:0] s1_quot_1 = {s1_digits_0, s1_digits_1};
+  wire [QuotW-1:0] s1_quot_1 = {s1_digits_0, s1_digits_1};
 
   // ---- stage 1: round ---------------------------------------------------------- div.rs
   // The quotient lies in (1/2, 2): its integer bit picks the significand. No quotient lies half-way
   // between two numbers, so the guard bit alone rounds.
-  wire                   s1_top = s1_quot_1[((2*QuotW)/2)-1];
+  wire                   s1_top = s1_quot_1[QuotW-1];
   wire [ExpSumW-1:0]     s1_norm_exp = s1_quot_exp - {{(ExpSumW - 1){1'b0}}, ~s1_top};
   wire [SigW-1:0]        s1_sig = s1_top ? s1_quot_1[SigW+1:2] : s1_quot_1[SigW:1];
   wire                   s1_guard = s1_top ? s1_quot_1[1] : s1_quot_1[0];
@@ -133,8 +133,8 @@ module fp_div #(
   wire                   s1_give_inf = s1_is_inf | (s1_overflow & ~s1_is_zero);
   wire                   s1_give_zero = s1_is_zero | s1_underflow;
   wire [EXP_W+MAN_W-1:0] s1_number = {s1_exp[EXP_W-1:0], s1_frac};
-  wire [EXP_W+MAN_W-1:0] s1_body = s1_give_inf ? {{EXP_W{1'b1}}, {MAN_W{1'b0}}} : s1_give_zero ?
-      {(EXP_W + MAN_W){1'b0}} : s1_number;
+  wire [EXP_W+MAN_W-1:0] s1_body = s1_give_inf ? {{EXP_W{1'b1}}, {MAN_W{1'b0}}}
+      : s1_give_zero ? {(EXP_W + MAN_W){1'b0}} : s1_number;
   wire [FloatW-1:0]      s1_value = s1_is_nan ? {1'b0, {EXP_W{1'b1}}, 1'b1, {(MAN_W - 1){1'b0}}}
       : {s1_quot_sign, s1_body};
 

@@ -81,8 +81,8 @@ module fp_from_fixed #(
   wire                   s0_give_inf = s0_overflow & ~s0_is_zero;
   wire                   s0_give_zero = s0_is_zero | s0_underflow;
   wire [EXP_W+MAN_W-1:0] s0_number = {s0_exp[EXP_W-1:0], s0_frac};
-  wire [EXP_W+MAN_W-1:0] s0_body = s0_give_inf ? {{EXP_W{1'b1}}, {MAN_W{1'b0}}} : s0_give_zero ?
-      {(EXP_W + MAN_W){1'b0}} : s0_number;
+  wire [EXP_W+MAN_W-1:0] s0_body = s0_give_inf ? {{EXP_W{1'b1}}, {MAN_W{1'b0}}}
+      : s0_give_zero ? {(EXP_W + MAN_W){1'b0}} : s0_number;
   wire [FloatW-1:0]      s0_value = {s0_minus, s0_body};
 
   // ---- stage 1: registers ----------------------------------------------- from_fixed.rs

@@ -126,8 +126,8 @@ module hit_position #(
       {{1{s4_fixed[FRAC_W+IDX_W-1]}}, s4_fixed} - {{1{s4_corner[FRAC_W+IDX_W-1]}}, s4_corner};
   wire                    s4_past = |s4_offset[FRAC_W+IDX_W:FRAC_W];
   wire [FRAC_W-1:0]       s4_low_part = s4_offset[FRAC_W-1:0];
-  wire [FRAC_W-1:0]       s4_kept = s4_offset[FRAC_W+IDX_W] ? {FRAC_W{1'b0}} : s4_past ?
-      {FRAC_W{1'b1}} : s4_low_part;
+  wire [FRAC_W-1:0]       s4_kept = s4_offset[FRAC_W+IDX_W] ? {FRAC_W{1'b0}}
+      : s4_past ? {FRAC_W{1'b1}} : s4_low_part;
 
   assign fraction = s4_kept;
 endmodule

@@ -288,7 +288,7 @@ module traverse #(
   height_memory #(
     .ADDR_W(2 * LEVELS + 1),
     .DATA_W(HEIGHT_W),
-    .DEPTH ((((1 << (2 * LEVELS + 2)) - 1) / 3))
+    .DEPTH (((1 << (2 * LEVELS + 2)) - 1) / 3)
   ) u_heights (
     .clk       (clk),
     .write_en  (load_en),

@@ -46,6 +46,17 @@ pub fn group(w: &Expr) -> String {
     if single { w.to_string() } else { format!("({w})") }
 }
 
+/// An expression without the one pair of parentheses that holds all of it.
+pub fn bare(text: &str) -> &str {
+    let mut depth = 0i32;
+    let mut inside = |c: char| {
+        depth += i32::from(c == '(') - i32::from(c == ')');
+        depth >= 0
+    };
+    let inner = text.strip_prefix('(').and_then(|t| t.strip_suffix(')'));
+    inner.filter(|t| t.chars().all(&mut inside)).unwrap_or(text)
+}
+
 /// True where a constant may need more than 31 bits on the way.
 pub fn is_wide(e: &Expr) -> bool {
     e.parts().0.iter().any(|(a, _)| matches!(a, Atom::Call(Func::Div, _)))
@@ -86,12 +97,12 @@ pub fn wrap(line: &str) -> String {
         match c {
             '(' | '{' | '[' => depth += 1,
             ')' | '}' | ']' => depth -= 1,
-            ' ' if i > indent + 8
-                && i <= COLUMNS
-                && breaks_well(&line[..i], &line[i + 1..])
-                && best.is_none_or(|(d, _)| depth <= d) =>
-            {
-                best = Some((depth, i));
+            ' ' if i > indent + 8 && i <= COLUMNS => {
+                // A choice is broken before its colon; between condition and choice only where nothing else is left.
+                let rank = depth * 2 + i32::from(line[..i].ends_with(" ?"));
+                if breaks_well(&line[..i], &line[i + 1..]) && best.is_none_or(|(least, _)| rank <= least) {
+                    best = Some((rank, i));
+                }
             }
             _ => {}
         }

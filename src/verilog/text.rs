@@ -2,7 +2,7 @@
 use super::align::aligned;
 use super::expr::Expressions;
 use super::header::has_word;
-use super::layout::{COLUMNS, range, wrap};
+use super::layout::{COLUMNS, bare, range, wrap};
 use super::prim;
 use crate::ir::{Atom, Body, Expr, Module, Names, NodeId, Op};
 
@@ -245,7 +245,7 @@ impl Printer<'_> {
         }
         pins.sort();
         let module = format!("{}{}", self.style.prefix, inst.module.name);
-        let params: Vec<String> = inst.params.iter().map(|(n, e)| format!(".{n}({e})")).collect();
+        let params: Vec<String> = inst.params.iter().map(|(n, e)| format!(".{n}({})", bare(&e.to_string()))).collect();
         let head = if params.is_empty() {
             format!("  {} {} (", module, inst.name)
         } else {

@@ -45,7 +45,7 @@ fn violations(m: &Module) -> Vec<Binding> {
         };
         // The nearest values first: a bound that is off by one must show.
         let near = |p: i64| [p - 1, p + 1].into_iter().chain((0..=64).flat_map(move |k| [p - k, p + k]));
-        let tries = m.params.iter().flat_map(|p| near(p.default).chain([65536]).map(move |v| (p, v)));
+        let tries = m.params.iter().flat_map(|p| near(p.default).chain([0, 1, 65536]).map(move |v| (p, v)));
         let mut found: Vec<(i64, Binding)> =
             tries.map(|(p, v)| ((v - p.default).abs(), binding(&[(&p.name, v)]))).filter(|(_, b)| fails(b)).collect();
         found.sort_by_key(|(distance, _)| *distance);

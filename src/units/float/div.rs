@@ -43,7 +43,7 @@ pub fn fp_div(format: FloatFormat, latency: u32) -> Arc<Module> {
     let mut quot = None;
     for (c, title) in titles.iter().enumerate() {
         b.section(title, "Rows of compare, subtract, double: one quotient bit each, the integer bit first.");
-        let at = |k: i64| if chunks == 1 { rows.clone() } else { (rows.clone() * k).div(chunks) };
+        let at = |k: i64| if k == i64::from(chunks) { rows.clone() } else { (rows.clone() * k).div(chunks) };
         let count: Expr = if c == 0 { at(1) } else { at(c as i64 + 1) - at(c as i64) };
         let (r, q) = div_rows(&b, &format!("u_rows_{c}"), rem, div, &p, &count, c);
         rem = r;

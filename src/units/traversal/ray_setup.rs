@@ -8,11 +8,11 @@ use crate::ir::{Binding, Builder, Expr, Module, Sig};
 use crate::units::float::{Fields, FormatParams, fp_add, fp_div, fp_mul, fp_to_int};
 use std::sync::Arc;
 
-/// Clocks through `ray_setup`.
+/// Clocks through `ray_setup`; at least one, so that a ready never follows from a valid in the same clock.
 pub fn latency(d: &Design) -> u32 {
     let l: &LatencyConfig = &d.latency;
     let start = if d.mode.start_level { l.add + l.to_int } else { l.to_int };
-    l.div.max(l.mul).max(l.add).max(start)
+    l.div.max(l.mul).max(l.add).max(start).max(1)
 }
 
 /// What setup computes for one axis.
