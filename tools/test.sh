@@ -82,5 +82,5 @@ export RELIEFRTL_TOOLS
 unset VERILATOR_ROOT
 step "cargo fmt" cargo fmt --check
 step "cargo clippy" cargo clippy --release --all-targets -- -D warnings
-step "cargo test" cargo test --release
+step "cargo test" cargo test --release --no-fail-fast
 echo "tools/test.sh: format, clippy and tests passed"

@@ -17,9 +17,9 @@ fn parts(line: &str) -> Option<(Kind, &str, &str)> {
     let declared = |kind: Kind, word: &str| {
         let rest = line.strip_prefix("  ")?.strip_prefix(word)?.strip_prefix(' ')?;
         // The range, if there is one, ends with the first `] `: expressions in ranges have no blanks.
-        let at = if rest.starts_with('[') { rest.find("] ")? + 2 } else { 0 };
+        let at = if rest.trim_start().starts_with('[') { rest.find("] ")? + 1 } else { 0 };
         let at = line.len() - rest.len() + at;
-        Some((kind, line[..at].trim_end(), &line[at..]))
+        Some((kind, line[..at].trim_end(), line[at..].trim_start()))
     };
     if let Some(found) = declared(Kind::Wire, "wire").or_else(|| declared(Kind::Reg, "reg")) {
         return Some(found);
@@ -27,11 +27,11 @@ fn parts(line: &str) -> Option<(Kind, &str, &str)> {
     let text = line.trim_start();
     if text.starts_with('.') && indent == 4 {
         let at = line.find('(')?;
-        return Some((Kind::Pin, &line[..at], &line[at..]));
+        return Some((Kind::Pin, line[..at].trim_end(), &line[at..]));
     }
     let at = line.find(" <= ")?;
-    let is_name = line[indent..at].chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
-    (is_name && line.ends_with(';')).then(|| (Kind::Store(indent), &line[..at], &line[at + 1..]))
+    let is_name = line[indent..at].trim_end().chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+    (is_name && line.ends_with(';')).then(|| (Kind::Store(indent), line[..at].trim_end(), &line[at + 1..]))
 }
 
 /// Aligns every run of neighbouring lines of one kind.
