@@ -1,12 +1,12 @@
 // div_rows: rows of restoring division: compare, subtract, double; one quotient bit each
 // Source     src/units/div_rows.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//           mul 1 div 2 compare 1 from_int 1 to_int 1
+//            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    none, combinational
 // Note       rem_in must be less than twice div.
 `default_nettype none
 module div_rows #(
-  parameter integer W = 17,     // bits of the divisor
+  parameter integer W    = 17,  // bits of the divisor
   parameter integer ROWS = 19   // quotient bits
 ) (
   input  wire [W:0]      rem_in,   // dividend, or the remainder that the rows before left [bits]

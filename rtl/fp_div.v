@@ -1,13 +1,13 @@
 // fp_div: quotient of two floating-point numbers, rounded once
 // Source     src/units/float/div.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//           mul 1 div 2 compare 1 from_int 1 to_int 1
+//            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    2 clocks
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
-//           0 reads as zero of its sign; results below the smallest normal, after rounding, become
-//           zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
-//           out); nearest, ties to even; x - x is +0.
+//            0 reads as zero of its sign; results below the smallest normal, after rounding, become
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
+//            out); nearest, ties to even; x - x is +0.
 `default_nettype none
 module fp_div #(
   parameter integer EXP_W = 7,   // exponent bits
@@ -39,107 +39,107 @@ module fp_div #(
     if (MAN_W > 28) begin : gen_illegal_3
       must_hold_MAN_W_at_most_28 u_illegal ();
     end
-    if (0 > MAN_W) begin : gen_illegal_4
-      must_hold_0_at_most_MAN_W u_illegal ();
-    end
   endgenerate
 
-  wire s0_a_sign = a[FloatW-1];
-  wire [EXP_W-1:0] s0_a_exp = a[EXP_W+MAN_W-1:MAN_W];
-  wire [MAN_W-1:0] s0_a_frac = a[MAN_W-1:0];
-  wire s0_a_is_zero = ~(|s0_a_exp);
-  wire s0_a_exp_ones = &s0_a_exp;
-  wire s0_a_frac_some = |s0_a_frac;
-  wire s0_a_is_inf = s0_a_exp_ones & ~s0_a_frac_some;
-  wire s0_a_is_nan = s0_a_exp_ones & s0_a_frac_some;
-  wire s0_b_sign = b[FloatW-1];
-  wire [EXP_W-1:0] s0_b_exp = b[EXP_W+MAN_W-1:MAN_W];
-  wire [MAN_W-1:0] s0_b_frac = b[MAN_W-1:0];
-  wire s0_b_is_zero = ~(|s0_b_exp);
-  wire s0_b_exp_ones = &s0_b_exp;
-  wire s0_b_frac_some = |s0_b_frac;
-  wire s0_b_is_inf = s0_b_exp_ones & ~s0_b_frac_some;
-  wire s0_b_is_nan = s0_b_exp_ones & s0_b_frac_some;
-  wire s0_quot_sign = s0_a_sign ^ s0_b_sign;
+  // ---- stage 0: classes -------------------------------------------------------- div.rs
+  // The hidden bit is 1 for every operand: a zero operand overrides the result instead.
+  wire               s0_a_sign = a[FloatW-1];
+  wire [EXP_W-1:0]   s0_a_exp = a[EXP_W+MAN_W-1:MAN_W];
+  wire [MAN_W-1:0]   s0_a_frac = a[MAN_W-1:0];
+  wire               s0_a_is_zero = ~(|s0_a_exp);
+  wire               s0_a_exp_ones = &s0_a_exp;
+  wire               s0_a_frac_some = |s0_a_frac;
+  wire               s0_a_is_inf = s0_a_exp_ones & ~s0_a_frac_some;
+  wire               s0_a_is_nan = s0_a_exp_ones & s0_a_frac_some;
+  wire               s0_b_sign = b[FloatW-1];
+  wire [EXP_W-1:0]   s0_b_exp = b[EXP_W+MAN_W-1:MAN_W];
+  wire [MAN_W-1:0]   s0_b_frac = b[MAN_W-1:0];
+  wire               s0_b_is_zero = ~(|s0_b_exp);
+  wire               s0_b_exp_ones = &s0_b_exp;
+  wire               s0_b_frac_some = |s0_b_frac;
+  wire               s0_b_is_inf = s0_b_exp_ones & ~s0_b_frac_some;
+  wire               s0_b_is_nan = s0_b_exp_ones & s0_b_frac_some;
+  wire               s0_quot_sign = s0_a_sign ^ s0_b_sign;
   wire [ExpSumW-1:0] s0_quot_exp =
       ({{(ExpSumW - EXP_W){1'b0}}, s0_a_exp} - {{(ExpSumW - EXP_W){1'b0}}, s0_b_exp}) +
       Bias[ExpSumW-1:0];
-  wire s0_is_inf = (s0_a_is_inf | s0_b_is_zero) & ~s0_b_is_inf & ~s0_a_is_zero;
-  wire s0_is_zero = (s0_a_is_zero | s0_b_is_inf) & ~s0_a_is_inf & ~s0_b_is_zero;
-  wire s0_is_nan = s0_a_is_nan | s0_b_is_nan | (s0_a_is_zero & s0_b_is_zero) |
+  wire               s0_is_inf = (s0_a_is_inf | s0_b_is_zero) & ~s0_b_is_inf & ~s0_a_is_zero;
+  wire               s0_is_zero = (s0_a_is_zero | s0_b_is_inf) & ~s0_a_is_inf & ~s0_b_is_zero;
+  wire               s0_is_nan = s0_a_is_nan | s0_b_is_nan | (s0_a_is_zero & s0_b_is_zero) |
       (s0_a_is_inf & s0_b_is_inf);
-  wire [MAN_W:0] s0_divisor = {1'b1, s0_b_frac};
-  wire [MAN_W+1:0] s0_rem = {2'd1, s0_a_frac};
+  wire [SigW-1:0]    s0_divisor = {1'b1, s0_b_frac};
+  wire [MAN_W+1:0]   s0_rem = {2'd1, s0_a_frac};
 
   // ---- stage 0: rows 0 --------------------------------------------------------- div.rs
   // Rows of compare, subtract, double: one quotient bit each, the integer bit first.
-  wire [SigW:0] s0_rem_0;
-  wire [((QuotW)/(2))-1:0] s0_digits_0;
-  div_rows #(.W(SigW), .ROWS(((QuotW) / (2)))) u_rows_0 (
-    .rem_in(s0_rem),
-    .div(s0_divisor),
+  wire [SigW:0]        s0_rem_0;
+  wire [(QuotW/2)-1:0] s0_digits_0;
+  div_rows #(.W(SigW), .ROWS(QuotW / 2)) u_rows_0 (
+    .rem_in (s0_rem),
+    .div    (s0_divisor),
     .rem_out(s0_rem_0),
-    .quot(s0_digits_0)
+    .quot   (s0_digits_0)
   );
 
-  // ---- stage 1 ----------------------------------------------------------------- div.rs
-  reg [SigW:0] s1_rem_0;
-  reg [MAN_W:0] s1_divisor;
-  reg [((QuotW)/(2))-1:0] s1_digits_0;
-  reg [ExpSumW-1:0] s1_quot_exp;
-  reg s1_is_zero;
-  reg s1_is_inf;
-  reg s1_quot_sign;
-  reg s1_is_nan;
+  // ---- stage 1: registers ------------------------------------------------------ div.rs
+  reg [SigW:0]        s1_rem_0;
+  reg [SigW-1:0]      s1_divisor;
+  reg [(QuotW/2)-1:0] s1_digits_0;
+  reg [ExpSumW-1:0]   s1_quot_exp;
+  reg                 s1_is_zero;
+  reg                 s1_is_inf;
+  reg                 s1_quot_sign;
+  reg                 s1_is_nan;
   always @(posedge clk) begin
     if (ce) begin
-      s1_rem_0 <= s0_rem_0;
-      s1_divisor <= s0_divisor;
-      s1_digits_0 <= s0_digits_0;
-      s1_quot_exp <= s0_quot_exp;
-      s1_is_zero <= s0_is_zero;
-      s1_is_inf <= s0_is_inf;
+      s1_rem_0     <= s0_rem_0;
+      s1_divisor   <= s0_divisor;
+      s1_digits_0  <= s0_digits_0;
+      s1_quot_exp  <= s0_quot_exp;
+      s1_is_zero   <= s0_is_zero;
+      s1_is_inf    <= s0_is_inf;
       s1_quot_sign <= s0_quot_sign;
-      s1_is_nan <= s0_is_nan;
+      s1_is_nan    <= s0_is_nan;
     end
   end
 
   // ---- stage 1: rows 1 --------------------------------------------------------- div.rs
   // Rows of compare, subtract, double: one quotient bit each, the integer bit first.
-  wire [SigW:0] s1_rem_1;
-  wire [((2*QuotW)/(2))-((QuotW)/(2))-1:0] s1_digits_1;
-  div_rows #(.W(SigW), .ROWS(((2 * QuotW) / (2)) - ((QuotW) / (2)))) u_rows_1 (
-    .rem_in(s1_rem_0),
-    .div(s1_divisor),
+  wire [SigW:0]              s1_rem_1;
+  wire [QuotW-(QuotW/2)-1:0] s1_digits_1;
+  div_rows #(.W(SigW), .ROWS(QuotW - (QuotW / 2))) u_rows_1 (
+    .rem_in (s1_rem_0),
+    .div    (s1_divisor),
     .rem_out(s1_rem_1),
-    .quot(s1_digits_1)
+    .quot   (s1_digits_1)
   );
-  wire [((2*QuotW)/(2))-1:0] s1_quot_1 = {s1_digits_0, s1_digits_1};
+  wire [QuotW-1:0] s1_quot_1 = {s1_digits_0, s1_digits_1};
 
   // ---- stage 1: round ---------------------------------------------------------- div.rs
-  // The quotient lies in (1/2, 2): its integer bit picks the significand.
-  wire s1_top = s1_quot_1[((2*QuotW)/(2))-1];
-  wire [ExpSumW-1:0] s1_norm_exp = s1_quot_exp - {{(ExpSumW - 1){1'b0}}, ~s1_top};
-  wire [SigW-1:0] s1_sig = s1_top ? s1_quot_1[SigW+1:2] : s1_quot_1[SigW:1];
-  wire s1_guard = s1_top ? s1_quot_1[1] : s1_quot_1[0];
-  wire s1_round_up = s1_guard & (1'b1 | s1_sig[0]);
-  wire [MAN_W+1:0] s1_rounded = {{(MAN_W - SigW + 2){1'b0}}, s1_sig} +
-      {{(MAN_W + 1){1'b0}}, s1_round_up};
-  wire [MAN_W-1:0] s1_frac = s1_rounded[MAN_W+1] ? s1_rounded[MAN_W:1] : s1_rounded[MAN_W-1:0];
-  wire [ExpSumW-1:0] s1_exp = s1_norm_exp + {{(ExpSumW - 1){1'b0}}, s1_rounded[MAN_W+1]};
-  wire s1_overflow = ~($signed(s1_exp) < $signed({{(ExpSumW - EXP_W){1'b0}}, {EXP_W{1'b1}}}));
-  wire s1_underflow = $signed(s1_exp) < $signed({{(ExpSumW - 1){1'b0}}, 1'b1});
-  wire s1_give_inf = s1_is_inf | (s1_overflow & ~s1_is_zero);
-  wire s1_give_zero = s1_is_zero | s1_underflow;
-  wire s1_sign = s1_is_inf ? s1_quot_sign : s1_is_zero ? s1_quot_sign : s1_quot_sign;
+  // The quotient lies in (1/2, 2): its integer bit picks the significand. No quotient lies half-way
+  // between two numbers, so the guard bit alone rounds.
+  wire                   s1_top = s1_quot_1[QuotW-1];
+  wire [ExpSumW-1:0]     s1_norm_exp = s1_quot_exp - {{(ExpSumW - 1){1'b0}}, ~s1_top};
+  wire [SigW-1:0]        s1_sig = s1_top ? s1_quot_1[SigW+1:2] : s1_quot_1[SigW:1];
+  wire                   s1_guard = s1_top ? s1_quot_1[1] : s1_quot_1[0];
+  wire [MAN_W+1:0]       s1_rounded = {{(MAN_W - SigW + 2){1'b0}}, s1_sig} +
+      {{(MAN_W + 1){1'b0}}, s1_guard};
+  wire [MAN_W-1:0]       s1_frac = s1_rounded[MAN_W+1] ? s1_rounded[MAN_W:1]
+      : s1_rounded[MAN_W-1:0];
+  wire [ExpSumW-1:0]     s1_exp = s1_norm_exp + {{(ExpSumW - 1){1'b0}}, s1_rounded[MAN_W+1]};
+  wire                   s1_overflow =
+      ~($signed(s1_exp) < $signed({{(ExpSumW - EXP_W){1'b0}}, {EXP_W{1'b1}}}));
+  wire                   s1_underflow = $signed(s1_exp) < $signed({{(ExpSumW - 1){1'b0}}, 1'b1});
+  wire                   s1_give_inf = s1_is_inf | (s1_overflow & ~s1_is_zero);
+  wire                   s1_give_zero = s1_is_zero | s1_underflow;
   wire [EXP_W+MAN_W-1:0] s1_number = {s1_exp[EXP_W-1:0], s1_frac};
-  wire [EXP_W+MAN_W-1:0] s1_body = s1_give_inf ? {{EXP_W{1'b1}}, {MAN_W{1'b0}}} : s1_give_zero ?
-      {(EXP_W + MAN_W){1'b0}} : s1_number;
-  wire [EXP_W+MAN_W:0] s1_value = s1_is_nan ? {1'b0, {EXP_W{1'b1}}, 1'b1, {(MAN_W - 1){1'b0}}}
-      : {s1_sign, s1_body};
+  wire [EXP_W+MAN_W-1:0] s1_body = s1_give_inf ? {{EXP_W{1'b1}}, {MAN_W{1'b0}}}
+      : s1_give_zero ? {(EXP_W + MAN_W){1'b0}} : s1_number;
+  wire [FloatW-1:0]      s1_value = s1_is_nan ? {1'b0, {EXP_W{1'b1}}, 1'b1, {(MAN_W - 1){1'b0}}}
+      : {s1_quot_sign, s1_body};
 
-  // ---- stage 2 ----------------------------------------------------------------- div.rs
-  reg [EXP_W+MAN_W:0] s2_value;
+  // ---- stage 2: registers ------------------------------------------------------ div.rs
+  reg [FloatW-1:0] s2_value;
   always @(posedge clk) begin
     if (ce) begin
       s2_value <= s1_value;

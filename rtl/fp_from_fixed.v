@@ -1,18 +1,18 @@
 // fp_from_fixed: signed fixed-point number to the nearest floating-point number
 // Source     src/units/float/from_fixed.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//           mul 1 div 2 compare 1 from_int 1 to_int 1
+//            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    1 clock
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
-//           0 reads as zero of its sign; results below the smallest normal, after rounding, become
-//           zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
-//           out); nearest, ties to even; x - x is +0.
+//            0 reads as zero of its sign; results below the smallest normal, after rounding, become
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
+//            out); nearest, ties to even; x - x is +0.
 `default_nettype none
 module fp_from_fixed #(
-  parameter integer EXP_W = 7,    // exponent bits
-  parameter integer MAN_W = 16,   // fraction bits, the hidden one not counted
-  parameter integer INT_W = 26,   // bits of the signed operand
+  parameter integer EXP_W  = 7,   // exponent bits
+  parameter integer MAN_W  = 16,  // fraction bits, the hidden one not counted
+  parameter integer INT_W  = 26,  // bits of the signed operand
   parameter integer FRAC_W = 12   // of these, bits behind the point
 ) (
   input  wire                 clk,     // rising edge
@@ -20,7 +20,8 @@ module fp_from_fixed #(
   input  wire [INT_W-1:0]     a,       // signed operand [fixed point]
   output wire [EXP_W+MAN_W:0] result   // a, rounded to nearest even [float]
 );
-  localparam integer ExpSumW = ((EXP_W) > ($clog2(INT_W + 1)) ? (EXP_W) : ($clog2(INT_W + 1))) + 2;
+  localparam integer FloatW = EXP_W + MAN_W + 1;
+  localparam integer ExpSumW = (EXP_W > ($clog2(INT_W + 1)) ? EXP_W : ($clog2(INT_W + 1))) + 2;
   localparam integer TopExp = INT_W + (1 << (EXP_W - 1)) - FRAC_W - 2;
 
   // Illegal parameters end elaboration here: the missing module's name says what must hold.
@@ -52,40 +53,40 @@ module fp_from_fixed #(
   endgenerate
 
   // ---- stage 0: magnitude ----------------------------------------------- from_fixed.rs
-  wire s0_minus = a[INT_W-1];
+  wire             s0_minus = a[INT_W-1];
   wire [INT_W-1:0] s0_mag = (a ^ {INT_W{s0_minus}}) + {{(INT_W - 1){1'b0}}, s0_minus};
 
   // ---- stage 0: normalize ----------------------------------------------- from_fixed.rs
   // Zeros below make room for guard and sticky bits whatever INT_W is.
   wire [$clog2(INT_W+1)-1:0] s0_lead;
   lzc #(.W(INT_W)) u_lzc (
-    .bits(s0_mag),
+    .bits (s0_mag),
     .count(s0_lead)
   );
   wire [INT_W+MAN_W+2:0] s0_norm = {s0_mag << s0_lead, {(MAN_W + 3){1'b0}}};
-  wire s0_is_zero = ~s0_norm[INT_W+MAN_W+2];
-  wire [ExpSumW-1:0] s0_norm_exp =
+  wire                   s0_is_zero = ~s0_norm[INT_W+MAN_W+2];
+  wire [ExpSumW-1:0]     s0_norm_exp =
       TopExp[ExpSumW-1:0] - {{(ExpSumW - $clog2(INT_W + 1)){1'b0}}, s0_lead};
 
   // ---- stage 0: round --------------------------------------------------- from_fixed.rs
-  wire [MAN_W:0] s0_sig = s0_norm[INT_W+MAN_W+2:INT_W+2];
-  wire s0_round_up = s0_norm[INT_W+1] & ((|s0_norm[INT_W:0]) | s0_sig[0]);
-  wire [MAN_W+1:0] s0_rounded = {1'b0, s0_sig} + {{(MAN_W + 1){1'b0}}, s0_round_up};
-  wire [MAN_W-1:0] s0_frac = s0_rounded[MAN_W+1] ? s0_rounded[MAN_W:1] : s0_rounded[MAN_W-1:0];
-  wire [ExpSumW-1:0] s0_exp = s0_norm_exp + {{(ExpSumW - 1){1'b0}}, s0_rounded[MAN_W+1]};
-  wire s0_overflow = ~($signed(s0_exp) < $signed({{(ExpSumW - EXP_W){1'b0}}, {EXP_W{1'b1}}}));
-  wire s0_underflow = $signed(s0_exp) < $signed({{(ExpSumW - 1){1'b0}}, 1'b1});
-  wire s0_give_inf = 1'b0 | (s0_overflow & ~s0_is_zero);
-  wire s0_give_zero = s0_is_zero | s0_underflow;
-  wire s0_sign = 1'b0 ? 1'b0 : s0_is_zero ? 1'b0 : s0_minus;
+  wire [MAN_W:0]         s0_sig = s0_norm[INT_W+MAN_W+2:INT_W+2];
+  wire                   s0_round_up = s0_norm[INT_W+1] & ((|s0_norm[INT_W:0]) | s0_sig[0]);
+  wire [MAN_W+1:0]       s0_rounded = {1'b0, s0_sig} + {{(MAN_W + 1){1'b0}}, s0_round_up};
+  wire [MAN_W-1:0]       s0_frac = s0_rounded[MAN_W+1] ? s0_rounded[MAN_W:1]
+      : s0_rounded[MAN_W-1:0];
+  wire [ExpSumW-1:0]     s0_exp = s0_norm_exp + {{(ExpSumW - 1){1'b0}}, s0_rounded[MAN_W+1]};
+  wire                   s0_overflow =
+      ~($signed(s0_exp) < $signed({{(ExpSumW - EXP_W){1'b0}}, {EXP_W{1'b1}}}));
+  wire                   s0_underflow = $signed(s0_exp) < $signed({{(ExpSumW - 1){1'b0}}, 1'b1});
+  wire                   s0_give_inf = s0_overflow & ~s0_is_zero;
+  wire                   s0_give_zero = s0_is_zero | s0_underflow;
   wire [EXP_W+MAN_W-1:0] s0_number = {s0_exp[EXP_W-1:0], s0_frac};
-  wire [EXP_W+MAN_W-1:0] s0_body = s0_give_inf ? {{EXP_W{1'b1}}, {MAN_W{1'b0}}} : s0_give_zero ?
-      {(EXP_W + MAN_W){1'b0}} : s0_number;
-  wire [EXP_W+MAN_W:0] s0_value = 1'b0 ? {1'b0, {EXP_W{1'b1}}, 1'b1, {(MAN_W - 1){1'b0}}}
-      : {s0_sign, s0_body};
+  wire [EXP_W+MAN_W-1:0] s0_body = s0_give_inf ? {{EXP_W{1'b1}}, {MAN_W{1'b0}}}
+      : s0_give_zero ? {(EXP_W + MAN_W){1'b0}} : s0_number;
+  wire [FloatW-1:0]      s0_value = {s0_minus, s0_body};
 
-  // ---- stage 1 ---------------------------------------------------------- from_fixed.rs
-  reg [EXP_W+MAN_W:0] s1_value;
+  // ---- stage 1: registers ----------------------------------------------- from_fixed.rs
+  reg [FloatW-1:0] s1_value;
   always @(posedge clk) begin
     if (ce) begin
       s1_value <= s0_value;

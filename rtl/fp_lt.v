@@ -1,13 +1,13 @@
 // fp_lt: 1 if a < b; 0 when either is NaN; +0 and -0 are equal
 // Source     src/units/float/lt.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//           mul 1 div 2 compare 1 from_int 1 to_int 1
+//            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    1 clock
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
-//           0 reads as zero of its sign; results below the smallest normal, after rounding, become
-//           zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
-//           out); nearest, ties to even; x - x is +0.
+//            0 reads as zero of its sign; results below the smallest normal, after rounding, become
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
+//            out); nearest, ties to even; x - x is +0.
 `default_nettype none
 module fp_lt #(
   parameter integer EXP_W = 7,   // exponent bits
@@ -40,36 +40,36 @@ module fp_lt #(
   // ---- stage 0: keys ------------------------------------------------------------ lt.rs
   // As unsigned numbers the keys are ordered as the floats are: negatives complemented, zeros
   // alike.
-  wire s0_a_sign = a[FloatW-1];
-  wire [EXP_W-1:0] s0_a_exp = a[EXP_W+MAN_W-1:MAN_W];
-  wire [MAN_W-1:0] s0_a_frac = a[MAN_W-1:0];
-  wire s0_a_is_zero = ~(|s0_a_exp);
-  wire s0_a_exp_ones = &s0_a_exp;
-  wire s0_a_frac_some = |s0_a_frac;
-  wire s0_a_is_inf = s0_a_exp_ones & ~s0_a_frac_some;
-  wire s0_a_is_nan = s0_a_exp_ones & s0_a_frac_some;
-  wire s0_b_sign = b[FloatW-1];
-  wire [EXP_W-1:0] s0_b_exp = b[EXP_W+MAN_W-1:MAN_W];
-  wire [MAN_W-1:0] s0_b_frac = b[MAN_W-1:0];
-  wire s0_b_is_zero = ~(|s0_b_exp);
-  wire s0_b_exp_ones = &s0_b_exp;
-  wire s0_b_frac_some = |s0_b_frac;
-  wire s0_b_is_inf = s0_b_exp_ones & ~s0_b_frac_some;
-  wire s0_b_is_nan = s0_b_exp_ones & s0_b_frac_some;
-  wire s0_a_minus = s0_a_sign & ~s0_a_is_zero;
-  wire [EXP_W+MAN_W:0] s0_a_key =
+  wire              s0_a_sign = a[FloatW-1];
+  wire [EXP_W-1:0]  s0_a_exp = a[EXP_W+MAN_W-1:MAN_W];
+  wire [MAN_W-1:0]  s0_a_frac = a[MAN_W-1:0];
+  wire              s0_a_is_zero = ~(|s0_a_exp);
+  wire              s0_a_exp_ones = &s0_a_exp;
+  wire              s0_a_frac_some = |s0_a_frac;
+  wire              s0_a_is_inf = s0_a_exp_ones & ~s0_a_frac_some;
+  wire              s0_a_is_nan = s0_a_exp_ones & s0_a_frac_some;
+  wire              s0_b_sign = b[FloatW-1];
+  wire [EXP_W-1:0]  s0_b_exp = b[EXP_W+MAN_W-1:MAN_W];
+  wire [MAN_W-1:0]  s0_b_frac = b[MAN_W-1:0];
+  wire              s0_b_is_zero = ~(|s0_b_exp);
+  wire              s0_b_exp_ones = &s0_b_exp;
+  wire              s0_b_frac_some = |s0_b_frac;
+  wire              s0_b_is_inf = s0_b_exp_ones & ~s0_b_frac_some;
+  wire              s0_b_is_nan = s0_b_exp_ones & s0_b_frac_some;
+  wire              s0_a_minus = s0_a_sign & ~s0_a_is_zero;
+  wire [FloatW-1:0] s0_a_key =
       {~s0_a_minus, (a[EXP_W+MAN_W-1:0] & {(EXP_W + MAN_W){~s0_a_is_zero}}) ^
       {(EXP_W + MAN_W){s0_a_minus}}};
-  wire s0_b_minus = s0_b_sign & ~s0_b_is_zero;
-  wire [EXP_W+MAN_W:0] s0_b_key =
+  wire              s0_b_minus = s0_b_sign & ~s0_b_is_zero;
+  wire [FloatW-1:0] s0_b_key =
       {~s0_b_minus, (b[EXP_W+MAN_W-1:0] & {(EXP_W + MAN_W){~s0_b_is_zero}}) ^
       {(EXP_W + MAN_W){s0_b_minus}}};
-  wire s0_ordered = ~(s0_a_is_nan | s0_b_is_nan);
+  wire              s0_ordered = ~(s0_a_is_nan | s0_b_is_nan);
 
   // ---- stage 0: compare --------------------------------------------------------- lt.rs
   wire s0_less = (s0_a_key < s0_b_key) & s0_ordered;
 
-  // ---- stage 1 ------------------------------------------------------------------ lt.rs
+  // ---- stage 1: registers ------------------------------------------------------- lt.rs
   reg s1_less;
   always @(posedge clk) begin
     if (ce) begin

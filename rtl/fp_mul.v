@@ -1,13 +1,13 @@
 // fp_mul: product of two floating-point numbers, rounded once
 // Source     src/units/float/mul.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//           mul 1 div 2 compare 1 from_int 1 to_int 1
+//            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    1 clock
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
-//           0 reads as zero of its sign; results below the smallest normal, after rounding, become
-//           zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
-//           out); nearest, ties to even; x - x is +0.
+//            0 reads as zero of its sign; results below the smallest normal, after rounding, become
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
+//            out); nearest, ties to even; x - x is +0.
 `default_nettype none
 module fp_mul #(
   parameter integer EXP_W = 7,   // exponent bits
@@ -41,59 +41,60 @@ module fp_mul #(
 
   // ---- stage 0: multiply ------------------------------------------------------- mul.rs
   // The hidden bit is 1 for every operand: a zero operand overrides the result instead.
-  wire s0_a_sign = a[FloatW-1];
-  wire [EXP_W-1:0] s0_a_exp = a[EXP_W+MAN_W-1:MAN_W];
-  wire [MAN_W-1:0] s0_a_frac = a[MAN_W-1:0];
-  wire s0_a_is_zero = ~(|s0_a_exp);
-  wire s0_a_exp_ones = &s0_a_exp;
-  wire s0_a_frac_some = |s0_a_frac;
-  wire s0_a_is_inf = s0_a_exp_ones & ~s0_a_frac_some;
-  wire s0_a_is_nan = s0_a_exp_ones & s0_a_frac_some;
-  wire s0_b_sign = b[FloatW-1];
-  wire [EXP_W-1:0] s0_b_exp = b[EXP_W+MAN_W-1:MAN_W];
-  wire [MAN_W-1:0] s0_b_frac = b[MAN_W-1:0];
-  wire s0_b_is_zero = ~(|s0_b_exp);
-  wire s0_b_exp_ones = &s0_b_exp;
-  wire s0_b_frac_some = |s0_b_frac;
-  wire s0_b_is_inf = s0_b_exp_ones & ~s0_b_frac_some;
-  wire s0_b_is_nan = s0_b_exp_ones & s0_b_frac_some;
-  wire s0_prod_sign = s0_a_sign ^ s0_b_sign;
+  wire               s0_a_sign = a[FloatW-1];
+  wire [EXP_W-1:0]   s0_a_exp = a[EXP_W+MAN_W-1:MAN_W];
+  wire [MAN_W-1:0]   s0_a_frac = a[MAN_W-1:0];
+  wire               s0_a_is_zero = ~(|s0_a_exp);
+  wire               s0_a_exp_ones = &s0_a_exp;
+  wire               s0_a_frac_some = |s0_a_frac;
+  wire               s0_a_is_inf = s0_a_exp_ones & ~s0_a_frac_some;
+  wire               s0_a_is_nan = s0_a_exp_ones & s0_a_frac_some;
+  wire               s0_b_sign = b[FloatW-1];
+  wire [EXP_W-1:0]   s0_b_exp = b[EXP_W+MAN_W-1:MAN_W];
+  wire [MAN_W-1:0]   s0_b_frac = b[MAN_W-1:0];
+  wire               s0_b_is_zero = ~(|s0_b_exp);
+  wire               s0_b_exp_ones = &s0_b_exp;
+  wire               s0_b_frac_some = |s0_b_frac;
+  wire               s0_b_is_inf = s0_b_exp_ones & ~s0_b_frac_some;
+  wire               s0_b_is_nan = s0_b_exp_ones & s0_b_frac_some;
+  wire               s0_prod_sign = s0_a_sign ^ s0_b_sign;
   wire [2*MAN_W+1:0] s0_prod =
       {{(MAN_W + 1){1'b0}}, {1'b1, s0_a_frac}} * {{(MAN_W + 1){1'b0}}, {1'b1, s0_b_frac}};
   wire [ExpSumW-1:0] s0_prod_exp =
       ({{(ExpSumW - EXP_W){1'b0}}, s0_a_exp} +
       {{(ExpSumW - EXP_W){1'b0}}, s0_b_exp}) - Bias[ExpSumW-1:0];
-  wire s0_is_zero = s0_a_is_zero | s0_b_is_zero;
-  wire s0_is_inf = s0_a_is_inf | s0_b_is_inf;
-  wire s0_is_nan = s0_a_is_nan | s0_b_is_nan | (s0_is_zero & s0_is_inf);
+  wire               s0_is_zero = s0_a_is_zero | s0_b_is_zero;
+  wire               s0_is_inf = s0_a_is_inf | s0_b_is_inf;
+  wire               s0_is_nan = s0_a_is_nan | s0_b_is_nan | (s0_is_zero & s0_is_inf);
 
   // ---- stage 0: normalize ------------------------------------------------------ mul.rs
   // A product of two numbers in [1, 2) lies in [1, 4).
-  wire s0_top = s0_prod[2*MAN_W+1];
+  wire               s0_top = s0_prod[2*MAN_W+1];
   wire [ExpSumW-1:0] s0_norm_exp = s0_prod_exp + {{(ExpSumW - 1){1'b0}}, s0_top};
-  wire [2*MAN_W:0] s0_norm = s0_top ? s0_prod[2*MAN_W+1:1] : s0_prod[2*MAN_W:0];
-  wire s0_lost = s0_top & s0_prod[0];
+  wire [2*MAN_W:0]   s0_norm = s0_top ? s0_prod[2*MAN_W+1:1] : s0_prod[2*MAN_W:0];
+  wire               s0_lost = s0_top & s0_prod[0];
 
   // ---- stage 0: round ---------------------------------------------------------- mul.rs
-  wire [MAN_W:0] s0_sig = s0_norm[2*MAN_W:MAN_W];
-  wire s0_sticky = (|s0_norm[MAN_W-2:0]) | s0_lost;
-  wire s0_round_up = s0_norm[MAN_W-1] & (s0_sticky | s0_sig[0]);
-  wire [MAN_W+1:0] s0_rounded = {1'b0, s0_sig} + {{(MAN_W + 1){1'b0}}, s0_round_up};
-  wire [MAN_W-1:0] s0_frac = s0_rounded[MAN_W+1] ? s0_rounded[MAN_W:1] : s0_rounded[MAN_W-1:0];
-  wire [ExpSumW-1:0] s0_exp = s0_norm_exp + {{(ExpSumW - 1){1'b0}}, s0_rounded[MAN_W+1]};
-  wire s0_overflow = ~($signed(s0_exp) < $signed({{(ExpSumW - EXP_W){1'b0}}, {EXP_W{1'b1}}}));
-  wire s0_underflow = $signed(s0_exp) < $signed({{(ExpSumW - 1){1'b0}}, 1'b1});
-  wire s0_give_inf = s0_is_inf | (s0_overflow & ~s0_is_zero);
-  wire s0_give_zero = s0_is_zero | s0_underflow;
-  wire s0_sign = s0_is_inf ? s0_prod_sign : s0_is_zero ? s0_prod_sign : s0_prod_sign;
+  wire [MAN_W:0]         s0_sig = s0_norm[2*MAN_W:MAN_W];
+  wire                   s0_sticky = (|s0_norm[MAN_W-2:0]) | s0_lost;
+  wire                   s0_round_up = s0_norm[MAN_W-1] & (s0_sticky | s0_sig[0]);
+  wire [MAN_W+1:0]       s0_rounded = {1'b0, s0_sig} + {{(MAN_W + 1){1'b0}}, s0_round_up};
+  wire [MAN_W-1:0]       s0_frac = s0_rounded[MAN_W+1] ? s0_rounded[MAN_W:1]
+      : s0_rounded[MAN_W-1:0];
+  wire [ExpSumW-1:0]     s0_exp = s0_norm_exp + {{(ExpSumW - 1){1'b0}}, s0_rounded[MAN_W+1]};
+  wire                   s0_overflow =
+      ~($signed(s0_exp) < $signed({{(ExpSumW - EXP_W){1'b0}}, {EXP_W{1'b1}}}));
+  wire                   s0_underflow = $signed(s0_exp) < $signed({{(ExpSumW - 1){1'b0}}, 1'b1});
+  wire                   s0_give_inf = s0_is_inf | (s0_overflow & ~s0_is_zero);
+  wire                   s0_give_zero = s0_is_zero | s0_underflow;
   wire [EXP_W+MAN_W-1:0] s0_number = {s0_exp[EXP_W-1:0], s0_frac};
-  wire [EXP_W+MAN_W-1:0] s0_body = s0_give_inf ? {{EXP_W{1'b1}}, {MAN_W{1'b0}}} : s0_give_zero ?
-      {(EXP_W + MAN_W){1'b0}} : s0_number;
-  wire [EXP_W+MAN_W:0] s0_value = s0_is_nan ? {1'b0, {EXP_W{1'b1}}, 1'b1, {(MAN_W - 1){1'b0}}}
-      : {s0_sign, s0_body};
+  wire [EXP_W+MAN_W-1:0] s0_body = s0_give_inf ? {{EXP_W{1'b1}}, {MAN_W{1'b0}}}
+      : s0_give_zero ? {(EXP_W + MAN_W){1'b0}} : s0_number;
+  wire [FloatW-1:0]      s0_value = s0_is_nan ? {1'b0, {EXP_W{1'b1}}, 1'b1, {(MAN_W - 1){1'b0}}}
+      : {s0_prod_sign, s0_body};
 
-  // ---- stage 1 ----------------------------------------------------------------- mul.rs
-  reg [EXP_W+MAN_W:0] s1_value;
+  // ---- stage 1: registers ------------------------------------------------------ mul.rs
+  reg [FloatW-1:0] s1_value;
   always @(posedge clk) begin
     if (ce) begin
       s1_value <= s0_value;

@@ -1,19 +1,19 @@
 // fp_to_fixed: floating-point number to signed fixed point, toward minus infinity, saturating
 // Source     src/units/float/to_fixed.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//           mul 1 div 2 compare 1 from_int 1 to_int 1
+//            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    1 clock
 // Throughput one result per clock
 // Note       Infinities saturate; NaN gives 0.
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
-//           0 reads as zero of its sign; results below the smallest normal, after rounding, become
-//           zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
-//           out); nearest, ties to even; x - x is +0.
+//            0 reads as zero of its sign; results below the smallest normal, after rounding, become
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
+//            out); nearest, ties to even; x - x is +0.
 `default_nettype none
 module fp_to_fixed #(
-  parameter integer EXP_W = 7,    // exponent bits
-  parameter integer MAN_W = 16,   // fraction bits, the hidden one not counted
-  parameter integer INT_W = 26,   // bits of the signed result
+  parameter integer EXP_W  = 7,   // exponent bits
+  parameter integer MAN_W  = 16,  // fraction bits, the hidden one not counted
+  parameter integer INT_W  = 26,  // bits of the signed result
   parameter integer FRAC_W = 12   // of these, bits behind the point
 ) (
   input  wire                 clk,     // rising edge
@@ -23,7 +23,7 @@ module fp_to_fixed #(
 );
   localparam integer FloatW = EXP_W + MAN_W + 1;
   localparam integer RightW =
-  ((EXP_W) > ($clog2(INT_W + MAN_W + 1)) ? (EXP_W) : ($clog2(INT_W + MAN_W + 1))) + 3;
+      (EXP_W > ($clog2(INT_W + MAN_W + 1)) ? EXP_W : ($clog2(INT_W + MAN_W + 1))) + 3;
   localparam integer WideW = INT_W + MAN_W + 1;
   localparam integer Full = INT_W + MAN_W + (1 << (EXP_W - 1)) - FRAC_W - 1;
   localparam integer Least = MAN_W + 2;
@@ -58,22 +58,22 @@ module fp_to_fixed #(
 
   // ---- stage 0: distance -------------------------------------------------- to_fixed.rs
   // The significand starts above INT_W zeros and moves right by what the exponent lacks.
-  wire s0_a_sign = a[FloatW-1];
-  wire [EXP_W-1:0] s0_a_exp = a[EXP_W+MAN_W-1:MAN_W];
-  wire [MAN_W-1:0] s0_a_frac = a[MAN_W-1:0];
-  wire s0_a_is_zero = ~(|s0_a_exp);
-  wire s0_a_exp_ones = &s0_a_exp;
-  wire s0_a_frac_some = |s0_a_frac;
-  wire s0_a_is_inf = s0_a_exp_ones & ~s0_a_frac_some;
-  wire s0_a_is_nan = s0_a_exp_ones & s0_a_frac_some;
-  wire [MAN_W:0] s0_a_sig = {~s0_a_is_zero, s0_a_frac & {MAN_W{~s0_a_is_zero}}};
+  wire              s0_a_sign = a[FloatW-1];
+  wire [EXP_W-1:0]  s0_a_exp = a[EXP_W+MAN_W-1:MAN_W];
+  wire [MAN_W-1:0]  s0_a_frac = a[MAN_W-1:0];
+  wire              s0_a_is_zero = ~(|s0_a_exp);
+  wire              s0_a_exp_ones = &s0_a_exp;
+  wire              s0_a_frac_some = |s0_a_frac;
+  wire              s0_a_is_inf = s0_a_exp_ones & ~s0_a_frac_some;
+  wire              s0_a_is_nan = s0_a_exp_ones & s0_a_frac_some;
+  wire [MAN_W:0]    s0_a_sig = {~s0_a_is_zero, s0_a_frac & {MAN_W{~s0_a_is_zero}}};
   wire [RightW-1:0] s0_right = Full[RightW-1:0] - {{(RightW - EXP_W){1'b0}}, s0_a_exp};
-  wire s0_too_big = ($signed(s0_right) < $signed(Least[RightW-1:0])) | s0_a_is_inf;
+  wire              s0_too_big = ($signed(s0_right) < $signed(Least[RightW-1:0])) | s0_a_is_inf;
 
   // ---- stage 0: shift ----------------------------------------------------- to_fixed.rs
-  wire [INT_W+MAN_W:0] s0_unshifted = {s0_a_sig, {INT_W{1'b0}}};
-  wire [INT_W+MAN_W:0] s0_shifted = s0_unshifted >> s0_right;
-  wire s0_lost = |(s0_unshifted & ~({WideW{1'b1}} << s0_right));
+  wire [WideW-1:0] s0_unshifted = {s0_a_sig, {INT_W{1'b0}}};
+  wire [WideW-1:0] s0_shifted = s0_unshifted >> s0_right;
+  wire             s0_lost = |(s0_unshifted & ~({WideW{1'b1}} << s0_right));
   wire [INT_W-1:0] s0_mag = s0_shifted[INT_W-1:0];
 
   // ---- stage 0: floor ----------------------------------------------------- to_fixed.rs
@@ -83,7 +83,7 @@ module fp_to_fixed #(
   wire [INT_W-1:0] s0_limit = {s0_a_sign, {(INT_W - 1){~s0_a_sign}}};
   wire [INT_W-1:0] s0_result_value = s0_a_is_nan ? {INT_W{1'b0}} : s0_too_big ? s0_limit : s0_floor;
 
-  // ---- stage 1 ------------------------------------------------------------ to_fixed.rs
+  // ---- stage 1: registers ------------------------------------------------- to_fixed.rs
   reg [INT_W-1:0] s1_result_value;
   always @(posedge clk) begin
     if (ce) begin

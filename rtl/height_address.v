@@ -1,7 +1,7 @@
 // height_address: address of a node's height in the pyramid memory
 // Source     src/units/traversal/height_address.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//           mul 1 div 2 compare 1 from_int 1 to_int 1
+//            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    none, combinational
 `default_nettype none
 module height_address #(
@@ -25,14 +25,14 @@ module height_address #(
     end
   endgenerate
 
-  wire [LevelW-1:0] index_bits = Root[LevelW-1:0] - level;
-  wire [LEVELS:0] base = {{LEVELS{1'b1}} << index_bits, 1'b0};
-  wire [LEVELS:0] even = {1'b0, i >> level} | base;
-  wire [LEVELS:0] odd = {1'b0, j >> level};
+  wire [LevelW-1:0]   index_bits = Root[LevelW-1:0] - level;
+  wire [LEVELS:0]     base = {{LEVELS{1'b1}} << index_bits, 1'b0};
+  wire [LEVELS:0]     even = {1'b0, i >> level} | base;
+  wire [LEVELS:0]     odd = {1'b0, j >> level};
   wire [2*LEVELS+1:0] morton;
   interleave #(.W(LEVELS + 1)) u_morton (
-    .a(even),
-    .b(odd),
+    .a     (even),
+    .b     (odd),
     .result(morton)
   );
 

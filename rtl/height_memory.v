@@ -1,16 +1,16 @@
 // height_memory: on-chip memory with a write port and a registered read
 // Source     src/units/traversal/height_memory.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//           mul 1 div 2 compare 1 from_int 1 to_int 1
+//            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    1 clock
 // Throughput one result per clock
 // Note       A read of the word that is being written gives the old word. Written for block RAM
-//           inference.
+//            inference.
 `default_nettype none
 module height_memory #(
-  parameter integer ADDR_W = 17,    // address bits
-  parameter integer DATA_W = 8,     // bits of a word
-  parameter integer DEPTH = 87381   // words
+  parameter integer ADDR_W = 17,     // address bits
+  parameter integer DATA_W = 8,      // bits of a word
+  parameter integer DEPTH  = 87381   // words
 ) (
   input  wire              clk,         // rising edge
   input  wire              write_en,    // write at the next edge
@@ -22,8 +22,8 @@ module height_memory #(
 
   // Illegal parameters end elaboration here: the missing module's name says what must hold.
   generate
-    if (DEPTH > (1 << (ADDR_W))) begin : gen_illegal_0
-      must_hold_DEPTH_at_most_1_ADDR_W u_illegal ();
+    if (DEPTH > (1 << ADDR_W)) begin : gen_illegal_0
+      must_hold_DEPTH_at_most_2_to_the_ADDR_W u_illegal ();
     end
   endgenerate
 

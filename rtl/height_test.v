@@ -1,18 +1,18 @@
 // height_test: parameter at which the ray is in the node and at or below its height
 // Source     src/units/traversal/height_test.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//           mul 1 div 2 compare 1 from_int 1 to_int 1
+//            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    2 clocks
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
-//           0 reads as zero of its sign; results below the smallest normal, after rounding, become
-//           zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
-//           out); nearest, ties to even; x - x is +0.
+//            0 reads as zero of its sign; results below the smallest normal, after rounding, become
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
+//            out); nearest, ties to even; x - x is +0.
 `default_nettype none
 module height_test #(
-  parameter integer EXP_W = 7,     // exponent bits
-  parameter integer MAN_W = 16,    // fraction bits, the hidden one not counted
-  parameter integer HEIGHT_W = 8   // bits of a height code
+  parameter integer EXP_W    = 7,   // exponent bits
+  parameter integer MAN_W    = 16,  // fraction bits, the hidden one not counted
+  parameter integer HEIGHT_W = 8    // bits of a height code
 ) (
   input  wire                 clk,     // rising edge
   input  wire                 ce,      // clock enable: registers hold while 0
@@ -50,15 +50,15 @@ module height_test #(
   // ---- stage 0: depth -------------------------------------------------- height_test.rs
   // The complement of a code is its distance from the top plane.
   wire [HEIGHT_W:0] s0_depth = {1'b0, ~height};
-  wire [EXP_W+MAN_W:0] s1_t_v;
+  wire [FloatW-1:0] s1_t_v;
   fp_from_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(HEIGHT_W + 1)) u_from_int (
-    .clk(clk),
-    .ce(ce),
-    .a(s0_depth),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s0_depth),
     .result(s1_t_v)
   );
 
-  // ---- stage 1 --------------------------------------------------------- height_test.rs
+  // ---- stage 1: registers ---------------------------------------------- height_test.rs
   reg [FloatW-1:0] s1_t;
   always @(posedge clk) begin
     if (ce) begin
@@ -69,33 +69,33 @@ module height_test #(
   // ---- stage 1: compare ------------------------------------------------ height_test.rs
   wire s2_is_before;
   fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_before (
-    .clk(clk),
-    .ce(ce),
-    .a(s1_t),
-    .b(s1_t_v),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s1_t),
+    .b     (s1_t_v),
     .result(s2_is_before)
   );
   wire s2_is_below;
   fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_below (
-    .clk(clk),
-    .ce(ce),
-    .a(s1_t_v),
-    .b(s1_t),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s1_t_v),
+    .b     (s1_t),
     .result(s2_is_below)
   );
 
-  // ---- stage 2 --------------------------------------------------------- height_test.rs
-  reg [EXP_W+MAN_W:0] s2_t_v;
+  // ---- stage 2: registers ---------------------------------------------- height_test.rs
+  reg [FloatW-1:0] s2_t_v;
   reg [FloatW-1:0] s2_t;
   always @(posedge clk) begin
     if (ce) begin
       s2_t_v <= s1_t_v;
-      s2_t <= s1_t;
+      s2_t   <= s1_t;
     end
   end
 
   // ---- stage 2: compare ------------------------------------------------ height_test.rs
-  wire [EXP_W+MAN_W:0] s2_reach = s2_is_before ? s2_t_v : s2_t;
+  wire [FloatW-1:0] s2_reach = s2_is_before ? s2_t_v : s2_t;
 
   assign m = s2_reach;
   assign below = s2_is_below;

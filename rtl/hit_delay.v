@@ -1,7 +1,7 @@
 // hit_delay: a word, delayed beside a pipeline
 // Source     src/units/traversal/stream_delay.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//           mul 1 div 2 compare 1 from_int 1 to_int 1
+//            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    4 clocks
 // Throughput one result per clock
 `default_nettype none
@@ -21,7 +21,7 @@ module hit_delay #(
     end
   endgenerate
 
-  // ---- stage 1 -------------------------------------------------------- stream_delay.rs
+  // ---- stage 1: registers --------------------------------------------- stream_delay.rs
   reg [W-1:0] s1_data;
   always @(posedge clk) begin
     if (ce) begin
@@ -29,7 +29,7 @@ module hit_delay #(
     end
   end
 
-  // ---- stage 2 -------------------------------------------------------- stream_delay.rs
+  // ---- stage 2: registers --------------------------------------------- stream_delay.rs
   reg [W-1:0] s2_data;
   always @(posedge clk) begin
     if (ce) begin
@@ -37,7 +37,7 @@ module hit_delay #(
     end
   end
 
-  // ---- stage 3 -------------------------------------------------------- stream_delay.rs
+  // ---- stage 3: registers --------------------------------------------- stream_delay.rs
   reg [W-1:0] s3_data;
   always @(posedge clk) begin
     if (ce) begin
@@ -45,7 +45,7 @@ module hit_delay #(
     end
   end
 
-  // ---- stage 4 -------------------------------------------------------- stream_delay.rs
+  // ---- stage 4: registers --------------------------------------------- stream_delay.rs
   reg [W-1:0] s4_data;
   always @(posedge clk) begin
     if (ce) begin

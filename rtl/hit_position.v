@@ -1,18 +1,18 @@
 // hit_position: position of the hit inside its texel: p + d * t - x, kept in [0, 1)
 // Source     src/units/traversal/hit_position.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//           mul 1 div 2 compare 1 from_int 1 to_int 1
+//            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    4 clocks
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
-//           0 reads as zero of its sign; results below the smallest normal, after rounding, become
-//           zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
-//           out); nearest, ties to even; x - x is +0.
+//            0 reads as zero of its sign; results below the smallest normal, after rounding, become
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
+//            out); nearest, ties to even; x - x is +0.
 `default_nettype none
 module hit_position #(
-  parameter integer EXP_W = 7,    // exponent bits
-  parameter integer MAN_W = 16,   // fraction bits, the hidden one not counted
-  parameter integer IDX_W = 14,   // bits of a signed, unwrapped texel coordinate
+  parameter integer EXP_W  = 7,   // exponent bits
+  parameter integer MAN_W  = 16,  // fraction bits, the hidden one not counted
+  parameter integer IDX_W  = 14,  // bits of a signed, unwrapped texel coordinate
   parameter integer FRAC_W = 12   // fraction bits of the position
 ) (
   input  wire                 clk,       // rising edge
@@ -57,18 +57,18 @@ module hit_position #(
   endgenerate
 
   // ---- stage 0: position ---------------------------------------------- hit_position.rs
-  wire [EXP_W+MAN_W:0] s1_way;
+  wire [FloatW-1:0] s1_way;
   fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_mul (
-    .clk(clk),
-    .ce(ce),
-    .a(d),
-    .b(t),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (d),
+    .b     (t),
     .result(s1_way)
   );
 
-  // ---- stage 1 -------------------------------------------------------- hit_position.rs
+  // ---- stage 1: registers --------------------------------------------- hit_position.rs
   reg [FloatW-1:0] s1_p;
-  reg [IDX_W-1:0] s1_x;
+  reg [IDX_W-1:0]  s1_x;
   always @(posedge clk) begin
     if (ce) begin
       s1_p <= p;
@@ -77,16 +77,16 @@ module hit_position #(
   end
 
   // ---- stage 1: position ---------------------------------------------- hit_position.rs
-  wire [EXP_W+MAN_W:0] s3_position;
+  wire [FloatW-1:0] s3_position;
   fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_add (
-    .clk(clk),
-    .ce(ce),
-    .a(s1_p),
-    .b(s1_way),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s1_p),
+    .b     (s1_way),
     .result(s3_position)
   );
 
-  // ---- stage 2 -------------------------------------------------------- hit_position.rs
+  // ---- stage 2: registers --------------------------------------------- hit_position.rs
   reg [IDX_W-1:0] s2_x;
   always @(posedge clk) begin
     if (ce) begin
@@ -94,7 +94,7 @@ module hit_position #(
     end
   end
 
-  // ---- stage 3 -------------------------------------------------------- hit_position.rs
+  // ---- stage 3: registers --------------------------------------------- hit_position.rs
   reg [IDX_W-1:0] s3_x;
   always @(posedge clk) begin
     if (ce) begin
@@ -105,13 +105,13 @@ module hit_position #(
   // ---- stage 3: position ---------------------------------------------- hit_position.rs
   wire [FRAC_W+IDX_W-1:0] s4_fixed;
   fp_to_fixed #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(FRAC_W + IDX_W), .FRAC_W(FRAC_W)) u_to_fixed (
-    .clk(clk),
-    .ce(ce),
-    .a(s3_position),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s3_position),
     .result(s4_fixed)
   );
 
-  // ---- stage 4 -------------------------------------------------------- hit_position.rs
+  // ---- stage 4: registers --------------------------------------------- hit_position.rs
   reg [IDX_W-1:0] s4_x;
   always @(posedge clk) begin
     if (ce) begin
@@ -122,12 +122,12 @@ module hit_position #(
   // ---- stage 4: clamp ------------------------------------------------- hit_position.rs
   // A hit on a wall lies exactly on a border: the integer texel decides, the fraction follows.
   wire [FRAC_W+IDX_W-1:0] s4_corner = {s4_x, {FRAC_W{1'b0}}};
-  wire [FRAC_W+IDX_W:0] s4_offset =
+  wire [FRAC_W+IDX_W:0]   s4_offset =
       {{1{s4_fixed[FRAC_W+IDX_W-1]}}, s4_fixed} - {{1{s4_corner[FRAC_W+IDX_W-1]}}, s4_corner};
-  wire s4_past = |s4_offset[FRAC_W+IDX_W:FRAC_W];
-  wire [FRAC_W-1:0] s4_low_part = s4_offset[FRAC_W-1:0];
-  wire [FRAC_W-1:0] s4_kept = s4_offset[FRAC_W+IDX_W] ? {FRAC_W{1'b0}} : s4_past ? {FRAC_W{1'b1}}
-      : s4_low_part;
+  wire                    s4_past = |s4_offset[FRAC_W+IDX_W:FRAC_W];
+  wire [FRAC_W-1:0]       s4_low_part = s4_offset[FRAC_W-1:0];
+  wire [FRAC_W-1:0]       s4_kept = s4_offset[FRAC_W+IDX_W] ? {FRAC_W{1'b0}}
+      : s4_past ? {FRAC_W{1'b1}} : s4_low_part;
 
   assign fraction = s4_kept;
 endmodule

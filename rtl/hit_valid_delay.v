@@ -1,7 +1,7 @@
 // hit_valid_delay: a valid bit, delayed beside a pipeline
 // Source     src/units/traversal/stream_delay.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//           mul 1 div 2 compare 1 from_int 1 to_int 1
+//            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    4 clocks
 // Throughput one result per clock
 `default_nettype none
@@ -13,7 +13,7 @@ module hit_valid_delay (
   output wire  out_valid   // the delayed word counts
 );
 
-  // ---- stage 1 -------------------------------------------------------- stream_delay.rs
+  // ---- stage 1: registers --------------------------------------------- stream_delay.rs
   reg s1_valid;
   always @(posedge clk) begin
     if (rst) begin
@@ -23,7 +23,7 @@ module hit_valid_delay (
     end
   end
 
-  // ---- stage 2 -------------------------------------------------------- stream_delay.rs
+  // ---- stage 2: registers --------------------------------------------- stream_delay.rs
   reg s2_valid;
   always @(posedge clk) begin
     if (rst) begin
@@ -33,7 +33,7 @@ module hit_valid_delay (
     end
   end
 
-  // ---- stage 3 -------------------------------------------------------- stream_delay.rs
+  // ---- stage 3: registers --------------------------------------------- stream_delay.rs
   reg s3_valid;
   always @(posedge clk) begin
     if (rst) begin
@@ -43,7 +43,7 @@ module hit_valid_delay (
     end
   end
 
-  // ---- stage 4 -------------------------------------------------------- stream_delay.rs
+  // ---- stage 4: registers --------------------------------------------- stream_delay.rs
   reg s4_valid;
   always @(posedge clk) begin
     if (rst) begin

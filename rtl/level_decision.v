@@ -1,18 +1,18 @@
 // level_decision: hit, descend or cross: the next node, level and parameter
 // Source     src/units/traversal/level_decision.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//           mul 1 div 2 compare 1 from_int 1 to_int 1
+//            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    none, combinational
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
-//           0 reads as zero of its sign; results below the smallest normal, after rounding, become
-//           zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
-//           out); nearest, ties to even; x - x is +0.
+//            0 reads as zero of its sign; results below the smallest normal, after rounding, become
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
+//            out); nearest, ties to even; x - x is +0.
 `default_nettype none
 module level_decision #(
-  parameter integer EXP_W = 7,   // exponent bits
-  parameter integer MAN_W = 16,  // fraction bits, the hidden one not counted
-  parameter integer LEVELS = 8,  // the map has 2^LEVELS x 2^LEVELS texels
-  parameter integer IDX_W = 14   // bits of a signed, unwrapped texel coordinate
+  parameter integer EXP_W  = 7,   // exponent bits
+  parameter integer MAN_W  = 16,  // fraction bits, the hidden one not counted
+  parameter integer LEVELS = 8,   // the map has 2^LEVELS x 2^LEVELS texels
+  parameter integer IDX_W  = 14   // bits of a signed, unwrapped texel coordinate
 ) (
   input  wire                        is_inside,   // the node's height is met before the ray leaves
   input  wire                        x_first,     // it leaves by the u plane
@@ -66,12 +66,12 @@ module level_decision #(
     end
   endgenerate
 
-  wire is_hit = is_inside & ~(|level);
+  wire              is_hit = is_inside & ~(|level);
   wire [LevelW-1:0] risen = level + {{(LevelW - 1){1'b0}}, up};
   wire [LevelW-1:0] level_chosen = is_inside ? (is_hit ? level : level_down) : risen;
-  wire keep_x = ~x_first;
-  wire [IDX_W-1:0] x_chosen = is_inside ? (is_hit ? x_at : x_down) : keep_x ? x_at : x_beyond;
-  wire [IDX_W-1:0] y_chosen = is_inside ? (is_hit ? y_at : y_down) : x_first ? y_at : y_beyond;
+  wire              keep_x = ~x_first;
+  wire [IDX_W-1:0]  x_chosen = is_inside ? (is_hit ? x_at : x_down) : keep_x ? x_at : x_beyond;
+  wire [IDX_W-1:0]  y_chosen = is_inside ? (is_hit ? y_at : y_down) : x_first ? y_at : y_beyond;
 
   assign hit = is_hit;
   assign crosses = ~is_inside;

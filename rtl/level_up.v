@@ -1,12 +1,12 @@
 // level_up: level-up test: the crossing leaves the parent, and the predicted hit is no neighbour
 // Source     src/units/traversal/level_up.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//           mul 1 div 2 compare 1 from_int 1 to_int 1
+//            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    none, combinational
 `default_nettype none
 module level_up #(
-  parameter integer LEVELS = 8,  // the map has 2^LEVELS x 2^LEVELS texels
-  parameter integer IDX_W = 14   // bits of a signed, unwrapped texel coordinate
+  parameter integer LEVELS = 8,   // the map has 2^LEVELS x 2^LEVELS texels
+  parameter integer IDX_W  = 14   // bits of a signed, unwrapped texel coordinate
 ) (
   input  wire [$clog2(LEVELS+1)-1:0] level,  // level of the crossed node [levels]
   input  wire                        even,   // the crossed plane also bounds the parent
@@ -35,18 +35,18 @@ module level_up #(
     end
   endgenerate
 
-  wire below_root = ~(level == Root[LevelW-1:0]);
+  wire             below_root = ~(level == Root[LevelW-1:0]);
   wire [IDX_W-1:0] x_node = $signed(x_at) >>> level;
   wire [IDX_W-1:0] x_hit_node = $signed(x_hit) >>> level;
   wire [IDX_W-1:0] x_diff = x_hit_node - x_node;
-  wire x_same = ~(|x_diff);
-  wire x_near = x_same | (x_diff == {{(IDX_W - 1){1'b0}}, 1'b1}) | (&x_diff);
+  wire             x_same = ~(|x_diff);
+  wire             x_near = x_same | (x_diff == {{(IDX_W - 1){1'b0}}, 1'b1}) | (&x_diff);
   wire [IDX_W-1:0] y_node = $signed(y_at) >>> level;
   wire [IDX_W-1:0] y_hit_node = $signed(y_hit) >>> level;
   wire [IDX_W-1:0] y_diff = y_hit_node - y_node;
-  wire y_same = ~(|y_diff);
-  wire y_near = y_same | (y_diff == {{(IDX_W - 1){1'b0}}, 1'b1}) | (&y_diff);
-  wire is_neighbour = x_near & y_near & ~(x_same & y_same);
+  wire             y_same = ~(|y_diff);
+  wire             y_near = y_same | (y_diff == {{(IDX_W - 1){1'b0}}, 1'b1}) | (&y_diff);
+  wire             is_neighbour = x_near & y_near & ~(x_same & y_same);
 
   assign up = even & ~is_neighbour & below_root;
 endmodule

@@ -1,12 +1,12 @@
 // multi_level_down: level and child of a descent: 2 levels until the first crossing, then one
 // Source     src/units/traversal/multi_level_down.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//           mul 1 div 2 compare 1 from_int 1 to_int 1
+//            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    none, combinational
 `default_nettype none
 module multi_level_down #(
-  parameter integer LEVELS = 8,  // the map has 2^LEVELS x 2^LEVELS texels
-  parameter integer IDX_W = 14   // bits of a signed, unwrapped texel coordinate
+  parameter integer LEVELS = 8,   // the map has 2^LEVELS x 2^LEVELS texels
+  parameter integer IDX_W  = 14   // bits of a signed, unwrapped texel coordinate
 ) (
   // 1 .. LEVELS (the result is not used at 0) [levels]
   input  wire [$clog2(LEVELS+1)-1:0] level,
@@ -43,15 +43,15 @@ module multi_level_down #(
     end
   endgenerate
 
-  wire jump = ~crossed & ~({3'd0, level} < {{(LevelW + 1){1'b0}}, 2'd2});
+  wire              jump = ~crossed & ~({3'd0, level} < {{(LevelW + 1){1'b0}}, 2'd2});
   wire [LevelW+2:0] jumped = {3'd0, level} - {{(LevelW + 1){1'b0}}, 2'd2};
   wire [LevelW-1:0] next_level = jump ? jumped[LevelW-1:0] : (level - {{(LevelW - 1){1'b0}}, 1'b1});
-  wire x_before = $signed(x_hit) < $signed(x_low);
-  wire x_behind = $signed(x_high) < $signed(x_hit);
-  wire [IDX_W-1:0] x_child = x_before ? x_low : x_behind ? x_high : x_hit;
-  wire y_before = $signed(y_hit) < $signed(y_low);
-  wire y_behind = $signed(y_high) < $signed(y_hit);
-  wire [IDX_W-1:0] y_child = y_before ? y_low : y_behind ? y_high : y_hit;
+  wire              x_before = $signed(x_hit) < $signed(x_low);
+  wire              x_behind = $signed(x_high) < $signed(x_hit);
+  wire [IDX_W-1:0]  x_child = x_before ? x_low : x_behind ? x_high : x_hit;
+  wire              y_before = $signed(y_hit) < $signed(y_low);
+  wire              y_behind = $signed(y_high) < $signed(y_hit);
+  wire [IDX_W-1:0]  y_child = y_before ? y_low : y_behind ? y_high : y_hit;
 
   // Bits that nothing needs, named so that no lint has to be switched off for the rest.
   // verilator lint_off UNUSED

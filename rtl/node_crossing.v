@@ -1,13 +1,13 @@
 // node_crossing: node crossing test: hit inside the node, or exit plane and parameter
 // Source     src/units/traversal/node_crossing.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//           mul 1 div 2 compare 1 from_int 1 to_int 1
+//            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    1 clock
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
-//           0 reads as zero of its sign; results below the smallest normal, after rounding, become
-//           zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
-//           out); nearest, ties to even; x - x is +0.
+//            0 reads as zero of its sign; results below the smallest normal, after rounding, become
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
+//            out); nearest, ties to even; x - x is +0.
 `default_nettype none
 module node_crossing #(
   parameter integer EXP_W = 7,   // exponent bits
@@ -47,46 +47,46 @@ module node_crossing #(
   // All five comparisons at once; the selects follow.
   wire s1_m_before_x;
   fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_m_tx (
-    .clk(clk),
-    .ce(ce),
-    .a(m),
-    .b(t_x),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (m),
+    .b     (t_x),
     .result(s1_m_before_x)
   );
   wire s1_m_before_y;
   fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_m_ty (
-    .clk(clk),
-    .ce(ce),
-    .a(m),
-    .b(t_y),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (m),
+    .b     (t_y),
     .result(s1_m_before_y)
   );
   wire s1_y_before_x;
   fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_ty_tx (
-    .clk(clk),
-    .ce(ce),
-    .a(t_y),
-    .b(t_x),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (t_y),
+    .b     (t_x),
     .result(s1_y_before_x)
   );
   wire s1_t_before_x;
   fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_t_tx (
-    .clk(clk),
-    .ce(ce),
-    .a(t),
-    .b(t_x),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (t),
+    .b     (t_x),
     .result(s1_t_before_x)
   );
   wire s1_t_before_y;
   fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_t_ty (
-    .clk(clk),
-    .ce(ce),
-    .a(t),
-    .b(t_y),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (t),
+    .b     (t_y),
     .result(s1_t_before_y)
   );
 
-  // ---- stage 1 ------------------------------------------------------- node_crossing.rs
+  // ---- stage 1: registers -------------------------------------------- node_crossing.rs
   reg [FloatW-1:0] s1_t_y;
   reg [FloatW-1:0] s1_t_x;
   reg [FloatW-1:0] s1_t;
@@ -94,13 +94,13 @@ module node_crossing #(
     if (ce) begin
       s1_t_y <= t_y;
       s1_t_x <= t_x;
-      s1_t <= t;
+      s1_t   <= t;
     end
   end
 
   // ---- stage 1: select ----------------------------------------------- node_crossing.rs
   wire [FloatW-1:0] s1_t_exit = s1_y_before_x ? s1_t_y : s1_t_x;
-  wire s1_t_grows = s1_y_before_x ? s1_t_before_y : s1_t_before_x;
+  wire              s1_t_grows = s1_y_before_x ? s1_t_before_y : s1_t_before_x;
   wire [FloatW-1:0] s1_t_behind = s1_t_grows ? s1_t_exit : s1_t;
 
   assign is_inside = s1_m_before_x & s1_m_before_y;

@@ -1,12 +1,12 @@
 // node_planes: extent of a node along one axis, and the plane by which the ray leaves
 // Source     src/units/traversal/node_planes.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//           mul 1 div 2 compare 1 from_int 1 to_int 1
+//            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    none, combinational
 `default_nettype none
 module node_planes #(
-  parameter integer LEVELS = 8,  // the map has 2^LEVELS x 2^LEVELS texels
-  parameter integer IDX_W = 14   // bits of a signed, unwrapped texel coordinate
+  parameter integer LEVELS = 8,   // the map has 2^LEVELS x 2^LEVELS texels
+  parameter integer IDX_W  = 14   // bits of a signed, unwrapped texel coordinate
 ) (
   input  wire [$clog2(LEVELS+1)-1:0] level,   // 0 .. LEVELS [levels]
   input  wire [IDX_W-1:0]            x,       // any texel of the node [texels]

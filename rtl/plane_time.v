@@ -1,13 +1,13 @@
 // plane_time: ray parameter at which the ray meets a plane: (plane - p) * r
 // Source     src/units/traversal/plane_time.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//           mul 1 div 2 compare 1 from_int 1 to_int 1
+//            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    4 clocks
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
-//           0 reads as zero of its sign; results below the smallest normal, after rounding, become
-//           zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
-//           out); nearest, ties to even; x - x is +0.
+//            0 reads as zero of its sign; results below the smallest normal, after rounding, become
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
+//            out); nearest, ties to even; x - x is +0.
 `default_nettype none
 module plane_time #(
   parameter integer EXP_W = 7,   // exponent bits
@@ -47,68 +47,68 @@ module plane_time #(
   endgenerate
 
   // ---- stage 0: distance ------------------------------------------------ plane_time.rs
-  wire [EXP_W+MAN_W:0] s1_plane_float;
+  wire [FloatW-1:0] s1_plane_float;
   fp_from_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IDX_W)) u_from_int (
-    .clk(clk),
-    .ce(ce),
-    .a(plane),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (plane),
     .result(s1_plane_float)
   );
   wire [FloatW-1:0] s0_minus_p = {~p[FloatW-1], p[FloatW-2:0]};
 
-  // ---- stage 1 ---------------------------------------------------------- plane_time.rs
+  // ---- stage 1: registers ----------------------------------------------- plane_time.rs
   reg [FloatW-1:0] s1_minus_p;
   reg [FloatW-1:0] s1_r;
-  reg s1_never;
+  reg              s1_never;
   always @(posedge clk) begin
     if (ce) begin
       s1_minus_p <= s0_minus_p;
-      s1_r <= r;
-      s1_never <= never;
+      s1_r       <= r;
+      s1_never   <= never;
     end
   end
 
   // ---- stage 1: distance ------------------------------------------------ plane_time.rs
-  wire [EXP_W+MAN_W:0] s3_distance;
+  wire [FloatW-1:0] s3_distance;
   fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_sub (
-    .clk(clk),
-    .ce(ce),
-    .a(s1_plane_float),
-    .b(s1_minus_p),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s1_plane_float),
+    .b     (s1_minus_p),
     .result(s3_distance)
   );
 
-  // ---- stage 2 ---------------------------------------------------------- plane_time.rs
+  // ---- stage 2: registers ----------------------------------------------- plane_time.rs
   reg [FloatW-1:0] s2_r;
-  reg s2_never;
+  reg              s2_never;
   always @(posedge clk) begin
     if (ce) begin
-      s2_r <= s1_r;
+      s2_r     <= s1_r;
       s2_never <= s1_never;
     end
   end
 
-  // ---- stage 3 ---------------------------------------------------------- plane_time.rs
+  // ---- stage 3: registers ----------------------------------------------- plane_time.rs
   reg [FloatW-1:0] s3_r;
-  reg s3_never;
+  reg              s3_never;
   always @(posedge clk) begin
     if (ce) begin
-      s3_r <= s2_r;
+      s3_r     <= s2_r;
       s3_never <= s2_never;
     end
   end
 
   // ---- stage 3: parameter ----------------------------------------------- plane_time.rs
-  wire [EXP_W+MAN_W:0] s4_product;
+  wire [FloatW-1:0] s4_product;
   fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_mul (
-    .clk(clk),
-    .ce(ce),
-    .a(s3_distance),
-    .b(s3_r),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s3_distance),
+    .b     (s3_r),
     .result(s4_product)
   );
 
-  // ---- stage 4 ---------------------------------------------------------- plane_time.rs
+  // ---- stage 4: registers ----------------------------------------------- plane_time.rs
   reg s4_never;
   always @(posedge clk) begin
     if (ce) begin
@@ -117,7 +117,7 @@ module plane_time #(
   end
 
   // ---- stage 4: parameter ----------------------------------------------- plane_time.rs
-  wire [EXP_W+MAN_W:0] s4_when_met = s4_never ? {1'b0, {EXP_W{1'b1}}, {MAN_W{1'b0}}} : s4_product;
+  wire [FloatW-1:0] s4_when_met = s4_never ? {1'b0, {EXP_W{1'b1}}, {MAN_W{1'b0}}} : s4_product;
 
   assign t = s4_when_met;
 endmodule

@@ -1,13 +1,13 @@
 // predicted_hit: texel coordinate reached at parameter m: floor(p_back + d * m)
 // Source     src/units/traversal/predicted_hit.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//           mul 1 div 2 compare 1 from_int 1 to_int 1
+//            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    4 clocks
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
-//           0 reads as zero of its sign; results below the smallest normal, after rounding, become
-//           zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
-//           out); nearest, ties to even; x - x is +0.
+//            0 reads as zero of its sign; results below the smallest normal, after rounding, become
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
+//            out); nearest, ties to even; x - x is +0.
 `default_nettype none
 module predicted_hit #(
   parameter integer EXP_W = 7,   // exponent bits
@@ -45,43 +45,51 @@ module predicted_hit #(
     end
   endgenerate
 
-  wire [EXP_W+MAN_W:0] s1_way;
+  // ---- stage 0: way -------------------------------------------------- predicted_hit.rs
+  // The position is rounded down to its texel; the bias keeps it from lying ahead of the ray.
+  wire [FloatW-1:0] s1_way;
   fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_mul (
-    .clk(clk),
-    .ce(ce),
-    .a(d),
-    .b(m),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (d),
+    .b     (m),
     .result(s1_way)
   );
 
-  // ---- stage 1 ------------------------------------------------------- predicted_hit.rs
+  // ---- stage 1: registers -------------------------------------------- predicted_hit.rs
   reg [FloatW-1:0] s1_p_back;
   always @(posedge clk) begin
     if (ce) begin
       s1_p_back <= p_back;
     end
   end
-  wire [EXP_W+MAN_W:0] s3_position;
+
+  // ---- stage 1: way -------------------------------------------------- predicted_hit.rs
+  // The position is rounded down to its texel; the bias keeps it from lying ahead of the ray.
+  wire [FloatW-1:0] s3_position;
   fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_add (
-    .clk(clk),
-    .ce(ce),
-    .a(s1_p_back),
-    .b(s1_way),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s1_p_back),
+    .b     (s1_way),
     .result(s3_position)
   );
 
-  // ---- stage 2 ------------------------------------------------------- predicted_hit.rs
+  // ---- stage 2: registers -------------------------------------------- predicted_hit.rs
 
-  // ---- stage 3 ------------------------------------------------------- predicted_hit.rs
+  // ---- stage 3: registers -------------------------------------------- predicted_hit.rs
+
+  // ---- stage 3: way -------------------------------------------------- predicted_hit.rs
+  // The position is rounded down to its texel; the bias keeps it from lying ahead of the ray.
   wire [IDX_W-1:0] s4_texel;
   fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IDX_W)) u_to_int (
-    .clk(clk),
-    .ce(ce),
-    .a(s3_position),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s3_position),
     .result(s4_texel)
   );
 
-  // ---- stage 4 ------------------------------------------------------- predicted_hit.rs
+  // ---- stage 4: registers -------------------------------------------- predicted_hit.rs
 
   assign e = s4_texel;
 endmodule

@@ -1,21 +1,21 @@
 // ray_setup: a ray's constants, from texture coordinates to texels and height codes
 // Source     src/units/traversal/ray_setup.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//           mul 1 div 2 compare 1 from_int 1 to_int 1
+//            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    3 clocks
 // Throughput one result per clock
 // Note       A ray that can't be traced (see ok) has all other outputs 0.
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
-//           0 reads as zero of its sign; results below the smallest normal, after rounding, become
-//           zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
-//           out); nearest, ties to even; x - x is +0.
+//            0 reads as zero of its sign; results below the smallest normal, after rounding, become
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
+//            out); nearest, ties to even; x - x is +0.
 `default_nettype none
 module ray_setup #(
-  parameter integer EXP_W = 7,     // exponent bits
-  parameter integer MAN_W = 16,    // fraction bits, the hidden one not counted
-  parameter integer LEVELS = 8,    // the map has 2^LEVELS x 2^LEVELS texels
-  parameter integer HEIGHT_W = 8,  // bits of a height code
-  parameter integer TILE_W = 4     // a ray travels less than 2^TILE_W tiles along each axis
+  parameter integer EXP_W    = 7,   // exponent bits
+  parameter integer MAN_W    = 16,  // fraction bits, the hidden one not counted
+  parameter integer LEVELS   = 8,   // the map has 2^LEVELS x 2^LEVELS texels
+  parameter integer HEIGHT_W = 8,   // bits of a height code
+  parameter integer TILE_W   = 4    // a ray travels less than 2^TILE_W tiles along each axis
 ) (
   input  wire                        clk,      // rising edge
   input  wire                        ce,       // clock enable: registers hold while 0
@@ -48,16 +48,17 @@ module ray_setup #(
   output wire [LEVELS+TILE_W+1:0]    first_y   // texel of the entry point [texels]
 );
   localparam integer FloatW = EXP_W + MAN_W + 1;
+  localparam integer LevelW = $clog2(LEVELS + 1);
   localparam integer IdxW = LEVELS + TILE_W + 2;
   localparam integer OneExp = (1 << (EXP_W - 1)) - 1;
   localparam integer FarExp = TILE_W + (1 << (EXP_W - 1)) - 1;
   localparam integer Grow = LEVELS;
   localparam integer MExp = HEIGHT_W + (1 << (EXP_W - 1)) - 2;
-  localparam integer MFrac = (1 << (MAN_W)) - (1 << (MAN_W - HEIGHT_W + 1));
+  localparam integer MFrac = (1 << MAN_W) - (1 << (MAN_W - HEIGHT_W + 1));
   localparam integer RecipExp = (1 << (EXP_W - 1)) - HEIGHT_W - 1;
   localparam [63:0] RecipFrac =
-  (((64'd1 << (HEIGHT_W)) +
-  (64'd1 << (HEIGHT_W + MAN_W + 1)) - 64'd1) / (64'd2 * (64'd1 << (HEIGHT_W)) - 64'd2));
+      (((64'd1 << HEIGHT_W) +
+      (64'd1 << (HEIGHT_W + MAN_W + 1)) - 64'd1) / (64'd2 * (64'd1 << HEIGHT_W) - 64'd2));
   localparam integer Least = LEVELS + (1 << (EXP_W - 1)) + 1;
   localparam integer Ulps = MAN_W + 1;
 
@@ -69,8 +70,8 @@ module ray_setup #(
     if (EXP_W > 11) begin : gen_illegal_1
       must_hold_EXP_W_at_most_11 u_illegal ();
     end
-    if (2 > MAN_W) begin : gen_illegal_2
-      must_hold_2_at_most_MAN_W u_illegal ();
+    if (7 > MAN_W) begin : gen_illegal_2
+      must_hold_7_at_most_MAN_W u_illegal ();
     end
     if (MAN_W > 28) begin : gen_illegal_3
       must_hold_MAN_W_at_most_28 u_illegal ();
@@ -90,230 +91,229 @@ module ray_setup #(
     if (HEIGHT_W > MAN_W + 1) begin : gen_illegal_8
       must_hold_HEIGHT_W_at_most_MAN_W_plus_1 u_illegal ();
     end
-    if (7 > MAN_W) begin : gen_illegal_9
-      must_hold_7_at_most_MAN_W u_illegal ();
-    end
-    if (1 > TILE_W) begin : gen_illegal_10
+    if (1 > TILE_W) begin : gen_illegal_9
       must_hold_1_at_most_TILE_W u_illegal ();
     end
-    if (LEVELS + TILE_W + 2 > 24) begin : gen_illegal_11
+    if (LEVELS + TILE_W + 2 > 24) begin : gen_illegal_10
       must_hold_LEVELS_plus_TILE_W_plus_2_at_most_24 u_illegal ();
     end
-    if (LEVELS + TILE_W + 8 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_12
-      must_hold_LEVELS_plus_TILE_W_plus_8_at_most_1_EXP_W_minus_1_minus_1 u_illegal ();
+    if (LEVELS + TILE_W + 8 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_11
+      must_hold_LEVELS_plus_TILE_W_plus_8_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
     end
-    if (HEIGHT_W + 2 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_13
-      must_hold_HEIGHT_W_plus_2_at_most_1_EXP_W_minus_1_minus_1 u_illegal ();
+    if (HEIGHT_W + 2 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_12
+      must_hold_HEIGHT_W_plus_2_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
     end
-    if (MAN_W + 1 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_14
-      must_hold_MAN_W_plus_1_at_most_1_EXP_W_minus_1_minus_1 u_illegal ();
+    if (MAN_W + 1 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_13
+      must_hold_MAN_W_plus_1_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
     end
   endgenerate
 
   // ---- stage 0: x_scale -------------------------------------------------- ray_setup.rs
   // Times 2^LEVELS: the exponent grows; zeros stay zeros.
-  wire s0_x_p_in_sign = u[FloatW-1];
-  wire [EXP_W-1:0] s0_x_p_in_exp = u[EXP_W+MAN_W-1:MAN_W];
-  wire [MAN_W-1:0] s0_x_p_in_frac = u[MAN_W-1:0];
-  wire s0_x_p_in_is_zero = ~(|s0_x_p_in_exp);
-  wire s0_x_p_in_exp_ones = &s0_x_p_in_exp;
-  wire s0_x_p_in_frac_some = |s0_x_p_in_frac;
-  wire s0_x_p_in_is_inf = s0_x_p_in_exp_ones & ~s0_x_p_in_frac_some;
-  wire s0_x_p_in_is_nan = s0_x_p_in_exp_ones & s0_x_p_in_frac_some;
-  wire s0_x_d_in_sign = du[FloatW-1];
-  wire [EXP_W-1:0] s0_x_d_in_exp = du[EXP_W+MAN_W-1:MAN_W];
-  wire [MAN_W-1:0] s0_x_d_in_frac = du[MAN_W-1:0];
-  wire s0_x_d_in_is_zero = ~(|s0_x_d_in_exp);
-  wire s0_x_d_in_exp_ones = &s0_x_d_in_exp;
-  wire s0_x_d_in_frac_some = |s0_x_d_in_frac;
-  wire s0_x_d_in_is_inf = s0_x_d_in_exp_ones & ~s0_x_d_in_frac_some;
-  wire s0_x_d_in_is_nan = s0_x_d_in_exp_ones & s0_x_d_in_frac_some;
-  wire s0_x_ok = (s0_x_p_in_is_zero | (~s0_x_p_in_sign & (s0_x_p_in_exp < OneExp[EXP_W-1:0]))) &
+  wire              s0_x_p_in_sign = u[FloatW-1];
+  wire [EXP_W-1:0]  s0_x_p_in_exp = u[EXP_W+MAN_W-1:MAN_W];
+  wire [MAN_W-1:0]  s0_x_p_in_frac = u[MAN_W-1:0];
+  wire              s0_x_p_in_is_zero = ~(|s0_x_p_in_exp);
+  wire              s0_x_p_in_exp_ones = &s0_x_p_in_exp;
+  wire              s0_x_p_in_frac_some = |s0_x_p_in_frac;
+  wire              s0_x_p_in_is_inf = s0_x_p_in_exp_ones & ~s0_x_p_in_frac_some;
+  wire              s0_x_p_in_is_nan = s0_x_p_in_exp_ones & s0_x_p_in_frac_some;
+  wire              s0_x_d_in_sign = du[FloatW-1];
+  wire [EXP_W-1:0]  s0_x_d_in_exp = du[EXP_W+MAN_W-1:MAN_W];
+  wire [MAN_W-1:0]  s0_x_d_in_frac = du[MAN_W-1:0];
+  wire              s0_x_d_in_is_zero = ~(|s0_x_d_in_exp);
+  wire              s0_x_d_in_exp_ones = &s0_x_d_in_exp;
+  wire              s0_x_d_in_frac_some = |s0_x_d_in_frac;
+  wire              s0_x_d_in_is_inf = s0_x_d_in_exp_ones & ~s0_x_d_in_frac_some;
+  wire              s0_x_d_in_is_nan = s0_x_d_in_exp_ones & s0_x_d_in_frac_some;
+  wire              s0_x_ok =
+      (s0_x_p_in_is_zero | (~s0_x_p_in_sign & (s0_x_p_in_exp < OneExp[EXP_W-1:0]))) &
       (s0_x_d_in_exp < FarExp[EXP_W-1:0]);
-  wire [EXP_W+MAN_W:0] s0_x_p =
+  wire [FloatW-1:0] s0_x_p =
       {1'b0, {s0_x_p_in_exp + Grow[EXP_W-1:0], s0_x_p_in_frac} &
       {(EXP_W + MAN_W){~s0_x_p_in_is_zero}}};
-  wire [EXP_W+MAN_W:0] s0_x_dn =
+  wire [FloatW-1:0] s0_x_dn =
       {s0_x_d_in_sign, {s0_x_d_in_exp + Grow[EXP_W-1:0], s0_x_d_in_frac} &
       {(EXP_W + MAN_W){~s0_x_d_in_is_zero}}};
 
   // ---- stage 0: x_slope -------------------------------------------------- ray_setup.rs
   // In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.
-  wire [EXP_W+MAN_W:0] s2_x_r;
+  wire [FloatW-1:0] s2_x_r;
   fp_div #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_x_div (
-    .clk(clk),
-    .ce(ce),
-    .a({1'b0, MExp[EXP_W-1:0], MFrac[MAN_W-1:0]}),
-    .b(s0_x_dn),
+    .clk   (clk),
+    .ce    (ce),
+    .a     ({1'b0, MExp[EXP_W-1:0], MFrac[MAN_W-1:0]}),
+    .b     (s0_x_dn),
     .result(s2_x_r)
   );
-  wire [EXP_W+MAN_W:0] s1_x_d;
+  wire [FloatW-1:0] s1_x_d;
   fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_x_mul (
-    .clk(clk),
-    .ce(ce),
-    .a(s0_x_dn),
-    .b({1'b0, RecipExp[EXP_W-1:0], RecipFrac[MAN_W-1:0]}),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s0_x_dn),
+    .b     ({1'b0, RecipExp[EXP_W-1:0], RecipFrac[MAN_W-1:0]}),
     .result(s1_x_d)
   );
 
   // ---- stage 0: x_bias --------------------------------------------------- ray_setup.rs
   // A power of two above the position estimate's error, subtracted against the direction.
-  wire [EXP_W:0] s0_x_reach = {1'b0, s0_x_dn[EXP_W+MAN_W-1:MAN_W]} + {{(EXP_W - 2){1'b0}}, 3'd5};
-  wire [EXP_W:0] s0_x_bias_top = (Least[EXP_W:0] < s0_x_reach) ? s0_x_reach : Least[EXP_W:0];
-  wire [EXP_W:0] s0_x_bias_exp = s0_x_bias_top - Ulps[EXP_W:0];
-  wire [EXP_W+MAN_W:0] s0_x_bias = {~s0_x_d_in_sign, s0_x_bias_exp[EXP_W-1:0], {MAN_W{1'b0}}};
-  wire [EXP_W+MAN_W:0] s2_x_pb;
+  wire [EXP_W:0]    s0_x_reach = {1'b0, s0_x_dn[EXP_W+MAN_W-1:MAN_W]} + {{(EXP_W - 2){1'b0}}, 3'd5};
+  wire [EXP_W:0]    s0_x_bias_top = (Least[EXP_W:0] < s0_x_reach) ? s0_x_reach : Least[EXP_W:0];
+  wire [EXP_W:0]    s0_x_bias_exp = s0_x_bias_top - Ulps[EXP_W:0];
+  wire [FloatW-1:0] s0_x_bias = {~s0_x_d_in_sign, s0_x_bias_exp[EXP_W-1:0], {MAN_W{1'b0}}};
+  wire [FloatW-1:0] s2_x_pb;
   fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_x_back (
-    .clk(clk),
-    .ce(ce),
-    .a(s0_x_p),
-    .b(s0_x_bias),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s0_x_p),
+    .b     (s0_x_bias),
     .result(s2_x_pb)
   );
 
   // ---- stage 0: x_texels ------------------------------------------------- ray_setup.rs
   wire [IdxW-1:0] s1_x_first;
   fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW)) u_x_first (
-    .clk(clk),
-    .ce(ce),
-    .a(s0_x_p),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s0_x_p),
     .result(s1_x_first)
   );
-  wire [EXP_W+MAN_W:0] s2_x_end;
+  wire [FloatW-1:0] s2_x_end;
   fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_x_end (
-    .clk(clk),
-    .ce(ce),
-    .a(s0_x_p),
-    .b(s0_x_dn),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s0_x_p),
+    .b     (s0_x_dn),
     .result(s2_x_end)
   );
 
   // ---- stage 0: y_scale -------------------------------------------------- ray_setup.rs
   // Times 2^LEVELS: the exponent grows; zeros stay zeros.
-  wire s0_y_p_in_sign = v[FloatW-1];
-  wire [EXP_W-1:0] s0_y_p_in_exp = v[EXP_W+MAN_W-1:MAN_W];
-  wire [MAN_W-1:0] s0_y_p_in_frac = v[MAN_W-1:0];
-  wire s0_y_p_in_is_zero = ~(|s0_y_p_in_exp);
-  wire s0_y_p_in_exp_ones = &s0_y_p_in_exp;
-  wire s0_y_p_in_frac_some = |s0_y_p_in_frac;
-  wire s0_y_p_in_is_inf = s0_y_p_in_exp_ones & ~s0_y_p_in_frac_some;
-  wire s0_y_p_in_is_nan = s0_y_p_in_exp_ones & s0_y_p_in_frac_some;
-  wire s0_y_d_in_sign = dv[FloatW-1];
-  wire [EXP_W-1:0] s0_y_d_in_exp = dv[EXP_W+MAN_W-1:MAN_W];
-  wire [MAN_W-1:0] s0_y_d_in_frac = dv[MAN_W-1:0];
-  wire s0_y_d_in_is_zero = ~(|s0_y_d_in_exp);
-  wire s0_y_d_in_exp_ones = &s0_y_d_in_exp;
-  wire s0_y_d_in_frac_some = |s0_y_d_in_frac;
-  wire s0_y_d_in_is_inf = s0_y_d_in_exp_ones & ~s0_y_d_in_frac_some;
-  wire s0_y_d_in_is_nan = s0_y_d_in_exp_ones & s0_y_d_in_frac_some;
-  wire s0_y_ok = (s0_y_p_in_is_zero | (~s0_y_p_in_sign & (s0_y_p_in_exp < OneExp[EXP_W-1:0]))) &
+  wire              s0_y_p_in_sign = v[FloatW-1];
+  wire [EXP_W-1:0]  s0_y_p_in_exp = v[EXP_W+MAN_W-1:MAN_W];
+  wire [MAN_W-1:0]  s0_y_p_in_frac = v[MAN_W-1:0];
+  wire              s0_y_p_in_is_zero = ~(|s0_y_p_in_exp);
+  wire              s0_y_p_in_exp_ones = &s0_y_p_in_exp;
+  wire              s0_y_p_in_frac_some = |s0_y_p_in_frac;
+  wire              s0_y_p_in_is_inf = s0_y_p_in_exp_ones & ~s0_y_p_in_frac_some;
+  wire              s0_y_p_in_is_nan = s0_y_p_in_exp_ones & s0_y_p_in_frac_some;
+  wire              s0_y_d_in_sign = dv[FloatW-1];
+  wire [EXP_W-1:0]  s0_y_d_in_exp = dv[EXP_W+MAN_W-1:MAN_W];
+  wire [MAN_W-1:0]  s0_y_d_in_frac = dv[MAN_W-1:0];
+  wire              s0_y_d_in_is_zero = ~(|s0_y_d_in_exp);
+  wire              s0_y_d_in_exp_ones = &s0_y_d_in_exp;
+  wire              s0_y_d_in_frac_some = |s0_y_d_in_frac;
+  wire              s0_y_d_in_is_inf = s0_y_d_in_exp_ones & ~s0_y_d_in_frac_some;
+  wire              s0_y_d_in_is_nan = s0_y_d_in_exp_ones & s0_y_d_in_frac_some;
+  wire              s0_y_ok =
+      (s0_y_p_in_is_zero | (~s0_y_p_in_sign & (s0_y_p_in_exp < OneExp[EXP_W-1:0]))) &
       (s0_y_d_in_exp < FarExp[EXP_W-1:0]);
-  wire [EXP_W+MAN_W:0] s0_y_p =
+  wire [FloatW-1:0] s0_y_p =
       {1'b0, {s0_y_p_in_exp + Grow[EXP_W-1:0], s0_y_p_in_frac} &
       {(EXP_W + MAN_W){~s0_y_p_in_is_zero}}};
-  wire [EXP_W+MAN_W:0] s0_y_dn =
+  wire [FloatW-1:0] s0_y_dn =
       {s0_y_d_in_sign, {s0_y_d_in_exp + Grow[EXP_W-1:0], s0_y_d_in_frac} &
       {(EXP_W + MAN_W){~s0_y_d_in_is_zero}}};
 
   // ---- stage 0: y_slope -------------------------------------------------- ray_setup.rs
   // In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.
-  wire [EXP_W+MAN_W:0] s2_y_r;
+  wire [FloatW-1:0] s2_y_r;
   fp_div #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_y_div (
-    .clk(clk),
-    .ce(ce),
-    .a({1'b0, MExp[EXP_W-1:0], MFrac[MAN_W-1:0]}),
-    .b(s0_y_dn),
+    .clk   (clk),
+    .ce    (ce),
+    .a     ({1'b0, MExp[EXP_W-1:0], MFrac[MAN_W-1:0]}),
+    .b     (s0_y_dn),
     .result(s2_y_r)
   );
-  wire [EXP_W+MAN_W:0] s1_y_d;
+  wire [FloatW-1:0] s1_y_d;
   fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_y_mul (
-    .clk(clk),
-    .ce(ce),
-    .a(s0_y_dn),
-    .b({1'b0, RecipExp[EXP_W-1:0], RecipFrac[MAN_W-1:0]}),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s0_y_dn),
+    .b     ({1'b0, RecipExp[EXP_W-1:0], RecipFrac[MAN_W-1:0]}),
     .result(s1_y_d)
   );
 
   // ---- stage 0: y_bias --------------------------------------------------- ray_setup.rs
   // A power of two above the position estimate's error, subtracted against the direction.
-  wire [EXP_W:0] s0_y_reach = {1'b0, s0_y_dn[EXP_W+MAN_W-1:MAN_W]} + {{(EXP_W - 2){1'b0}}, 3'd5};
-  wire [EXP_W:0] s0_y_bias_top = (Least[EXP_W:0] < s0_y_reach) ? s0_y_reach : Least[EXP_W:0];
-  wire [EXP_W:0] s0_y_bias_exp = s0_y_bias_top - Ulps[EXP_W:0];
-  wire [EXP_W+MAN_W:0] s0_y_bias = {~s0_y_d_in_sign, s0_y_bias_exp[EXP_W-1:0], {MAN_W{1'b0}}};
-  wire [EXP_W+MAN_W:0] s2_y_pb;
+  wire [EXP_W:0]    s0_y_reach = {1'b0, s0_y_dn[EXP_W+MAN_W-1:MAN_W]} + {{(EXP_W - 2){1'b0}}, 3'd5};
+  wire [EXP_W:0]    s0_y_bias_top = (Least[EXP_W:0] < s0_y_reach) ? s0_y_reach : Least[EXP_W:0];
+  wire [EXP_W:0]    s0_y_bias_exp = s0_y_bias_top - Ulps[EXP_W:0];
+  wire [FloatW-1:0] s0_y_bias = {~s0_y_d_in_sign, s0_y_bias_exp[EXP_W-1:0], {MAN_W{1'b0}}};
+  wire [FloatW-1:0] s2_y_pb;
   fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_y_back (
-    .clk(clk),
-    .ce(ce),
-    .a(s0_y_p),
-    .b(s0_y_bias),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s0_y_p),
+    .b     (s0_y_bias),
     .result(s2_y_pb)
   );
 
   // ---- stage 0: y_texels ------------------------------------------------- ray_setup.rs
   wire [IdxW-1:0] s1_y_first;
   fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW)) u_y_first (
-    .clk(clk),
-    .ce(ce),
-    .a(s0_y_p),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s0_y_p),
     .result(s1_y_first)
   );
-  wire [EXP_W+MAN_W:0] s2_y_end;
+  wire [FloatW-1:0] s2_y_end;
   fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_y_end (
-    .clk(clk),
-    .ce(ce),
-    .a(s0_y_p),
-    .b(s0_y_dn),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s0_y_p),
+    .b     (s0_y_dn),
     .result(s2_y_end)
   );
 
   // ---- stage 0: level ---------------------------------------------------- ray_setup.rs
   wire s0_is_ok = s0_x_ok & s0_y_ok;
 
-  // ---- stage 1 ----------------------------------------------------------- ray_setup.rs
-  reg s1_x_d_in_is_zero;
-  reg s1_y_d_in_is_zero;
-  reg s1_is_ok;
-  reg [EXP_W+MAN_W:0] s1_x_p;
-  reg s1_x_d_in_sign;
-  reg [EXP_W+MAN_W:0] s1_y_p;
-  reg s1_y_d_in_sign;
+  // ---- stage 1: registers ------------------------------------------------ ray_setup.rs
+  reg              s1_x_d_in_is_zero;
+  reg              s1_y_d_in_is_zero;
+  reg              s1_is_ok;
+  reg [FloatW-1:0] s1_x_p;
+  reg              s1_x_d_in_sign;
+  reg [FloatW-1:0] s1_y_p;
+  reg              s1_y_d_in_sign;
   always @(posedge clk) begin
     if (ce) begin
       s1_x_d_in_is_zero <= s0_x_d_in_is_zero;
       s1_y_d_in_is_zero <= s0_y_d_in_is_zero;
-      s1_is_ok <= s0_is_ok;
-      s1_x_p <= s0_x_p;
-      s1_x_d_in_sign <= s0_x_d_in_sign;
-      s1_y_p <= s0_y_p;
-      s1_y_d_in_sign <= s0_y_d_in_sign;
+      s1_is_ok          <= s0_is_ok;
+      s1_x_p            <= s0_x_p;
+      s1_x_d_in_sign    <= s0_x_d_in_sign;
+      s1_y_p            <= s0_y_p;
+      s1_y_d_in_sign    <= s0_y_d_in_sign;
     end
   end
 
-  // ---- stage 2 ----------------------------------------------------------- ray_setup.rs
-  reg s2_x_d_in_is_zero;
-  reg s2_y_d_in_is_zero;
-  reg [IdxW-1:0] s2_x_first;
-  reg [IdxW-1:0] s2_y_first;
-  reg s2_is_ok;
-  reg [EXP_W+MAN_W:0] s2_x_p;
-  reg [EXP_W+MAN_W:0] s2_x_d;
-  reg s2_x_d_in_sign;
-  reg [EXP_W+MAN_W:0] s2_y_p;
-  reg [EXP_W+MAN_W:0] s2_y_d;
-  reg s2_y_d_in_sign;
+  // ---- stage 2: registers ------------------------------------------------ ray_setup.rs
+  reg              s2_x_d_in_is_zero;
+  reg              s2_y_d_in_is_zero;
+  reg [IdxW-1:0]   s2_x_first;
+  reg [IdxW-1:0]   s2_y_first;
+  reg              s2_is_ok;
+  reg [FloatW-1:0] s2_x_p;
+  reg [FloatW-1:0] s2_x_d;
+  reg              s2_x_d_in_sign;
+  reg [FloatW-1:0] s2_y_p;
+  reg [FloatW-1:0] s2_y_d;
+  reg              s2_y_d_in_sign;
   always @(posedge clk) begin
     if (ce) begin
       s2_x_d_in_is_zero <= s1_x_d_in_is_zero;
       s2_y_d_in_is_zero <= s1_y_d_in_is_zero;
-      s2_x_first <= s1_x_first;
-      s2_y_first <= s1_y_first;
-      s2_is_ok <= s1_is_ok;
-      s2_x_p <= s1_x_p;
-      s2_x_d <= s1_x_d;
-      s2_x_d_in_sign <= s1_x_d_in_sign;
-      s2_y_p <= s1_y_p;
-      s2_y_d <= s1_y_d;
-      s2_y_d_in_sign <= s1_y_d_in_sign;
+      s2_x_first        <= s1_x_first;
+      s2_y_first        <= s1_y_first;
+      s2_is_ok          <= s1_is_ok;
+      s2_x_p            <= s1_x_p;
+      s2_x_d            <= s1_x_d;
+      s2_x_d_in_sign    <= s1_x_d_in_sign;
+      s2_y_p            <= s1_y_p;
+      s2_y_d            <= s1_y_d;
+      s2_y_d_in_sign    <= s1_y_d_in_sign;
     end
   end
 
@@ -324,9 +324,9 @@ module ray_setup #(
   // ---- stage 2: x_texels ------------------------------------------------- ray_setup.rs
   wire [IdxW-1:0] s3_x_last;
   fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW)) u_x_last (
-    .clk(clk),
-    .ce(ce),
-    .a(s2_x_end),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s2_x_end),
     .result(s3_x_last)
   );
 
@@ -337,53 +337,53 @@ module ray_setup #(
   // ---- stage 2: y_texels ------------------------------------------------- ray_setup.rs
   wire [IdxW-1:0] s3_y_last;
   fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW)) u_y_last (
-    .clk(clk),
-    .ce(ce),
-    .a(s2_y_end),
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s2_y_end),
     .result(s3_y_last)
   );
 
-  // ---- stage 3 ----------------------------------------------------------- ray_setup.rs
-  reg [IdxW-1:0] s3_x_first;
-  reg [IdxW-1:0] s3_y_first;
-  reg s3_is_ok;
-  reg [EXP_W+MAN_W:0] s3_x_p;
-  reg [EXP_W+MAN_W:0] s3_x_pb;
-  reg [EXP_W+MAN_W:0] s3_x_d;
-  reg [EXP_W+MAN_W:0] s3_x_r;
-  reg s3_x_never;
-  reg s3_x_d_in_sign;
-  reg [EXP_W+MAN_W:0] s3_y_p;
-  reg [EXP_W+MAN_W:0] s3_y_pb;
-  reg [EXP_W+MAN_W:0] s3_y_d;
-  reg [EXP_W+MAN_W:0] s3_y_r;
-  reg s3_y_never;
-  reg s3_y_d_in_sign;
+  // ---- stage 3: registers ------------------------------------------------ ray_setup.rs
+  reg [IdxW-1:0]   s3_x_first;
+  reg [IdxW-1:0]   s3_y_first;
+  reg              s3_is_ok;
+  reg [FloatW-1:0] s3_x_p;
+  reg [FloatW-1:0] s3_x_pb;
+  reg [FloatW-1:0] s3_x_d;
+  reg [FloatW-1:0] s3_x_r;
+  reg              s3_x_never;
+  reg              s3_x_d_in_sign;
+  reg [FloatW-1:0] s3_y_p;
+  reg [FloatW-1:0] s3_y_pb;
+  reg [FloatW-1:0] s3_y_d;
+  reg [FloatW-1:0] s3_y_r;
+  reg              s3_y_never;
+  reg              s3_y_d_in_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s3_x_first <= s2_x_first;
-      s3_y_first <= s2_y_first;
-      s3_is_ok <= s2_is_ok;
-      s3_x_p <= s2_x_p;
-      s3_x_pb <= s2_x_pb;
-      s3_x_d <= s2_x_d;
-      s3_x_r <= s2_x_r;
-      s3_x_never <= s2_x_never;
+      s3_x_first     <= s2_x_first;
+      s3_y_first     <= s2_y_first;
+      s3_is_ok       <= s2_is_ok;
+      s3_x_p         <= s2_x_p;
+      s3_x_pb        <= s2_x_pb;
+      s3_x_d         <= s2_x_d;
+      s3_x_r         <= s2_x_r;
+      s3_x_never     <= s2_x_never;
       s3_x_d_in_sign <= s2_x_d_in_sign;
-      s3_y_p <= s2_y_p;
-      s3_y_pb <= s2_y_pb;
-      s3_y_d <= s2_y_d;
-      s3_y_r <= s2_y_r;
-      s3_y_never <= s2_y_never;
+      s3_y_p         <= s2_y_p;
+      s3_y_pb        <= s2_y_pb;
+      s3_y_d         <= s2_y_d;
+      s3_y_r         <= s2_y_r;
+      s3_y_never     <= s2_y_never;
       s3_y_d_in_sign <= s2_y_d_in_sign;
     end
   end
 
   // ---- stage 3: level ---------------------------------------------------- ray_setup.rs
-  wire [$clog2(LEVELS+1)-1:0] s3_start;
+  wire [LevelW-1:0] s3_start;
   start_level #(.LEVELS(LEVELS), .IDX_W(IdxW)) u_start_level (
-    .x(s3_x_first),
-    .y(s3_y_first),
+    .x    (s3_x_first),
+    .y    (s3_y_first),
     .x_end(s3_x_last),
     .y_end(s3_y_last),
     .level(s3_start)

@@ -1,7 +1,7 @@
 // setup_delay: a word and its valid bit, delayed beside a pipeline
 // Source     src/units/traversal/stream_delay.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//           mul 1 div 2 compare 1 from_int 1 to_int 1
+//            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    3 clocks
 // Throughput one result per clock
 `default_nettype none
@@ -24,8 +24,8 @@ module setup_delay #(
     end
   endgenerate
 
-  // ---- stage 1 -------------------------------------------------------- stream_delay.rs
-  reg s1_valid;
+  // ---- stage 1: registers --------------------------------------------- stream_delay.rs
+  reg         s1_valid;
   reg [W-1:0] s1_data;
   always @(posedge clk) begin
     if (ce) begin
@@ -40,8 +40,8 @@ module setup_delay #(
     end
   end
 
-  // ---- stage 2 -------------------------------------------------------- stream_delay.rs
-  reg s2_valid;
+  // ---- stage 2: registers --------------------------------------------- stream_delay.rs
+  reg         s2_valid;
   reg [W-1:0] s2_data;
   always @(posedge clk) begin
     if (ce) begin
@@ -56,8 +56,8 @@ module setup_delay #(
     end
   end
 
-  // ---- stage 3 -------------------------------------------------------- stream_delay.rs
-  reg s3_valid;
+  // ---- stage 3: registers --------------------------------------------- stream_delay.rs
+  reg         s3_valid;
   reg [W-1:0] s3_data;
   always @(posedge clk) begin
     if (ce) begin

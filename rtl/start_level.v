@@ -1,12 +1,12 @@
 // start_level: lowest level at which one node holds both ends of the ray
 // Source     src/units/traversal/start_level.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//           mul 1 div 2 compare 1 from_int 1 to_int 1
+//            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    none, combinational
 `default_nettype none
 module start_level #(
-  parameter integer LEVELS = 8,  // the map has 2^LEVELS x 2^LEVELS texels
-  parameter integer IDX_W = 14   // bits of a signed, unwrapped texel coordinate
+  parameter integer LEVELS = 8,   // the map has 2^LEVELS x 2^LEVELS texels
+  parameter integer IDX_W  = 14   // bits of a signed, unwrapped texel coordinate
 ) (
   input  wire [IDX_W-1:0]            x,      // u of the entry [texels]
   input  wire [IDX_W-1:0]            y,      // v of the entry [texels]
@@ -34,12 +34,12 @@ module start_level #(
     end
   endgenerate
 
-  wire [IDX_W-1:0] differ = (x ^ x_end) | (y ^ y_end);
-  wire other_tile = |differ[IDX_W-1:LEVELS];
+  wire [IDX_W-1:0]  differ = (x ^ x_end) | (y ^ y_end);
+  wire              other_tile = |differ[IDX_W-1:LEVELS];
   wire [LEVELS-1:0] low_part = differ[LEVELS-1:0];
-  wire [$clog2(LEVELS+1)-1:0] lead;
+  wire [LevelW-1:0] lead;
   lzc #(.W(LEVELS)) u_lzc (
-    .bits(low_part),
+    .bits (low_part),
     .count(lead)
   );
   wire [LevelW-1:0] start = other_tile ? Root[LevelW-1:0] : (Root[LevelW-1:0] - lead);

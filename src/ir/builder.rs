@@ -72,10 +72,16 @@ impl Builder {
         self.st.borrow_mut().m.locals.push((name.into(), value.clone()));
         Expr::local(name, value)
     }
-    /// Requires `lhs <= rhs` of the parameters; elaboration fails otherwise.
+    /// Requires `lhs <= rhs` of the parameters; elaboration fails otherwise. Of two lower bounds the greater one stays.
     pub fn require(&self, lhs: impl Into<Expr>, rhs: impl Into<Expr>) {
         let (lhs, rhs) = (lhs.into(), rhs.into());
-        self.st.borrow_mut().m.checks.push(Check { lhs, rhs });
+        let checks = &mut self.st.borrow_mut().m.checks;
+        let same = |c: &&mut Check| c.rhs == rhs && c.lhs.as_const().is_some() && lhs.as_const().is_some();
+        match checks.iter_mut().find(same) {
+            Some(c) if c.lhs.as_const() < lhs.as_const() => c.lhs = lhs,
+            Some(_) => {}
+            None => checks.push(Check { lhs, rhs }),
+        }
     }
     /// Declares what a throughput of other than one result per clock is.
     pub fn throughput(&self, text: &str) {

@@ -259,14 +259,25 @@ impl fmt::Display for Expr {
 
 impl fmt::Display for Atom {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // Names and numbers need no parentheses of their own.
+        let operand = |e: &Expr| match e.parts() {
+            ([], k) if k >= 0 => e.to_string(),
+            ([(Self::Param(_) | Self::Local(..), 1)], 0) => e.to_string(),
+            _ => format!("({e})"),
+        };
         match self {
             Self::Param(n) | Self::Local(n, _) => f.write_str(n),
             Self::Call(Func::Clog2, a) => write!(f, "$clog2({})", a[0]),
-            Self::Call(Func::Max, a) => write!(f, "(({0}) > ({1}) ? ({0}) : ({1}))", a[0], a[1]),
-            Self::Call(Func::Min, a) => write!(f, "(({0}) < ({1}) ? ({0}) : ({1}))", a[0], a[1]),
-            Self::Call(Func::Mul, a) => write!(f, "(({}) * ({}))", a[0], a[1]),
-            Self::Call(Func::Div, a) => write!(f, "(({}) / ({}))", a[0], a[1]),
-            Self::Call(Func::Pow2, a) => write!(f, "(1 << ({}))", a[0]),
+            Self::Call(function, a) => {
+                let (x, y) = (operand(&a[0]), a.get(1).map(operand).unwrap_or_default());
+                match function {
+                    Func::Max => write!(f, "({x} > {y} ? {x} : {y})"),
+                    Func::Min => write!(f, "({x} < {y} ? {x} : {y})"),
+                    Func::Mul => write!(f, "({x} * {y})"),
+                    Func::Div => write!(f, "({x} / {y})"),
+                    Func::Pow2 | Func::Clog2 => write!(f, "(1 << {x})"),
+                }
+            }
         }
     }
 }

@@ -46,6 +46,17 @@ pub fn group(w: &Expr) -> String {
     if single { w.to_string() } else { format!("({w})") }
 }
 
+/// An expression without the one pair of parentheses that holds all of it.
+pub fn bare(text: &str) -> &str {
+    let mut depth = 0i32;
+    let mut inside = |c: char| {
+        depth += i32::from(c == '(') - i32::from(c == ')');
+        depth >= 0
+    };
+    let inner = text.strip_prefix('(').and_then(|t| t.strip_suffix(')'));
+    inner.filter(|t| t.chars().all(&mut inside)).unwrap_or(text)
+}
+
 /// True where a constant may need more than 31 bits on the way.
 pub fn is_wide(e: &Expr) -> bool {
     e.parts().0.iter().any(|(a, _)| matches!(a, Atom::Call(Func::Div, _)))
@@ -57,8 +68,12 @@ pub fn wide(e: &Expr) -> String {
     let mut out = String::new();
     for (a, c) in terms {
         let text = match a {
+<<<<<<< HEAD
             Atom::Call(Func::Pow2, x) => format!("(64'd1 << ({}))", x[0]),
             Atom::Param(name) | Atom::Local(name, _) => name.clone(),
+=======
+            Atom::Call(Func::Pow2, x) => format!("(64'd1 << {})", group(&x[0])),
+>>>>>>> ci
             Atom::Call(Func::Div, x) => format!("(({}) / ({}))", wide(&x[0]), wide(&x[1])),
             other => panic!("{other} can't stand in a wide constant"),
         };
@@ -87,22 +102,21 @@ pub fn wrap(line: &str) -> String {
         match c {
             '(' | '{' | '[' => depth += 1,
             ')' | '}' | ']' => depth -= 1,
-            ' ' if i > indent + 8
-                && i <= COLUMNS
-                && breaks_well(&line[..i], &line[i + 1..])
-                && best.is_none_or(|(d, _)| depth <= d) =>
-            {
-                best = Some((depth, i));
+            ' ' if i > indent + 8 && i <= COLUMNS => {
+                // A choice is broken before its colon; between condition and choice only where nothing else is left.
+                let rank = depth * 2 + i32::from(line[..i].ends_with(" ?"));
+                if breaks_well(&line[..i], &line[i + 1..]) && best.is_none_or(|(least, _)| rank <= least) {
+                    best = Some((rank, i));
+                }
             }
             _ => {}
         }
     }
     match best {
         Some((_, at)) => {
-            let pad =
-                if line.trim_start().starts_with("wire") || line.trim_start().starts_with("assign") { 4 } else { 0 };
-            let rest = format!("{}{}", " ".repeat(indent + pad.max(if pad == 0 { 0 } else { 4 })), &line[at + 1..]);
-            format!("{}\n{}", &line[..at], wrap(&rest))
+            let opens = ["wire", "assign", "localparam"].iter().any(|w| line.trim_start().starts_with(w));
+            let rest = format!("{}{}", " ".repeat(indent + if opens { 4 } else { 0 }), &line[at + 1..]);
+            format!("{}\n{}", line[..at].trim_end(), wrap(&rest))
         }
         None => format!("{line}\n"),
     }

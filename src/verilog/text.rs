@@ -1,8 +1,10 @@
-//! The whole text of a module: banner, parameters, ports, stages, loop, outputs.
-use super::expr::{Expressions, konst_name};
-use super::layout::{COLUMNS, is_wide, range, wide, wrap};
+//! The whole text of a module: what stands before the body, then stages, loop, outputs.
+use super::align::aligned;
+use super::expr::Expressions;
+use super::header::has_word;
+use super::layout::{COLUMNS, bare, range, wrap};
 use super::prim;
-use crate::ir::{Body, Dir, Module, Names, NodeId, Op};
+use crate::ir::{Atom, Body, Expr, Module, Names, NodeId, Op};
 
 /// What the text has besides the module itself.
 #[derive(Clone, Debug, Default)]
@@ -16,12 +18,14 @@ pub struct Style {
 /// Prints a module. The same module gives the same bytes: no date, path, host or hash order reaches the text.
 pub fn print_module(m: &Module, style: &Style) -> String {
     let mut p = Printer { names: Names::new(m), m, style, out: String::new() };
-    match m.body {
-        Body::Graph => p.graph(),
-        Body::Prim(prim) => p.out += prim::body(prim),
-    }
-    p.out += "endmodule\n`default_nettype wire\n";
-    let body = std::mem::take(&mut p.out);
+    let body = match m.body {
+        Body::Graph => {
+            p.graph();
+            aligned(&std::mem::take(&mut p.out)).lines().map(wrap).collect()
+        }
+        Body::Prim(prim) => prim::body(prim).to_owned(),
+    };
+    let body = body + "endmodule\n`default_nettype wire\n";
     p.banner();
     p.header();
     p.constants(&body);
@@ -29,145 +33,28 @@ pub fn print_module(m: &Module, style: &Style) -> String {
     p.out + &body
 }
 
-fn has_word(text: &str, word: &str) -> bool {
-    text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).any(|w| w == word)
-}
-
-struct Printer<'m> {
-    names: Names<'m>,
-    m: &'m Module,
-    style: &'m Style,
-    out: String,
+pub(super) struct Printer<'m> {
+    pub(super) names: Names<'m>,
+    pub(super) m: &'m Module,
+    pub(super) style: &'m Style,
+    pub(super) out: String,
 }
 
 impl Printer<'_> {
+    /// A line of the body; it is broken when the whole body stands.
     fn line(&mut self, s: &str) {
-        self.out += &wrap(s);
-    }
-    fn comment(&mut self, indent: &str, head: &str, text: &str) {
-        let mut line = format!("{indent}// {head}");
-        for word in text.split_whitespace() {
-            if line.len() + 1 + word.len() > COLUMNS {
-                self.out += line.trim_end();
-                self.out.push('\n');
-                line = format!("{indent}// {}", " ".repeat(head.len().saturating_sub(1)));
-            }
-            if !line.ends_with(' ') {
-                line.push(' ');
-            }
-            line += word;
-        }
-        self.out += line.trim_end();
+        self.out += s;
         self.out.push('\n');
     }
 
-    fn banner(&mut self) {
-        let m = self.m;
-        self.comment("", &format!("{}{}:", self.style.prefix, m.name), &m.summary);
-        self.comment("", "Source     ", &format!("{} (emitted: do not edit)", m.source));
-        self.comment("", "Config     ", &self.style.config);
-        let latency = match m.latency {
-            Some(0) => "none, combinational".to_string(),
-            Some(1) => "1 clock".to_string(),
-            Some(k) => format!("{k} clocks"),
-            None => "varies; valid/ready on both sides".to_string(),
-        };
-        self.comment("", "Latency    ", &latency);
-        if m.latency != Some(0) {
-            self.comment("", "Throughput ", &m.throughput);
-        }
-        for n in &m.notes {
-            self.comment("", "Note       ", n);
-        }
-    }
-
-    fn header(&mut self) {
-        let m = self.m;
-        self.out += "`default_nettype none\n";
-        self.out += &format!("module {}{}", self.style.prefix, m.name);
-        if !m.params.is_empty() {
-            self.out += " #(\n";
-            let wide = m.params.iter().map(|p| p.name.len() + p.default.to_string().len()).max().unwrap_or(0);
-            for (i, p) in m.params.iter().enumerate() {
-                let comma = if i + 1 < m.params.len() { "," } else { "" };
-                let decl = format!("{} = {}{comma}", p.name, p.default);
-                self.out += format!("  parameter integer {decl:w$}  // {}", p.doc, w = wide + 4).trim_end();
-                self.out.push('\n');
-            }
-            self.out += ")";
-        }
-        self.out += " (\n";
-        let ranges: Vec<String> = m.ports.iter().map(|p| range(&p.width.expanded())).collect();
-        let rw = ranges.iter().map(String::len).max().unwrap_or(0);
-        let nw = m.ports.iter().map(|p| p.name.len()).max().unwrap_or(0) + 1;
-        for (i, p) in m.ports.iter().enumerate() {
-            let comma = if i + 1 < m.ports.len() { "," } else { "" };
-            let dir = if p.dir == Dir::In { "input " } else { "output" };
-            let name = format!("{}{comma}", p.name);
-            let unit =
-                if ["bit", "clock", ""].contains(&p.unit.as_str()) { String::new() } else { format!(" [{}]", p.unit) };
-            let decl = format!("  {dir} wire {:rw$} {name:nw$}", ranges[i]);
-            let full = format!("{decl}  // {}{unit}", p.doc);
-            if full.len() > COLUMNS {
-                self.comment("  ", "", &format!("{}{unit}", p.doc));
-                self.out += decl.trim_end();
-            } else {
-                self.out += &full;
-            }
-            self.out.push('\n');
-        }
-        self.out += ");\n";
-    }
-
-    /// The derived constants that the body needs, directly or through another.
-    fn constants(&mut self, body: &str) {
-        let m = self.m;
-        let mut text = body.to_string();
-        let mut used = vec![false; m.locals.len()];
-        for (i, (name, e)) in m.locals.iter().enumerate().rev() {
-            let konsts = m.nodes.iter().filter_map(|n| if let Op::Konst(k) = &n.op { Some(k) } else { None });
-            used[i] = has_word(&text, name) || konsts.into_iter().any(|k| has_word(&k.to_string(), name));
-            if used[i] {
-                text += &format!(" {e} ");
-            }
-        }
-        for (_, (name, e)) in m.locals.iter().enumerate().filter(|(i, _)| used[*i]) {
-            self.line(&format!("  localparam integer {name} = {e};"));
-        }
-        let mut seen = Vec::new();
-        for n in &m.nodes {
-            let Op::Konst(e) = &n.op else { continue };
-            let name = konst_name(n);
-            if seen.contains(&name) {
-                continue;
-            }
-            // An integer has 32 bits, and a part-select beyond them is undefined.
-            if is_wide(e) || n.width.as_const().is_some_and(|w| w > 32) {
-                self.line(&format!("  localparam [63:0] {name} = {};", wide(e)));
-            } else {
-                self.line(&format!("  localparam integer {name} = {e};"));
-            }
-            seen.push(name);
-        }
-    }
-
-    fn checks(&mut self) {
-        if self.m.checks.is_empty() {
-            return;
-        }
-        self.out += "\n  // Illegal parameters end elaboration here: the missing module's name says what must hold.\n  generate\n";
-        for (i, c) in self.m.checks.iter().enumerate() {
-            let word = |s: String| {
-                let t: String = s.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
-                t.split('_').filter(|x| !x.is_empty()).collect::<Vec<_>>().join("_")
-            };
-            let sum = |e: &crate::ir::Expr| word(e.to_string().replace(" + ", " plus ").replace(" - ", " minus "));
-            let name = format!("must_hold_{}_at_most_{}", sum(&c.lhs), sum(&c.rhs));
-            self.line(&format!("    if ({} > {}) begin : gen_illegal_{i}", c.lhs, c.rhs));
-            self.line(&format!("      {name} u_illegal ();"));
-            self.line("    end");
-        }
-        self.out += "  endgenerate\n";
+    /// The range of a width in the body: by the `localparam` that has the same value everywhere, where there is one.
+    fn range(&self, w: &Expr) -> String {
+        let named = |e: &Expr| e.parts().0.iter().any(|(a, _)| matches!(a, Atom::Local(..)));
+        let flat = w.expanded();
+        // A number and a parameter alone say more than a name for them.
+        let plain = matches!(flat.parts(), ([], _) | ([(Atom::Param(_), 1)], 0));
+        let same = self.m.locals.iter().find(|(_, e)| !plain && !named(w) && e.expanded() == flat);
+        same.map_or_else(|| range(w), |(name, e)| range(&Expr::local(name, e.clone())))
     }
 
     fn heading(&mut self, stage: u32, title: &str, reason: &str) {
@@ -193,7 +80,7 @@ impl Printer<'_> {
         for stage in 0..=last {
             let mut section = usize::MAX;
             if stage > 0 {
-                self.heading(stage, "", "");
+                self.heading(stage, "registers", "");
                 self.registers(stage);
                 section = usize::MAX - 1;
             }
@@ -215,7 +102,7 @@ impl Printer<'_> {
                 if let Some(net) = self.names.net(id) {
                     self.enter(&mut section, n.section, stage);
                     let (e, _) = self.names.expr(n);
-                    let r = range(&n.width);
+                    let r = self.range(&n.width);
                     self.line(&format!("  wire {r}{}{net} = {e};", if r.is_empty() { "" } else { " " }));
                 }
             }
@@ -249,7 +136,7 @@ impl Printer<'_> {
 
     fn declare_reg(&mut self, id: NodeId) -> String {
         let net = self.names.net(id).expect("registers have names");
-        let r = range(&self.m.node(id).width);
+        let r = self.range(&self.m.node(id).width);
         self.out += &format!("  reg {r}{}{net};\n", if r.is_empty() { "" } else { " " });
         net
     }
@@ -264,7 +151,8 @@ impl Printer<'_> {
             self.declare_reg(id);
         }
         for (net, width, _) in self.wires() {
-            self.line(&format!("  wire {}{}{net};", range(&width), if width.as_const() == Some(1) { "" } else { " " }));
+            let r = self.range(&width);
+            self.line(&format!("  wire {r}{}{net};", if r.is_empty() { "" } else { " " }));
         }
     }
 
@@ -347,7 +235,7 @@ impl Printer<'_> {
                     .names
                     .net(NodeId(i as u32))
                     .unwrap_or_else(|| panic!("{}: output of {} needs a name", m.name, inst.name));
-                let r = range(&n.width);
+                let r = self.range(&n.width);
                 self.line(&format!("  wire {r}{}{net};", if r.is_empty() { "" } else { " " }));
                 pins.push((port, net));
             }
@@ -357,7 +245,7 @@ impl Printer<'_> {
         }
         pins.sort();
         let module = format!("{}{}", self.style.prefix, inst.module.name);
-        let params: Vec<String> = inst.params.iter().map(|(n, e)| format!(".{n}({e})")).collect();
+        let params: Vec<String> = inst.params.iter().map(|(n, e)| format!(".{n}({})", bare(&e.to_string()))).collect();
         let head = if params.is_empty() {
             format!("  {} {} (", module, inst.name)
         } else {
@@ -381,15 +269,22 @@ impl Printer<'_> {
         self.out += "  );\n";
     }
 
+    /// Bits that nothing needs; in a unit without registers, clock, enable and reset are among them.
     fn sinks(&mut self) {
-        if self.m.unused.is_empty() {
+        let m = self.m;
+        let idle = |p: &Option<usize>| p.map(|p| m.ports[p].name.clone()).filter(|name| !has_word(&self.out, name));
+        let idle: Vec<String> = [m.clk, m.ce, m.rst].iter().filter_map(idle).collect();
+        if m.unused.is_empty() && idle.is_empty() {
             return;
         }
         self.out += "\n  // Bits that nothing needs, named so that no lint has to be switched off for the rest.\n";
         self.out += "  // verilator lint_off UNUSED\n";
-        for (k, id) in self.m.unused.iter().enumerate() {
+        for (k, id) in m.unused.iter().enumerate() {
             let (e, _) = self.names.operand(*id);
             self.line(&format!("  wire unused_{k} = &{{1'b0, {e}}};"));
+        }
+        if !idle.is_empty() {
+            self.line(&format!("  wire unused_control = &{{1'b0, {}}};", idle.join(", ")));
         }
         self.out += "  // verilator lint_on UNUSED\n";
     }

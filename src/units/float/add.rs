@@ -70,8 +70,9 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
     let sig = norm.slice(4, &f.man + 1).named("sig");
     let guard = norm.bit(3);
     let sticky = norm.slice(0, 3).any();
-    let x = Unrounded { sign: big_sign, exp, sig, guard, sticky };
-    let s = Special { nan, inf, inf_sign, zero: is_zero, zero_sign: both_minus };
+    let x = Unrounded { sign: big_sign, exp, sig, guard, sticky: Some(sticky) };
+    let (nan, inf, inf_sign, zero_sign) = (Some(nan), Some(inf), Some(inf_sign), Some(both_minus));
+    let s = Special { nan, inf, inf_sign, zero: is_zero, zero_sign };
     let packed = round_pack(&b, &f, &x, &s);
     b.drive(out, packed, Some(latency));
     b.finish(Some(latency), &super::bindings())

@@ -29,6 +29,7 @@ pub fn fp_div(format: FloatFormat, latency: u32) -> Arc<Module> {
     plan.push(("round", 5));
     b.plan(latency, &plan);
 
+    b.section("classes", "The hidden bit is 1 for every operand: a zero operand overrides the result instead.");
     let (fa, fb) = (Fields::of(&f, a_in, "a"), Fields::of(&f, b_in, "b"));
     let sign = (fa.sign ^ fb.sign).named("quot_sign");
     let bias = b.konst(f.bias(), &e_w).named("bias");
@@ -42,7 +43,7 @@ pub fn fp_div(format: FloatFormat, latency: u32) -> Arc<Module> {
     let mut quot = None;
     for (c, title) in titles.iter().enumerate() {
         b.section(title, "Rows of compare, subtract, double: one quotient bit each, the integer bit first.");
-        let at = |k: i64| if chunks == 1 { rows.clone() } else { (rows.clone() * k).div(chunks) };
+        let at = |k: i64| if k == i64::from(chunks) { rows.clone() } else { (rows.clone() * k).div(chunks) };
         let count: Expr = if c == 0 { at(1) } else { at(c as i64 + 1) - at(c as i64) };
         let (r, q) = div_rows(&b, &format!("u_rows_{c}"), rem, div, &p, &count, c);
         rem = r;
@@ -54,13 +55,17 @@ pub fn fp_div(format: FloatFormat, latency: u32) -> Arc<Module> {
     b.unused(rem);
     let quot = quot.expect("at least one chunk of rows");
 
-    b.section("round", "The quotient lies in (1/2, 2): its integer bit picks the significand.");
+    b.section(
+        "round",
+        "The quotient lies in (1/2, 2): its integer bit picks the significand. No quotient lies half-way between two \
+         numbers, so the guard bit alone rounds.",
+    );
     let top = quot.msb().named("top");
     let exp = (exp0 - (!top).zext(&e_w)).named("norm_exp");
     let sig = top.mux(quot.slice(2, p.clone()), quot.slice(1, p.clone())).named("sig");
     let guard = top.mux(quot.bit(1), quot.bit(0)).named("guard");
-    let x = Unrounded { sign, exp, sig, guard, sticky: b.lit(1, 1) };
-    let s = Special { nan, inf, inf_sign: sign, zero, zero_sign: sign };
+    let x = Unrounded { sign, exp, sig, guard, sticky: None };
+    let s = Special { nan: Some(nan), inf: Some(inf), inf_sign: None, zero, zero_sign: None };
     let packed = round_pack(&b, &f, &x, &s);
     b.drive(out, packed, Some(latency));
     b.finish(Some(latency), &super::bindings())

@@ -57,9 +57,8 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32) -> 
 
     b.section("round", "");
     let sig = norm.slice(&int + 2, &f.man + 1).named("sig");
-    let x = Unrounded { sign: minus, exp, sig, guard: norm.bit(&int + 1), sticky: norm.slice(0, &int + 1).any() };
-    let never = b.zeros(1);
-    let s = Special { nan: never, inf: never, inf_sign: never, zero: is_zero, zero_sign: never };
+    let x = Unrounded { sign: minus, exp, sig, guard: norm.bit(&int + 1), sticky: Some(norm.slice(0, &int + 1).any()) };
+    let s = Special { nan: None, inf: None, inf_sign: None, zero: is_zero, zero_sign: None };
     let packed = round_pack(&b, &f, &x, &s);
     b.drive(out, packed, Some(latency));
     b.finish(Some(latency), &super::bindings())

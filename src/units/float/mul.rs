@@ -42,8 +42,8 @@ pub fn fp_mul(format: FloatFormat, latency: u32) -> Arc<Module> {
     let sig = norm.slice(&p - 1, p.clone()).named("sig");
     let guard = norm.bit(&p - 2);
     let sticky = norm.slice(0, &p - 2).any() | lost;
-    let x = Unrounded { sign, exp, sig, guard, sticky: sticky.named("sticky") };
-    let s = Special { nan, inf, inf_sign: sign, zero, zero_sign: sign };
+    let x = Unrounded { sign, exp, sig, guard, sticky: Some(sticky.named("sticky")) };
+    let s = Special { nan: Some(nan), inf: Some(inf), inf_sign: None, zero, zero_sign: None };
     let packed = round_pack(&b, &f, &x, &s);
     b.drive(out, packed, Some(latency));
     b.finish(Some(latency), &super::bindings())

@@ -12,29 +12,31 @@ pub struct Unrounded<'b> {
     pub sig: Sig<'b>,
     /// First bit below the significand.
     pub guard: Sig<'b>,
-    /// Any bit below that.
-    pub sticky: Sig<'b>,
+    /// Any bit below that; `None` where a guard bit never stands alone, so that no tie can occur.
+    pub sticky: Option<Sig<'b>>,
 }
 
 /// What overrides the rounded number; NaN wins over infinity, infinity over zero.
 pub struct Special<'b> {
     /// The result is NaN.
-    pub nan: Sig<'b>,
-    /// The result is infinity, of `inf_sign`.
-    pub inf: Sig<'b>,
-    /// Sign of that infinity.
-    pub inf_sign: Sig<'b>,
-    /// The result is an exact zero, of `zero_sign`.
+    pub nan: Option<Sig<'b>>,
+    /// The result is infinity.
+    pub inf: Option<Sig<'b>>,
+    /// Sign of that infinity; `None` where it is the number's.
+    pub inf_sign: Option<Sig<'b>>,
+    /// The result is an exact zero.
     pub zero: Sig<'b>,
-    /// Sign of that zero.
-    pub zero_sign: Sig<'b>,
+    /// Sign of that zero; `None` where it is the number's.
+    pub zero_sign: Option<Sig<'b>>,
 }
 
 /// Rounds to nearest even and packs. Overflow gives infinity; a rounded exponent below 1 gives zero of the sign
 /// (the flush is decided after rounding with unbounded exponent).
 pub fn round_pack<'b>(b: &'b Builder, f: &FormatParams, x: &Unrounded<'b>, s: &Special<'b>) -> Sig<'b> {
-    let lsb = x.sig.bit(0);
-    let up = (x.guard & (x.sticky | lsb)).named("round_up");
+    let up = match x.sticky {
+        Some(sticky) => (x.guard & (sticky | x.sig.bit(0))).named("round_up"),
+        None => x.guard,
+    };
     let p = f.man.clone() + 1;
     let sum = (x.sig.zext(p.clone() + 1) + up.zext(p.clone() + 1)).named("rounded");
     let carry = sum.msb();
@@ -55,13 +57,24 @@ struct Rounded<'b> {
 }
 
 fn pack<'b>(b: &'b Builder, f: &FormatParams, r: Rounded<'b>, s: &Special<'b>) -> Sig<'b> {
-    let nan = b.cat(&[b.zeros(1), b.ones(f.exp.clone()), b.lit(1, 1), b.zeros(f.man.clone() - 1)]);
-    let inf = (s.inf | (r.too_big & !s.zero)).named("give_inf");
+    let canonical_nan = || b.cat(&[b.zeros(1), b.ones(f.exp.clone()), b.lit(1, 1), b.zeros(f.man.clone() - 1)]);
+    let overflow = r.too_big & !s.zero;
+    let inf = s.inf.map_or(overflow, |inf| inf | overflow).named("give_inf");
     let zero = (s.zero | r.too_small).named("give_zero");
-    let sign = s.inf.mux(s.inf_sign, s.zero.mux(s.zero_sign, r.sign)).named("sign");
+    let mut sign = r.sign;
+    if let Some(of_zero) = s.zero_sign {
+        sign = s.zero.mux(of_zero, sign);
+    }
+    if let Some((inf, of_inf)) = s.inf.zip(s.inf_sign) {
+        sign = inf.mux(of_inf, sign);
+    }
+    if s.zero_sign.or(s.inf_sign).is_some() {
+        sign = sign.named("sign");
+    }
     let tail: Expr = f.exp.clone() + f.man.clone();
     let inf_tail = b.cat(&[b.ones(f.exp.clone()), b.zeros(f.man.clone())]);
     let number = b.cat(&[r.exp, r.frac]).named("number");
     let body = inf.mux(inf_tail, zero.mux(b.zeros(tail), number)).named("body");
-    s.nan.mux(nan, b.cat(&[sign, body])).named("value")
+    let value = b.cat(&[sign, body]);
+    s.nan.map_or(value, |is_nan| is_nan.mux(canonical_nan(), value)).named("value")
 }

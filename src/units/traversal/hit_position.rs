@@ -5,9 +5,9 @@ use crate::ir::{Binding, Builder, Module};
 use crate::units::float::{FormatParams, fp_add, fp_mul, fp_to_fixed};
 use std::sync::Arc;
 
-/// Clocks through `hit_position`.
+/// Clocks through `hit_position`; at least one, as the valid bit beside it decides whether the pipeline moves.
 pub fn latency(l: &LatencyConfig) -> u32 {
-    l.mul + l.add + l.to_int
+    (l.mul + l.add + l.to_int).max(1)
 }
 
 /// Builds `hit_position`.
@@ -40,7 +40,7 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
     let wide = &idx + &frac + 1;
     let l = latency(&d.latency);
     let corner = b.cat(&[x.at(l), b.zeros(&frac)]).named("corner");
-    let off = (fixed.sext(&wide) - corner.sext(&wide)).named("offset");
+    let off = (fixed.at(l).sext(&wide) - corner.sext(&wide)).named("offset");
     let past = off.slice(&frac, &idx + 1).any().named("past");
     let inside = off.slice(0, &frac).named("low_part");
     let kept = off.msb().mux(b.zeros(&frac), past.mux(b.ones(&frac), inside)).named("kept");

@@ -36,6 +36,8 @@ impl Sizes {
         let step_limit = b.param("STEP_LIMIT", t.step_limit, "iterations after which a ray is given up");
         b.require(2, &levels);
         b.require(&levels, 12);
+        super::params::ray_conditions(b, &f, &levels, &height, &tile);
+        b.require(1, &frac);
         b.require(1, &tag);
         b.require(1, &step_limit);
         b.require(&step_limit, 65535);
@@ -63,7 +65,7 @@ macro_rules! ray {
             /// The loop's registers.
             pub fn registers(b: &'b Builder, s: &Sizes, d: &Design) -> Self {
                 let flag = |on: bool, name: &str| on.then(|| b.loop_reg(name, 1, false).id());
-                let (crossed, prev) = (flag(d.mode.levels_down > 1, "crossed"), flag(d.mode.level_up == LevelUp::Coherent, "prev_crossed"));
+                let (crossed, prev) = (flag(d.mode.levels_down > 1, "back_crossed"), flag(d.mode.level_up == LevelUp::Coherent, "back_prev"));
                 Ray {
                     valid: b.loop_reg("back_valid", 1, true),
                     $($field: b.loop_reg(concat!("back_", stringify!($field)), ($width)(s), false),)*

@@ -1,6 +1,7 @@
 //! Parameters that the traversal's units share.
 use crate::config::TraverseConfig;
 use crate::ir::{Binding, Builder, Expr};
+use crate::units::float::FormatParams;
 
 /// LEVELS, with the width of a level number.
 pub struct LevelParams {
@@ -19,6 +20,19 @@ impl LevelParams {
         let level_w = b.local("LevelW", (&levels + 1).clog2());
         Self { levels, level_w }
     }
+}
+
+/// What the sizes of a ray may be, so that no intermediate result leaves its width (`docs/datapath.md`, Parameters).
+pub fn ray_conditions(b: &Builder, f: &FormatParams, levels: &Expr, height: &Expr, tile: &Expr) {
+    b.require(2, height);
+    b.require(height, 16);
+    b.require(height, &f.man + 1);
+    b.require(7, &f.man);
+    b.require(1, tile);
+    b.require(levels + tile + 2, 24);
+    b.require(levels + tile + 8, f.bias());
+    b.require(height + 2, f.bias());
+    b.require(&f.man + 1, f.bias());
 }
 
 /// Declares IDX_W, the width of a signed, unwrapped texel coordinate.

@@ -8,11 +8,11 @@ use crate::ir::{Binding, Builder, Expr, Module, Sig};
 use crate::units::float::{Fields, FormatParams, fp_add, fp_div, fp_mul, fp_to_int};
 use std::sync::Arc;
 
-/// Clocks through `ray_setup`.
+/// Clocks through `ray_setup`; at least one, so that a ready never follows from a valid in the same clock.
 pub fn latency(d: &Design) -> u32 {
     let l: &LatencyConfig = &d.latency;
     let start = if d.mode.start_level { l.add + l.to_int } else { l.to_int };
-    l.div.max(l.mul).max(l.add).max(start)
+    l.div.max(l.mul).max(l.add).max(start).max(1)
 }
 
 /// What setup computes for one axis.
@@ -48,15 +48,7 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let levels = super::params::LevelParams::declare(&b, t);
     let height = b.param("HEIGHT_W", t.height_bits, "bits of a height code");
     let tile = b.param("TILE_W", t.tile_bits, "a ray travels less than 2^TILE_W tiles along each axis");
-    b.require(2, &height);
-    b.require(&height, 16);
-    b.require(&height, &f.man + 1);
-    b.require(7, &f.man);
-    b.require(1, &tile);
-    b.require(&levels.levels + &tile + 2, 24);
-    b.require(&levels.levels + &tile + 8, f.bias());
-    b.require(&height + 2, f.bias());
-    b.require(&f.man + 1, f.bias());
+    super::params::ray_conditions(&b, &f, &levels.levels, &height, &tile);
     let idx = b.local("IdxW", &levels.levels + &tile + 2);
     let s = Sizes { f, levels: levels.levels.clone(), height, tile, idx };
     b.clock();

@@ -1,0 +1,145 @@
+//! Everything that stands before a module's body: banner, parameters, ports, derived constants, conditions.
+use super::expr::konst_name;
+use super::layout::{COLUMNS, is_wide, range, wide, wrap};
+use super::text::Printer;
+use crate::ir::{Dir, Op};
+
+/// True if `word` occurs in `text` as a whole word.
+pub(super) fn has_word(text: &str, word: &str) -> bool {
+    text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).any(|w| w == word)
+}
+
+impl Printer<'_> {
+    /// A comment that starts with `head`; further lines stand under the text that follows it.
+    pub(super) fn comment(&mut self, indent: &str, head: &str, text: &str) {
+        let mut line = format!("{indent}// {head}");
+        for word in text.split_whitespace() {
+            if line.len() + 1 + word.len() > COLUMNS {
+                self.out += line.trim_end();
+                self.out.push('\n');
+                line = format!("{indent}// {}", " ".repeat(head.len()));
+            } else if !line.ends_with(' ') {
+                line.push(' ');
+            }
+            line += word;
+        }
+        self.out += line.trim_end();
+        self.out.push('\n');
+    }
+
+    /// What the module is, where it comes from, how long it takes.
+    pub(super) fn banner(&mut self) {
+        let m = self.m;
+        self.comment("", &format!("{}{}: ", self.style.prefix, m.name), &m.summary);
+        self.comment("", "Source     ", &format!("{} (emitted: do not edit)", m.source));
+        self.comment("", "Config     ", &self.style.config);
+        let latency = match m.latency {
+            Some(0) => "none, combinational".to_string(),
+            Some(1) => "1 clock".to_string(),
+            Some(k) => format!("{k} clocks"),
+            None => "varies; valid/ready on both sides".to_string(),
+        };
+        self.comment("", "Latency    ", &latency);
+        if m.latency != Some(0) {
+            self.comment("", "Throughput ", &m.throughput);
+        }
+        for n in &m.notes {
+            self.comment("", "Note       ", n);
+        }
+    }
+
+    /// Parameters and ports, a line each.
+    pub(super) fn header(&mut self) {
+        let m = self.m;
+        self.out += "`default_nettype none\n";
+        self.out += &format!("module {}{}", self.style.prefix, m.name);
+        if !m.params.is_empty() {
+            self.out += " #(\n";
+            let names = m.params.iter().map(|p| p.name.len()).max().unwrap_or(0);
+            let values = m.params.iter().map(|p| p.default.to_string().len()).max().unwrap_or(0) + 1;
+            for (i, p) in m.params.iter().enumerate() {
+                let comma = if i + 1 < m.params.len() { "," } else { "" };
+                let value = format!("{}{comma}", p.default);
+                self.out += &format!("  parameter integer {:names$} = {value:values$}  // {}", p.name, p.doc);
+                self.out.push('\n');
+            }
+            self.out += ")";
+        }
+        self.out += " (\n";
+        let ranges: Vec<String> = m.ports.iter().map(|p| range(&p.width.expanded())).collect();
+        let rw = ranges.iter().map(String::len).max().unwrap_or(0);
+        let nw = m.ports.iter().map(|p| p.name.len()).max().unwrap_or(0) + 1;
+        for (i, p) in m.ports.iter().enumerate() {
+            let comma = if i + 1 < m.ports.len() { "," } else { "" };
+            let dir = if p.dir == Dir::In { "input " } else { "output" };
+            let name = format!("{}{comma}", p.name);
+            let unit =
+                if ["bit", "clock", ""].contains(&p.unit.as_str()) { String::new() } else { format!(" [{}]", p.unit) };
+            let decl = format!("  {dir} wire {:rw$} {name:nw$}", ranges[i]);
+            let full = format!("{decl}  // {}{unit}", p.doc);
+            if full.len() > COLUMNS {
+                self.comment("  ", "", &format!("{}{unit}", p.doc));
+                self.out += decl.trim_end();
+            } else {
+                self.out += &full;
+            }
+            self.out.push('\n');
+        }
+        self.out += ");\n";
+    }
+
+    /// The derived constants that the body needs, directly or through another.
+    pub(super) fn constants(&mut self, body: &str) {
+        let m = self.m;
+        let mut text = body.to_string();
+        let mut used = vec![false; m.locals.len()];
+        for (i, (name, e)) in m.locals.iter().enumerate().rev() {
+            let konsts = m.nodes.iter().filter_map(|n| if let Op::Konst(k) = &n.op { Some(k) } else { None });
+            used[i] = has_word(&text, name) || konsts.into_iter().any(|k| has_word(&k.to_string(), name));
+            if used[i] {
+                text += &format!(" {e} ");
+            }
+        }
+        for (_, (name, e)) in m.locals.iter().enumerate().filter(|(i, _)| used[*i]) {
+            self.out += &wrap(&format!("  localparam integer {name} = {e};"));
+        }
+        let mut seen = Vec::new();
+        for n in &m.nodes {
+            let Op::Konst(e) = &n.op else { continue };
+            let name = konst_name(n);
+            if seen.contains(&name) {
+                continue;
+            }
+            // An integer has 32 bits, and a part-select beyond them is undefined.
+            if is_wide(e) || n.width.as_const().is_some_and(|w| w > 32) {
+                self.out += &wrap(&format!("  localparam [63:0] {name} = {};", wide(e)));
+            } else {
+                self.out += &wrap(&format!("  localparam integer {name} = {e};"));
+            }
+            seen.push(name);
+        }
+    }
+
+    /// What parameters may be.
+    pub(super) fn checks(&mut self) {
+        if self.m.checks.is_empty() {
+            return;
+        }
+        self.out += "\n  // Illegal parameters end elaboration here: the missing module's name says what must hold.\n  generate\n";
+        for (i, c) in self.m.checks.iter().enumerate() {
+            let word = |s: String| {
+                let t: String = s.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
+                t.split('_').filter(|x| !x.is_empty()).collect::<Vec<_>>().join("_")
+            };
+            let sum = |e: &crate::ir::Expr| {
+                let text = e.to_string().replace("(1 << ", "(2 to the ");
+                word(text.replace(" + ", " plus ").replace(" - ", " minus "))
+            };
+            let name = format!("must_hold_{}_at_most_{}", sum(&c.lhs), sum(&c.rhs));
+            self.out += &wrap(&format!("    if ({} > {}) begin : gen_illegal_{i}", c.lhs, c.rhs));
+            self.out += &wrap(&format!("      {name} u_illegal ();"));
+            self.out += "    end\n";
+        }
+        self.out += "  endgenerate\n";
+    }
+}

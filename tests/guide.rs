@@ -1,0 +1,74 @@
+//! What `docs/traverse.md` promises: its bench prints what it says, its table lists the ports, its ray hits there.
+use reliefrtl::config::Config;
+use reliefrtl::units::traversal::traverse;
+use std::path::Path;
+use std::process::Command;
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn guide() -> String {
+    std::fs::read_to_string(root().join("docs/traverse.md")).expect("the guide is text")
+}
+
+/// The one block of a language.
+fn block(language: &str) -> String {
+    let text = guide();
+    let opening = format!("```{language}\n");
+    assert_eq!(text.matches(&opening).count(), 1, "one block of {language}");
+    let (_, rest) = text.split_once(&opening).expect("counted");
+    rest.split_once("```\n").expect("the block ends").0.to_owned()
+}
+
+#[test]
+fn the_bench_prints_what_the_guide_says() {
+    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
+        println!("skipped: RELIEFRTL_NO_SIMULATORS=1");
+        return;
+    }
+    let dir = tempfile::tempdir().expect("a temporary directory");
+    let (source, program) = (dir.path().join("one_ray.v"), dir.path().join("one_ray.vvp"));
+    std::fs::write(&source, block("verilog")).expect("writable");
+    let missing = "Icarus Verilog is not installed: run `sh tools/test.sh`, or set RELIEFRTL_NO_SIMULATORS=1";
+    let run = |c: &mut Command| {
+        let out = c.current_dir(root()).output().expect(missing);
+        let said = String::from_utf8_lossy(&out.stderr).into_owned();
+        assert!(out.status.success() && said.is_empty(), "{c:?}: {said}");
+        String::from_utf8(out.stdout).expect("text")
+    };
+    let mut compile = Command::new("iverilog");
+    run(compile.args(["-g2005", "-Wall", "-y", "rtl", "-o"]).args([&program, &source]));
+    assert_eq!(run(Command::new("vvp").arg("-n").arg(&program)), block("text"));
+}
+
+#[test]
+fn the_table_lists_the_ports() {
+    let module = traverse(&Config::default().design()).module;
+    let text = guide();
+    let rows = text.lines().skip_while(|l| !l.starts_with("| port |")).skip(2).take_while(|l| l.starts_with('|'));
+    let first = |row: &str| row.split('|').nth(1).unwrap_or_default().to_owned();
+    let mut listed: Vec<String> = rows
+        .flat_map(|r| first(r).split(',').map(|n| n.trim().trim_matches('`').to_owned()).collect::<Vec<_>>())
+        .collect();
+    let mut ports: Vec<String> = module.ports.iter().map(|p| p.name.clone()).collect();
+    listed.sort();
+    ports.sort();
+    assert_eq!(listed, ports);
+}
+
+#[test]
+fn the_ray_hits_where_the_guide_says() {
+    let dir = tempfile::tempdir().expect("a temporary directory");
+    let (rays, hits) = (dir.path().join("ray.csv"), dir.path().join("hit.csv"));
+    let row = "0.25,0.5,1.5,0.75";
+    assert!(guide().contains(&format!("`{row}`")));
+    std::fs::write(&rays, format!("u,v,du,dv\n{row}\n")).expect("writable");
+    for engine in ["golden", "interp"] {
+        let mut c = Command::new(env!("CARGO_BIN_EXE_reliefrtl"));
+        c.args(["trace", "--engine", engine, "--rays"]).arg(&rays).arg("--out").arg(&hits);
+        let out = c.output().expect("the program is built");
+        assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
+        assert_eq!(std::fs::read_to_string(&hits).expect("written"), block("csv"), "{engine}");
+    }
+}

@@ -1,0 +1,104 @@
+//! The default configuration and a spread around it, emitted once for all tests.
+use reliefrtl::config::Config;
+use reliefrtl::emit::{self, Files};
+use reliefrtl::ir::Module;
+use reliefrtl::units;
+use std::path::PathBuf;
+use std::sync::{Arc, OnceLock};
+
+/// One emitted configuration.
+pub struct Emitted {
+    /// What it was made from: the assignments, or `default`.
+    pub label: String,
+    /// The configuration.
+    pub config: Config,
+    /// The units that the configuration asks for.
+    pub units: Vec<Arc<Module>>,
+    /// All modules: the units and what stands below them.
+    pub modules: Vec<Arc<Module>>,
+    /// The texts, by path.
+    pub files: Files,
+    /// The same on disk.
+    pub dir: PathBuf,
+}
+
+impl Emitted {
+    /// Names of the modules as they are printed.
+    pub fn names(&self) -> Vec<String> {
+        self.modules.iter().map(|m| format!("{}{}", self.config.emit.prefix, m.name)).collect()
+    }
+    /// Paths of the Verilog files, from the directory.
+    pub fn verilog(&self) -> Vec<&str> {
+        self.files.keys().map(String::as_str).filter(|f| f.ends_with(".v")).collect()
+    }
+}
+
+/// Every level-up rule, every other mode, both ends of the sizes, combinational and deep units, other formats, a prefix.
+const SPREAD: &[&[&str]] = &[
+    &[],
+    &["mode.level_up=none"],
+    &["mode.level_up=tevs"],
+    &["mode.level_up=coherent"],
+    &["mode.level_up=always"],
+    &["mode.start_level=false"],
+    &["mode.start_level=false", "mode.level_up=none", "mode.levels_down=1"],
+    &["mode.levels_down=1"],
+    &["mode.levels_down=3"],
+    &["mode.levels_down=4"],
+    &["latency.add=0", "latency.mul=0", "latency.div=0", "latency.compare=0", "latency.from_int=0", "latency.to_int=0"],
+    &["latency.add=5", "latency.mul=3", "latency.div=7", "latency.compare=2", "latency.from_int=2", "latency.to_int=2"],
+    &["latency.div=32", "latency.decision=4"],
+    &["emit.prefix=pdm_"],
+    &["format.exp=5", "format.man=10", "traverse.levels=4", "traverse.tile_bits=2"],
+    &["format.exp=8", "format.man=23"],
+    &["traverse.levels=2"],
+    &["traverse.levels=12"],
+    &["traverse.height_bits=16"],
+    &["traverse.tile_bits=1", "traverse.frac_bits=1", "traverse.tag_bits=1", "traverse.step_limit=1"],
+    &["traverse.tile_bits=8", "traverse.frac_bits=16", "traverse.tag_bits=32", "traverse.height_bits=2"],
+];
+
+/// All configurations; written to disk at the first call.
+pub fn all() -> &'static [Emitted] {
+    static ALL: OnceLock<Vec<Emitted>> = OnceLock::new();
+    ALL.get_or_init(|| SPREAD.iter().enumerate().map(|(i, sets)| emit_one(i, sets)).collect())
+}
+
+fn emit_one(index: usize, sets: &[&str]) -> Emitted {
+    let mut config = Config::default();
+    let label = if sets.is_empty() { "default".to_owned() } else { sets.join(" ") };
+    for set in sets {
+        config.apply_set(set).unwrap_or_else(|e| panic!("{label}: {e}"));
+    }
+    config.validate().unwrap_or_else(|e| panic!("{label}: {e}"));
+    let units = units::all(&config.design());
+    let modules = emit::modules(&units).unwrap_or_else(|e| panic!("{label}: {e}"));
+    let files = emit::rtl(&config, &modules);
+    let dir = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("lint").join(index.to_string());
+    // What an earlier run left there may have other files.
+    let _ = std::fs::remove_dir_all(&dir);
+    std::fs::create_dir_all(dir.join("rtl")).expect("target is writable");
+    for (path, text) in &files {
+        std::fs::write(dir.join(path), text).expect("target is writable");
+    }
+    Emitted { label, config, units, modules, files, dir }
+}
+
+/// All Verilog files of all configurations; the count that every linter must reach.
+pub fn file_count() -> usize {
+    all().iter().map(|e| e.verilog().len()).sum()
+}
+
+#[test]
+fn the_spread_is_what_it_says() {
+    for e in all() {
+        assert_eq!(e.verilog().len(), e.modules.len(), "{}: one file a module", e.label);
+        let list: Vec<&str> = e.files["rtl/filelist.f"].lines().collect();
+        let mut sorted = list.clone();
+        sorted.sort_unstable();
+        assert_eq!(sorted, e.verilog(), "{}: the file list names every file once", e.label);
+        assert!(e.units.len() >= 23, "{}: {} units", e.label, e.units.len());
+    }
+    println!("{} files of {} configurations", file_count(), all().len());
+    assert!(all().len() >= 20 && file_count() > 25 * all().len(), "{} files", file_count());
+}

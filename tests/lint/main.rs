@@ -1,0 +1,16 @@
+//! Every emitted file against simulators, a synthesizer, linters, a parser and our own rules of style.
+//!
+//! One run per tool and configuration covers all of that configuration's files. `sh tools/test.sh` installs the tools;
+//! `RELIEFRTL_NO_SIMULATORS=1` leaves these checks out.
+mod configs;
+mod elaboration;
+mod linters;
+mod parse;
+mod style;
+mod tools;
+
+/// Fails with the first problems of a long list, all of them counted.
+pub fn no_problems(problems: &[String]) {
+    let shown: Vec<&str> = problems.iter().take(12).map(String::as_str).collect();
+    assert!(problems.is_empty(), "{} problems, among them\n{}", problems.len(), shown.join("\n"));
+}
