@@ -1,7 +1,7 @@
 //! Replays a unit's vectors in the interpreter, and compares results with what is expected.
 use crate::error::{Error, Result};
 use crate::format::FloatFormat;
-use crate::interp::{Lanes, elaborate};
+use crate::interp::{Lanes, Netlist, elaborate};
 use crate::ir::Module;
 use crate::trace::decode;
 use crate::vectors::VectorSet;
@@ -110,15 +110,21 @@ pub fn compare(set: &VectorSet, engine: &str, results: &[Vec<u64>]) -> Result<Ch
 /// # Errors
 /// Illegal parameters, or as [`compare`].
 pub fn check_interp(m: &Module, set: &VectorSet) -> Result<CheckReport> {
+    check_netlist(&elaborate(m, &set.params)?, m.latency.unwrap_or(0) as usize, set)
+}
+
+/// Replays `set` in an elaborated unit of fixed latency.
+///
+/// # Errors
+/// As [`compare`].
+pub fn check_netlist(net: &Netlist, latency: usize, set: &VectorSet) -> Result<CheckReport> {
     const LANES: usize = 64;
-    let net = elaborate(m, &set.params)?;
-    let mut sim = Lanes::new(&net, LANES);
+    let mut sim = Lanes::new(net, LANES);
     if let Some(ce) = net.inputs.iter().find(|p| p.name == "ce") {
         sim.set(ce.slot).fill(1);
     }
     let ins: Vec<_> = set.inputs.iter().map(|c| net.input(&c.name)).collect();
     let outs: Vec<_> = set.outputs.iter().map(|c| net.output(&c.name)).collect();
-    let latency = m.latency.unwrap_or(0) as usize;
     let blocks = set.stimulus.len().div_ceil(LANES);
     let mut results = Vec::with_capacity(set.stimulus.len());
     // One block of rows enters a clock; its results leave `latency` clocks later.

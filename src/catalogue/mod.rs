@@ -3,7 +3,7 @@ mod check;
 mod models;
 mod rays;
 
-pub use check::{CheckReport, Mismatch, check_interp, compare};
+pub use check::{CheckReport, Mismatch, check_interp, check_netlist, compare};
 pub use models::model;
 pub use rays::{RaySet, ray_columns, ray_set};
 
