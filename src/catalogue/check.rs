@@ -4,7 +4,7 @@ use crate::format::FloatFormat;
 use crate::interp::{Lanes, Netlist, elaborate};
 use crate::ir::Module;
 use crate::trace::decode;
-use crate::vectors::VectorSet;
+use crate::vectors::{Column, VectorSet};
 
 /// Results that differ.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -58,7 +58,7 @@ impl CheckReport {
             .map(|(c, v)| format!("{} {v:x}", c.name))
             .collect();
         Err(Error::Mismatch(format!(
-            "{}: {} of {} mismatched in {}; first: vector {} ({}), output {}: expected {}, got {}",
+            "{}: {} of {} mismatched in {}; first: vector {} ({}), output {}{}: expected {}, got {}",
             self.unit,
             self.mismatched,
             self.checked,
@@ -66,6 +66,7 @@ impl CheckReport {
             x.vector,
             ins.join(", "),
             x.output,
+            port.and_then(|p| p.stage).map(|s| format!(" (stage {s})")).unwrap_or_default(),
             show(x.expected),
             show(x.got)
         )))
@@ -105,12 +106,44 @@ pub fn compare(set: &VectorSet, engine: &str, results: &[Vec<u64>]) -> Result<Ch
     Ok(report)
 }
 
+/// Whether a set that was read belongs to `m`: its unit, and a column for each data port, of the port's width.
+///
+/// # Errors
+/// One sentence that names what does not fit.
+pub fn fits(m: &Module, set: &VectorSet) -> Result<()> {
+    if set.unit != m.name {
+        return Err(Error::input(format!("the vectors are those of {}, not of {}", set.unit, m.name)));
+    }
+    let b = m.binding_with(&set.params);
+    let (ins, outs) = match m.latency {
+        Some(_) => {
+            let column = |p: &crate::ir::Port| Column { name: p.name.clone(), width: p.width.eval(&b) as u32 };
+            (m.data_inputs().map(|p| column(p.1)).collect(), m.data_outputs().map(|p| column(p.1)).collect())
+        }
+        None => super::ray_columns(m),
+    };
+    let text = |c: &[Column]| c.iter().map(|c| format!("{}[{}]", c.name, c.width)).collect::<Vec<_>>().join(" ");
+    for (what, have, want) in [("inputs", &set.inputs, &ins), ("outputs", &set.outputs, &outs)] {
+        if have != want {
+            return Err(Error::input(format!(
+                "the vectors of {} have the {what} {}, the unit has {}",
+                m.name,
+                text(have),
+                text(want)
+            )));
+        }
+    }
+    Ok(())
+}
+
 /// Replays `set` in the interpreter at the set's parameter values.
 ///
 /// # Errors
 /// Illegal parameters, or as [`compare`].
 pub fn check_interp(m: &Module, set: &VectorSet) -> Result<CheckReport> {
-    check_netlist(&elaborate(m, &set.params)?, m.latency.unwrap_or(0) as usize, set)
+    let net = elaborate(m, &set.params)?;
+    fits(m, set)?;
+    check_netlist(&net, m.latency.unwrap_or(0) as usize, set)
 }
 
 /// Replays `set` in an elaborated unit of fixed latency.
