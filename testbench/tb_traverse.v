@@ -98,7 +98,7 @@ module tb_traverse #(
   wire [TagBits-1:0] slot = out_tag[TagBits-1:0];
   reg [TagBits-1:0] next_tag;
   // The bits above those that tell rays apart travel too.
-  wire [31+TagBits:0] tag_word = {lfsr, next_tag};
+  reg [31+TagBits:0] tag_word;
   wire       accepted = in_valid & in_ready & ~rst;
 
   traverse #(
@@ -167,6 +167,7 @@ module tb_traverse #(
     in_valid = 1'b0;
     in_tag = 0;
     next_tag = 0;
+    tag_word = 0;
     out_ready = 1'b0;
     in_u = 0;
     in_v = 0;
@@ -231,6 +232,7 @@ module tb_traverse #(
         in_valid <= 1'b1;
         out_ready <= 1'b0;
         rst <= flood_left < 3;
+        tag_word = {lfsr, next_tag};
         in_tag <= tag_word[TAG_W-1:0];
         if (flood_rows < stim_left) begin
           flood_rows = flood_rows + 1;
@@ -394,6 +396,7 @@ module tb_traverse #(
               done <= 1'b1;
             end
             in_valid <= 1'b1;
+            tag_word = {lfsr, next_tag};
             in_tag <= tag_word[TAG_W-1:0];
             stim_left = stim_left - 1;
           end else begin
