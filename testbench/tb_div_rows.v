@@ -122,6 +122,11 @@ module tb_div_rows #(
           in_rem_in <= word[W:0];
           got = $fscanf(stim_fd, "%h", word);
           in_div <= word[W-1:0];
+          if (got != 1) begin
+            $display("FAIL tb_div_rows: stimulus.hex ends before the number of rows that it announces");
+            exit_code <= 8'd2;
+            done <= 1'b1;
+          end
           in_valid <= 1'b1;
           stim_left = stim_left - 1;
         end else begin

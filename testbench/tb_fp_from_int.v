@@ -113,6 +113,11 @@ module tb_fp_from_int #(
         if (stim_left > 0) begin
           got = $fscanf(stim_fd, "%h", word);
           in_a <= word[INT_W-1:0];
+          if (got != 1) begin
+            $display("FAIL tb_fp_from_int: stimulus.hex ends before the number of rows that it announces");
+            exit_code <= 8'd2;
+            done <= 1'b1;
+          end
           in_valid <= 1'b1;
           stim_left = stim_left - 1;
         end else begin

@@ -115,6 +115,11 @@ module tb_fp_to_fixed #(
         if (stim_left > 0) begin
           got = $fscanf(stim_fd, "%h", word);
           in_a <= word[EXP_W+MAN_W:0];
+          if (got != 1) begin
+            $display("FAIL tb_fp_to_fixed: stimulus.hex ends before the number of rows that it announces");
+            exit_code <= 8'd2;
+            done <= 1'b1;
+          end
           in_valid <= 1'b1;
           stim_left = stim_left - 1;
         end else begin

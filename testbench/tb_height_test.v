@@ -126,6 +126,11 @@ module tb_height_test #(
           in_height <= word[HEIGHT_W-1:0];
           got = $fscanf(stim_fd, "%h", word);
           in_t <= word[EXP_W+MAN_W:0];
+          if (got != 1) begin
+            $display("FAIL tb_height_test: stimulus.hex ends before the number of rows that it announces");
+            exit_code <= 8'd2;
+            done <= 1'b1;
+          end
           in_valid <= 1'b1;
           stim_left = stim_left - 1;
         end else begin

@@ -213,6 +213,11 @@ module tb_level_decision #(
           in_y_down <= word[IDX_W-1:0];
           got = $fscanf(stim_fd, "%h", word);
           in_y_beyond <= word[IDX_W-1:0];
+          if (got != 1) begin
+            $display("FAIL tb_level_decision: stimulus.hex ends before the number of rows that it announces");
+            exit_code <= 8'd2;
+            done <= 1'b1;
+          end
           in_valid <= 1'b1;
           stim_left = stim_left - 1;
         end else begin

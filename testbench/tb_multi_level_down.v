@@ -160,6 +160,11 @@ module tb_multi_level_down #(
           in_y_high <= word[IDX_W-1:0];
           got = $fscanf(stim_fd, "%h", word);
           in_y_hit <= word[IDX_W-1:0];
+          if (got != 1) begin
+            $display("FAIL tb_multi_level_down: stimulus.hex ends before the number of rows that it announces");
+            exit_code <= 8'd2;
+            done <= 1'b1;
+          end
           in_valid <= 1'b1;
           stim_left = stim_left - 1;
         end else begin

@@ -128,6 +128,11 @@ module tb_plane_time #(
           in_r <= word[EXP_W+MAN_W:0];
           got = $fscanf(stim_fd, "%h", word);
           in_never <= word[0];
+          if (got != 1) begin
+            $display("FAIL tb_plane_time: stimulus.hex ends before the number of rows that it announces");
+            exit_code <= 8'd2;
+            done <= 1'b1;
+          end
           in_valid <= 1'b1;
           stim_left = stim_left - 1;
         end else begin

@@ -123,6 +123,11 @@ module tb_predicted_hit #(
           in_d <= word[EXP_W+MAN_W:0];
           got = $fscanf(stim_fd, "%h", word);
           in_m <= word[EXP_W+MAN_W:0];
+          if (got != 1) begin
+            $display("FAIL tb_predicted_hit: stimulus.hex ends before the number of rows that it announces");
+            exit_code <= 8'd2;
+            done <= 1'b1;
+          end
           in_valid <= 1'b1;
           stim_left = stim_left - 1;
         end else begin

@@ -1,7 +1,8 @@
 // tb_traverse: loads the pyramid, sends the golden rays, and checks that every ray comes back exactly once and right.
 //   +vectors=DIR   directory with memory.hex, stimulus.hex, expected.hex (default golden/traverse)
 //   +gaps          rays are held back at random      +stalls    results are taken at random
-//   +flood         fills the pipeline, resets it, and only then runs the set
+//   +flood         fills the pipeline with rays, resets it, and only then runs the set
+//   +patience=N    clocks without a result after which a ray counts as lost (default 2000000)
 //   +results=FILE  one line a ray: its number, then its outputs in hex
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
 // 5 nothing ran, 6 a ray never came back, 7 a result that nobody expected.
@@ -23,7 +24,6 @@ module tb_traverse #(
   localparam integer WarmUp = 15;  // clocks until the pipeline can be full
   localparam integer TagBits = (TAG_W < 8) ? TAG_W : 8;
   localparam integer Tags = 1 << TagBits;
-  localparam integer Patience = 2000000;
 
   reg [8*200-1:0] dir;
   reg [8*240-1:0] path;
@@ -41,6 +41,8 @@ module tb_traverse #(
   integer quiet;
   integer after;
   integer flood_left;
+  integer flood_rows;
+  integer patience;
   integer cycles;
   integer loaded;
   integer busy;
@@ -82,6 +84,7 @@ module tb_traverse #(
   // What each tag in flight stands for.
   reg        tag_used [0:Tags-1];
   integer    tag_ray [0:Tags-1];
+  reg [TAG_W-1:0] tag_sent [0:Tags-1];
   reg [63:0] want_out_i [0:Tags-1];
   reg [63:0] want_out_j [0:Tags-1];
   reg [63:0] want_out_fu [0:Tags-1];
@@ -94,6 +97,8 @@ module tb_traverse #(
   reg [63:0] want_out_ups [0:Tags-1];
   wire [TagBits-1:0] slot = out_tag[TagBits-1:0];
   reg [TagBits-1:0] next_tag;
+  // The bits above those that tell rays apart travel too.
+  reg [31+TagBits:0] tag_word;
   wire       accepted = in_valid & in_ready & ~rst;
 
   traverse #(
@@ -150,6 +155,7 @@ module tb_traverse #(
     stim_left = 0;
     exp_left = 0;
     flood_left = 0;
+    flood_rows = 0;
     res_fd = 0;
     lfsr = 32'h2468_ace1;
     word = 0;
@@ -161,6 +167,7 @@ module tb_traverse #(
     in_valid = 1'b0;
     in_tag = 0;
     next_tag = 0;
+    tag_word = 0;
     out_ready = 1'b0;
     in_u = 0;
     in_v = 0;
@@ -173,6 +180,7 @@ module tb_traverse #(
     gaps = $test$plusargs("gaps") != 0;
     stalls = $test$plusargs("stalls") != 0;
     if ($test$plusargs("flood") != 0) flood_left = 200;
+    if ($value$plusargs("patience=%d", patience) == 0) patience = 2000000;
     if ($value$plusargs("vectors=%s", dir) == 0) dir = "golden/traverse";
     $sformat(path, "%0s/memory.hex", dir);
     mem_fd = $fopen(path, "r");
@@ -224,15 +232,39 @@ module tb_traverse #(
         in_valid <= 1'b1;
         out_ready <= 1'b0;
         rst <= flood_left < 3;
-        if (flood_left == 0) in_valid <= 1'b0;
+        tag_word = {lfsr, next_tag};
+        in_tag <= tag_word[TAG_W-1:0];
+        if (flood_rows < stim_left) begin
+          flood_rows = flood_rows + 1;
+          got = $fscanf(stim_fd, "%h", word);
+          in_u <= word[EXP_W+MAN_W:0];
+          got = $fscanf(stim_fd, "%h", word);
+          in_v <= word[EXP_W+MAN_W:0];
+          got = $fscanf(stim_fd, "%h", word);
+          in_du <= word[EXP_W+MAN_W:0];
+          got = $fscanf(stim_fd, "%h", word);
+          in_dv <= word[EXP_W+MAN_W:0];
+        end
+        if (flood_left == 0) begin
+          in_valid <= 1'b0;
+          $fclose(stim_fd);
+          $sformat(path, "%0s/stimulus.hex", dir);
+          stim_fd = $fopen(path, "r");
+          got = $fgets(header, stim_fd);
+          got = $fscanf(stim_fd, "%h", word);
+        end
       end else begin
         rst <= 1'b0;
         load_en <= 1'b0;
         out_ready <= ~stalls | lfsr[5];
         quiet = quiet + 1;
-        if (!rst && out_valid && out_ready) begin
+        if (!rst && (^{in_ready, out_valid, slot_busy}) === 1'bx) begin
+          $display("FAIL tb_traverse: in_ready, out_valid or slot_busy is undefined, after %0d", checked);
+          exit_code <= 8'd1;
+          done <= 1'b1;
+        end else if (!rst && out_valid && out_ready) begin
           quiet = 0;
-          if (!tag_used[slot]) begin
+          if (tag_used[slot] !== 1'b1 || out_tag !== tag_sent[slot]) begin
             $display("FAIL tb_traverse: a result with tag %h came that nobody expected, after %0d", out_tag, checked);
             exit_code <= 8'd7;
             done <= 1'b1;
@@ -335,6 +367,7 @@ module tb_traverse #(
             tag_used[in_tag[TagBits-1:0]] = 1'b1;
           end
           tag_ray[in_tag[TagBits-1:0]] = rays;
+          tag_sent[in_tag[TagBits-1:0]] = in_tag;
           rays = rays + 1;
           outstanding = outstanding + 1;
           next_tag = next_tag + 1'b1;
@@ -357,9 +390,14 @@ module tb_traverse #(
             in_du <= word[EXP_W+MAN_W:0];
             got = $fscanf(stim_fd, "%h", word);
             in_dv <= word[EXP_W+MAN_W:0];
+            if (got != 1) begin
+              $display("FAIL tb_traverse: stimulus.hex ends before the number of rows that it announces");
+              exit_code <= 8'd2;
+              done <= 1'b1;
+            end
             in_valid <= 1'b1;
-            in_tag <= 0;
-            in_tag[TagBits-1:0] <= next_tag;
+            tag_word = {lfsr, next_tag};
+            in_tag <= tag_word[TAG_W-1:0];
             stim_left = stim_left - 1;
           end else begin
             in_valid <= 1'b0;
@@ -378,7 +416,7 @@ module tb_traverse #(
             $display("PASS tb_traverse: 0 of %0d mismatched", checked);
           end
           if (res_fd != 0) $fclose(res_fd);
-        end else if (quiet > Patience && !done) begin
+        end else if (quiet > patience && !done) begin
           $display("FAIL tb_traverse: %0d rays went in and never came out", outstanding);
           exit_code <= 8'd6;
           done <= 1'b1;

@@ -44,3 +44,55 @@ fn broken_sets_are_refused() {
     assert!(broken("vectors.json", &|_| "{".into()).unwrap_err().contains("not a vector description"));
     assert_eq!(broken("vectors.json", &|t| t.replace("\"blake3\": \"", "\"blake3\": \"0")), Ok(false));
 }
+
+/// Edited descriptions are refused in one sentence, by whoever replays them; none of them may panic.
+#[test]
+fn sets_of_another_unit_are_refused() {
+    let d = Design::default();
+    let m = reliefrtl::catalogue::find(&d, "fp_add").unwrap();
+    let set = vector_set(&d, &m, &Binding::new(), Plan { rows: 20, seed: 4 });
+    let mut n = 0;
+    let mut refused = |change: &dyn Fn(&mut reliefrtl::vectors::VectorSet), words: &str| {
+        let mut other = set.clone();
+        change(&mut other);
+        let e = reliefrtl::catalogue::check_interp(&m, &other).unwrap_err();
+        assert_eq!(e.exit_code(), 2, "{e}");
+        assert!(e.to_string().contains(words), "{e}");
+        n += 1;
+    };
+    refused(&|s| s.unit = "fp_mul".into(), "those of fp_mul, not of fp_add");
+    refused(&|s| s.inputs[0].name = "c".into(), "inputs c[24] b[24], the unit has a[24] b[24]");
+    refused(&|s| s.outputs[0].width = 25, "outputs result[25], the unit has result[24]");
+    refused(&|s| s.inputs.truncate(1), "inputs a[24], the unit has");
+    refused(
+        &|s| {
+            s.params.insert("MAN".into(), 3);
+        },
+        "no parameter MAN",
+    );
+    assert_eq!(n, 5);
+}
+
+/// Every class of operands meets every other in the committed number of rows.
+#[test]
+fn classes_meet() {
+    let d = Design::default();
+    let f = d.format;
+    let class = |v: u64| {
+        let (e, m) = ((v >> f.man) & f.exp_max(), v & f.man_mask());
+        let kind = match (e, m) {
+            (0, 0) => 0,
+            (0, _) => 1,
+            (e, 0) if e == f.exp_max() => 2,
+            (e, _) if e == f.exp_max() => 3,
+            _ => 4,
+        };
+        (kind, v & f.sign_bit() != 0)
+    };
+    for name in ["fp_add", "fp_mul", "fp_div", "fp_lt"] {
+        let m = reliefrtl::catalogue::find(&d, name).unwrap();
+        let set = vector_set(&d, &m, &Binding::new(), Plan { rows: 2000, seed: 1 });
+        let pairs: std::collections::BTreeSet<_> = set.stimulus.iter().map(|r| (class(r[0]), class(r[1]))).collect();
+        assert_eq!(pairs.len(), 100, "{name}: zero, subnormal, infinity, NaN, number, of both signs");
+    }
+}

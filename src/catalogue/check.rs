@@ -1,10 +1,10 @@
 //! Replays a unit's vectors in the interpreter, and compares results with what is expected.
 use crate::error::{Error, Result};
 use crate::format::FloatFormat;
-use crate::interp::{BLOCK, Lanes, elaborate};
+use crate::interp::{BLOCK, Lanes, Netlist, elaborate};
 use crate::ir::Module;
 use crate::trace::decode;
-use crate::vectors::VectorSet;
+use crate::vectors::{Column, VectorSet};
 
 /// Results that differ.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -58,7 +58,7 @@ impl CheckReport {
             .map(|(c, v)| format!("{} {v:x}", c.name))
             .collect();
         Err(Error::Mismatch(format!(
-            "{}: {} of {} mismatched in {}; first: vector {} ({}), output {}: expected {}, got {}",
+            "{}: {} of {} mismatched in {}; first: vector {} ({}), output {}{}: expected {}, got {}",
             self.unit,
             self.mismatched,
             self.checked,
@@ -66,6 +66,7 @@ impl CheckReport {
             x.vector,
             ins.join(", "),
             x.output,
+            port.and_then(|p| p.stage).map(|s| format!(" (stage {s})")).unwrap_or_default(),
             show(x.expected),
             show(x.got)
         )))
@@ -105,20 +106,58 @@ pub fn compare(set: &VectorSet, engine: &str, results: &[Vec<u64>]) -> Result<Ch
     Ok(report)
 }
 
+/// Whether a set that was read belongs to `m`: its unit, and a column for each data port, of the port's width.
+///
+/// # Errors
+/// One sentence that names what does not fit.
+pub fn fits(m: &Module, set: &VectorSet) -> Result<()> {
+    if set.unit != m.name {
+        return Err(Error::input(format!("the vectors are those of {}, not of {}", set.unit, m.name)));
+    }
+    let b = m.binding_with(&set.params);
+    let (ins, outs) = match m.latency {
+        Some(_) => {
+            let column = |p: &crate::ir::Port| Column { name: p.name.clone(), width: p.width.eval(&b) as u32 };
+            (m.data_inputs().map(|p| column(p.1)).collect(), m.data_outputs().map(|p| column(p.1)).collect())
+        }
+        None => super::ray_columns(m),
+    };
+    let text = |c: &[Column]| c.iter().map(|c| format!("{}[{}]", c.name, c.width)).collect::<Vec<_>>().join(" ");
+    for (what, have, want) in [("inputs", &set.inputs, &ins), ("outputs", &set.outputs, &outs)] {
+        if have != want {
+            return Err(Error::input(format!(
+                "the vectors of {} have the {what} {}, the unit has {}",
+                m.name,
+                text(have),
+                text(want)
+            )));
+        }
+    }
+    Ok(())
+}
+
 /// Replays `set` in the interpreter at the set's parameter values.
 ///
 /// # Errors
 /// Illegal parameters, or as [`compare`].
 pub fn check_interp(m: &Module, set: &VectorSet) -> Result<CheckReport> {
-    const LANES: usize = BLOCK;
     let net = elaborate(m, &set.params)?;
-    let mut sim = Lanes::new(&net, LANES);
+    fits(m, set)?;
+    check_netlist(&net, m.latency.unwrap_or(0) as usize, set)
+}
+
+/// Replays `set` in an elaborated unit of fixed latency.
+///
+/// # Errors
+/// As [`compare`].
+pub fn check_netlist(net: &Netlist, latency: usize, set: &VectorSet) -> Result<CheckReport> {
+    const LANES: usize = BLOCK;
+    let mut sim = Lanes::new(net, LANES);
     if let Some(ce) = net.inputs.iter().find(|p| p.name == "ce") {
         sim.fill(ce.slot, 1);
     }
     let ins: Vec<_> = set.inputs.iter().map(|c| net.input(&c.name)).collect();
     let outs: Vec<_> = set.outputs.iter().map(|c| net.output(&c.name)).collect();
-    let latency = m.latency.unwrap_or(0) as usize;
     let blocks = set.stimulus.len().div_ceil(LANES);
     let mut results = Vec::with_capacity(set.stimulus.len());
     // One block of rows enters a clock; its results leave `latency` clocks later.

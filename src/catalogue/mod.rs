@@ -1,9 +1,10 @@
 //! One entry a unit: its hardware, its model, its vectors. Here alone hardware and golden model meet.
 mod check;
+mod met;
 mod models;
 mod rays;
 
-pub use check::{CheckReport, Mismatch, check_interp, compare};
+pub use check::{CheckReport, Mismatch, check_interp, check_netlist, compare, fits};
 pub use models::model;
 pub use rays::{RaySet, ray_columns, ray_set};
 
@@ -12,7 +13,7 @@ use crate::error::{Error, Result};
 use crate::format::FloatFormat;
 use crate::ir::{Binding, Module};
 use crate::units;
-use crate::vectors::{Column, Plan, VectorSet, float_rows, integer_rows};
+use crate::vectors::{Column, Counts, Kind, Plan, VectorSet, plan_rows};
 use std::sync::Arc;
 
 /// The units that have vectors of their own, leaves first: all but the memory and `traverse`, which ray sets exercise.
@@ -59,27 +60,23 @@ pub fn vector_set(d: &Design, m: &Module, over: &Binding, plan: Plan) -> VectorS
     let column = |p: &crate::ir::Port| Column { name: p.name.clone(), width: p.width.eval(&b) as u32 };
     let inputs: Vec<Column> = m.data_inputs().map(|(_, p)| column(p)).collect();
     let outputs: Vec<Column> = m.data_outputs().map(|(_, p)| column(p)).collect();
-    let widths: Vec<u32> = inputs.iter().map(|c| c.width).collect();
-    let floats: Vec<bool> = m.data_inputs().map(|(_, p)| p.unit.starts_with("float")).collect();
-    let (rows, counts) = match floats.iter().filter(|f| **f).count() {
-        n if n == widths.len() => float_rows(at.format, n, plan),
-        0 => integer_rows(&widths, plan),
-        n => {
-            let ints: Vec<u32> = widths.iter().zip(&floats).filter(|(_, f)| !**f).map(|(w, _)| *w).collect();
-            let budget = Plan { rows: plan.rows.max(64), ..plan };
-            let (a, counts) = float_rows(at.format, n, budget);
-            let (i, _) = integer_rows(&ints, budget);
-            let mix = |(k, row): (usize, &Vec<u64>)| {
-                let (mut fs, mut is) = (row.iter(), i[k % i.len()].iter());
-                floats
-                    .iter()
-                    .map(|f| if *f { fs.next() } else { is.next() })
-                    .map(|v| *v.expect("as many as columns"))
-                    .collect()
-            };
-            (a.iter().enumerate().map(mix).collect(), counts)
-        }
+    let kind = |(_, p): (usize, &crate::ir::Port)| match p.unit.starts_with("float") {
+        true => Kind::Float(at.format),
+        false => Kind::Integer(p.width.eval(&b) as u32),
     };
+    let kinds: Vec<Kind> = m.data_inputs().map(kind).collect();
+    let (mut rows, mut counts) = plan_rows(&kinds, plan);
+    if counts.exhaustive == 0 {
+        // Where a ray can come by, half of the rows are what it brings.
+        let names: Vec<&str> = inputs.iter().map(|c| c.name.as_str()).collect();
+        let idx = b.get("IDX_W").map_or(at.traverse.idx_bits(), |v| *v as u32);
+        let (free, kept) = plan_rows(&kinds, Plan { rows: plan.rows - plan.rows / 2, ..plan });
+        let mut met = free[..plan.rows / 2].to_vec();
+        if met::meet(&m.name, &names, &at, idx, plan.seed, &mut met) {
+            counts = Counts { rays: met.len(), ..kept };
+            rows = [free, met].concat();
+        }
+    }
     let rows: Vec<Vec<u64>> = rows.into_iter().map(|r| models::legal(&m.name, &at, &b, r)).collect();
     let expected = rows.iter().map(|r| model(&m.name, &at, &b, r)).collect();
     VectorSet { unit: m.name.clone(), params: b, seed: plan.seed, counts, inputs, outputs, stimulus: rows, expected }

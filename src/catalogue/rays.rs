@@ -52,7 +52,7 @@ pub fn ray_set(d: &Design, m: &Module, pyramid: &Pyramid, rays: &[RayInput], see
         unit: m.name.clone(),
         params: m.default_binding(),
         seed,
-        counts: Counts { corners: 0, random: rays.len(), exhaustive: 0 },
+        counts: Counts { rays: rays.len(), ..Counts::default() },
         inputs,
         outputs,
         stimulus: rays.iter().map(|r| vec![r.u, r.v, r.du, r.dv]).collect(),

@@ -1,6 +1,6 @@
 //! Checks an emitted tree: every unit's vectors replayed by the interpreter or a simulator.
 use crate::bench::{Simulator, run_bench};
-use crate::catalogue::{CheckReport, check_interp, compare, units};
+use crate::catalogue::{CheckReport, check_interp, compare, fits, units};
 use crate::config::{Config, Design};
 use crate::error::{Error, Result};
 use crate::golden::RayInput;
@@ -40,7 +40,10 @@ pub enum Canary {
 impl Canary {
     /// Puts the fault into a set.
     pub fn spoil(self, s: &mut VectorSet) {
-        let middle = s.expected.len() / 2;
+        if s.stimulus.is_empty() || s.expected.is_empty() {
+            return;
+        }
+        let middle = s.expected.len().min(s.stimulus.len()) / 2;
         match self {
             Self::Flip => s.expected[middle][0] ^= 1,
             Self::Drop => drop(s.stimulus.pop()),
@@ -90,6 +93,13 @@ pub fn check_tree(
 fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary: Option<Canary>) -> Result<Checked> {
     let place = dir.join("golden").join(&m.name);
     let (mut set, whole) = read_set(&place)?;
+    if set.params != m.default_binding() {
+        return Err(Error::input(format!(
+            "{}: the vectors were made for other parameter values than the configuration has",
+            place.display()
+        )));
+    }
+    fits(m, &set).map_err(|e| Error::input(format!("{}: {e}", place.display())))?;
     if let Some(canary) = canary {
         canary.spoil(&mut set);
     }

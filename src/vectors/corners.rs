@@ -1,6 +1,7 @@
-//! Which inputs are tried: corner tables crossed with each other first, then weighted random rows; everything where the
-//! space is small (the order of TestFloat, with tables of our own).
+//! Which inputs are tried: landmarks crossed with each other first, then the larger tables of corners, then weighted random rows;
+//! everything where the space is small (the order of TestFloat, with tables of our own).
 use super::set::Counts;
+use super::weights::{partner, word};
 use crate::bits::mask;
 use crate::format::FloatFormat;
 use rand::{Rng, SeedableRng};
@@ -15,57 +16,126 @@ pub struct Plan {
     pub seed: u64,
 }
 
-/// Input spaces up to this many rows are tried whole.
+/// What the words of a column mean.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// An encoded number.
+    Float(FloatFormat),
+    /// A word of so many bits, signed or not.
+    Integer(u32),
+}
+
+impl Kind {
+    /// Bits.
+    pub const fn width(self) -> u32 {
+        match self {
+            Self::Float(f) => f.width(),
+            Self::Integer(w) => w,
+        }
+    }
+}
+
+/// Input spaces up to this many bits are tried whole.
 const SMALL: u32 = 16;
 
-/// Rows of `arity` floats of one format.
-pub fn float_rows(f: FloatFormat, arity: usize, plan: Plan) -> (Vec<Vec<u64>>, Counts) {
-    let w = f.width();
-    if w * arity as u32 <= SMALL {
-        return every(&vec![w; arity]);
+/// Rows of words for these columns.
+pub fn plan_rows(columns: &[Kind], plan: Plan) -> (Vec<Vec<u64>>, Counts) {
+    if columns.iter().map(|k| k.width()).sum::<u32>() <= SMALL {
+        return every(columns);
     }
-    let (exps, fracs) = (exponents(f), fractions(f));
-    let table: Vec<u64> = exps.iter().flat_map(|e| fracs.iter().map(move |m| (e << f.man) | m)).collect();
-    let table: Vec<u64> = table.iter().copied().chain(table.iter().map(|v| v | f.sign_bit())).collect();
     let mut rng = ChaCha8Rng::seed_from_u64(plan.seed);
-    let pick = |rng: &mut ChaCha8Rng| table[rng.random_range(0..table.len())];
-    let crossed = table.len().pow(arity as u32);
     let half = plan.rows / 2;
-    let mut rows: Vec<Vec<u64>> = if crossed <= half {
-        (0..crossed).map(|k| (0..arity as u32).map(|a| table[k / table.len().pow(a) % table.len()]).collect()).collect()
-    } else {
-        // The crossed table does not fit the budget: a sample of it, each operand a corner.
-        (0..half).map(|_| (0..arity).map(|_| pick(&mut rng)).collect()).collect()
-    };
+    let mut rows = Vec::with_capacity(plan.rows);
+    // A class of operands that meets no other class is a policy that nobody checks, so these pairs are never left to chance
+    // where they fit at all.
+    let landmarks: Vec<Vec<u64>> = columns.iter().map(|k| landmarks(*k)).collect();
+    let room = if columns.len() <= 2 { plan.rows * 2 / 3 } else { plan.rows / 4 };
+    choose(&landmarks, room, plan.rows / 4, &mut rng, &mut rows);
+    let tables: Vec<Vec<u64>> = columns.iter().map(|k| table(*k)).collect();
+    let left = half.saturating_sub(rows.len());
+    choose(&tables, left, left, &mut rng, &mut rows);
     let corners = rows.len();
     while rows.len() < plan.rows {
-        let mut row: Vec<u64> = vec![number(f, &mut rng)];
-        while row.len() < arity {
-            row.push(near(f, row[0], &mut rng));
+        let mut row: Vec<u64> = Vec::with_capacity(columns.len());
+        for (k, kind) in columns.iter().enumerate() {
+            let before = (0..k).rev().find(|b| columns[*b] == *kind).map(|b| row[b]);
+            row.push(match before {
+                Some(a) => partner(*kind, a, &mut rng),
+                None => word(*kind, &mut rng),
+            });
         }
         rows.push(row);
     }
-    let counts = Counts { corners, random: rows.len() - corners, exhaustive: 0 };
-    (rows, counts)
+    let random = rows.len() - corners;
+    (rows, Counts { corners, random, ..Counts::default() })
+}
+
+/// All combinations of the tables if they are at most `room`, else `sample` of them.
+fn choose(tables: &[Vec<u64>], room: usize, sample: usize, rng: &mut ChaCha8Rng, out: &mut Vec<Vec<u64>>) {
+    let all = tables.iter().try_fold(1usize, |n, t| n.checked_mul(t.len()));
+    match all.filter(|n| *n <= room) {
+        Some(n) => out.extend((0..n).map(|mut k| {
+            let pick = |t: &Vec<u64>| {
+                let v = t[k % t.len()];
+                k /= t.len();
+                v
+            };
+            tables.iter().map(pick).collect()
+        })),
+        None => {
+            out.extend(
+                (0..sample).map(|_| tables.iter().map(|t| t[rng.random_range(0..t.len())]).collect::<Vec<u64>>()),
+            );
+        }
+    }
+}
+
+/// A few values for each class that the rules tell apart.
+pub fn landmarks(kind: Kind) -> Vec<u64> {
+    match kind {
+        Kind::Integer(w) => sorted(vec![0, 1, mask(w), mask(w) - 1, mask(w) >> 1, (mask(w) >> 1) + 1], mask(w)),
+        Kind::Float(f) => {
+            let one = (f.bias() as u64) << f.man;
+            let inf = f.infinity();
+            // Zero, subnormals, least and largest normal number, 1 and its neighbour, infinity, NaN of both kinds.
+            let v = [0, 1, f.man_mask(), 1 << f.man, one, one + 1, inf - 1, inf, inf + 1, f.nan()];
+            sorted(both_signs(f, &v), mask(f.width()))
+        }
+    }
+}
+
+/// The whole table of corners.
+pub fn table(kind: Kind) -> Vec<u64> {
+    match kind {
+        Kind::Integer(w) => {
+            let m = mask(w);
+            let bits = (0..w).flat_map(|b| [1 << b, m ^ (1 << b), mask(b), m ^ mask(b), (1u64 << b) + 1]);
+            let stripes = [0x5555_5555_5555_5555, 0xaaaa_aaaa_aaaa_aaaa, 0x3333_3333_3333_3333];
+            sorted(bits.chain(stripes).chain(landmarks(kind)).collect(), m)
+        }
+        Kind::Float(f) => {
+            let fracs = fractions(f);
+            let v: Vec<u64> = exponents(f).iter().flat_map(|e| fracs.iter().map(move |m| (e << f.man) | m)).collect();
+            sorted(both_signs(f, &v), mask(f.width()))
+        }
+    }
+}
+
+fn both_signs(f: FloatFormat, v: &[u64]) -> Vec<u64> {
+    v.iter().flat_map(|x| [*x, x | f.sign_bit()]).collect()
+}
+
+fn sorted(mut v: Vec<u64>, m: u64) -> Vec<u64> {
+    v.iter_mut().for_each(|x| *x &= m);
+    v.sort_unstable();
+    v.dedup();
+    v
 }
 
 fn exponents(f: FloatFormat) -> Vec<u64> {
-    let (bias, man, top) = (f.bias() as i64, i64::from(f.man), f.exp_max() as i64);
-    let mut e = vec![
-        0,
-        1,
-        2,
-        bias - man - 1,
-        bias - man,
-        bias - 1,
-        bias,
-        bias + 1,
-        bias + man,
-        bias + man + 1,
-        top - 2,
-        top - 1,
-        top,
-    ];
+    let (bias, man, top) = (i64::from(f.bias()), i64::from(f.man), f.exp_max() as i64);
+    let near_one = [-man - 2, -man - 1, -man, -1, 0, 1, man - 1, man, man + 1].map(|k| bias + k);
+    let mut e: Vec<i64> = [0, 1, 2, top - 2, top - 1, top].into_iter().chain(near_one).collect();
     e.retain(|x| (0..=top).contains(x));
     e.sort_unstable();
     e.dedup();
@@ -74,71 +144,21 @@ fn exponents(f: FloatFormat) -> Vec<u64> {
 
 fn fractions(f: FloatFormat) -> Vec<u64> {
     let m = f.man_mask();
-    let mut v =
-        vec![0, 1, 2, m, m - 1, m >> 1, (m >> 1) + 1, ((m >> 1) + 2) & m, m & 0x5555_5555_5555_5555, 1 << (f.man / 2)];
-    v.sort_unstable();
-    v.dedup();
-    v
+    let walking = (0..f.man).map(|b| 1 << b);
+    let full = [0, m, m - 1, m >> 1, (m >> 1) + 2, m & 0x5555_5555_5555_5555];
+    sorted(walking.chain(full).collect(), m)
 }
 
-/// A float with a plain exponent half of the time, any bits otherwise.
-fn number(f: FloatFormat, rng: &mut ChaCha8Rng) -> u64 {
-    let any = rng.random::<u64>() & mask(f.width());
-    if rng.random::<bool>() {
-        return any;
-    }
-    let span = i64::from(f.man) + 3;
-    let e = (i64::from(f.bias()) + rng.random_range(-span..=span)).clamp(1, f.exp_max() as i64 - 1) as u64;
-    (any & !(f.exp_max() << f.man)) | (e << f.man)
-}
-
-/// A partner for `a`: close in exponent, almost equal, with few bits set, or any.
-fn near(f: FloatFormat, a: u64, rng: &mut ChaCha8Rng) -> u64 {
-    let e = ((a >> f.man) & f.exp_max()) as i64;
-    let sign = if rng.random::<bool>() { f.sign_bit() } else { 0 };
-    let with = |e: i64, m: u64| sign | ((e.clamp(0, f.exp_max() as i64) as u64) << f.man) | (m & f.man_mask());
-    match rng.random_range(0..5) {
-        0 => with(e + rng.random_range(-2..=2), rng.random()),
-        1 => (a ^ f.sign_bit()).wrapping_add(rng.random_range(0..3)) & mask(f.width()),
-        2 => with(e - rng.random_range(0..=i64::from(f.man) + 3), 0),
-        3 => with(e + rng.random_range(-3..=3), 1 << rng.random_range(0..f.man)),
-        _ => number(f, rng),
-    }
-}
-
-/// Rows of integers of the given widths: corners crossed or sampled, then random.
-pub fn integer_rows(widths: &[u32], plan: Plan) -> (Vec<Vec<u64>>, Counts) {
-    if widths.iter().sum::<u32>() <= SMALL {
-        return every(widths);
-    }
-    let mut rng = ChaCha8Rng::seed_from_u64(plan.seed);
-    let corner = |w: u32, rng: &mut ChaCha8Rng| {
-        let m = mask(w);
-        [0, 1, m, m >> 1, (m >> 1) + 1, m & !1, 1 << rng.random_range(0..w), m >> rng.random_range(0..w)]
-            [rng.random_range(0..8)]
-            & m
-    };
-    let half = plan.rows / 2;
-    let rows = (0..plan.rows).map(|k| {
-        let one = |w: &u32| {
-            let r = rng.random::<u64>() & mask(*w);
-            if k < half || rng.random_range(0..4) == 0 { corner(*w, &mut rng) } else { r }
-        };
-        widths.iter().map(one).collect()
-    });
-    (rows.collect(), Counts { corners: half, random: plan.rows - half, exhaustive: 0 })
-}
-
-/// Every combination of words of these widths.
-fn every(widths: &[u32]) -> (Vec<Vec<u64>>, Counts) {
-    let total = 1usize << widths.iter().sum::<u32>();
+/// Every combination of words of these columns.
+fn every(columns: &[Kind]) -> (Vec<Vec<u64>>, Counts) {
+    let total = 1usize << columns.iter().map(|k| k.width()).sum::<u32>();
     let row = |mut k: u64| {
-        let word = |w: &u32| {
-            let v = k & mask(*w);
-            k >>= w;
+        let word = |c: &Kind| {
+            let v = k & mask(c.width());
+            k >>= c.width();
             v
         };
-        widths.iter().map(word).collect()
+        columns.iter().map(word).collect()
     };
     ((0..total as u64).map(row).collect(), Counts { exhaustive: total, ..Counts::default() })
 }

@@ -29,8 +29,7 @@ struct Description {
     blake3: String,
 }
 
-const POLICY: &str =
-    "corner tables crossed or sampled first, then weighted random; every input where the space is small";
+const POLICY: &str = "landmarks crossed, then corner tables, then weighted random, then what rays bring; every input where the space is small";
 
 /// The files of a set, by name.
 pub fn set_files(s: &VectorSet) -> Files {
@@ -177,7 +176,7 @@ pub fn read_set(dir: &Path) -> Result<(VectorSet, bool)> {
         stimulus,
         expected,
     };
-    let whole = set.hash() == d.blake3;
+    let whole = set.hash() == d.blake3 && set.stimulus.len() == d.rows && set.counts.total() == d.rows;
     Ok((set, whole))
 }
 

@@ -2,7 +2,8 @@
 mod corners;
 mod files;
 mod set;
+mod weights;
 
-pub use corners::{Plan, float_rows, integer_rows};
+pub use corners::{Kind, Plan, landmarks, plan_rows};
 pub use files::{Rows, read_csv, read_json, read_set, set_files};
 pub use set::{Column, Counts, VectorSet};

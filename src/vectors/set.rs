@@ -18,7 +18,10 @@ pub struct Counts {
     pub corners: usize,
     /// Weighted random rows.
     pub random: usize,
-    /// Every input once (then the other two are 0).
+    /// Rows that a traced ray could bring to the unit.
+    #[serde(default)]
+    pub rays: usize,
+    /// Every input once (then the others are 0).
     pub exhaustive: usize,
 }
 
@@ -41,6 +44,13 @@ pub struct VectorSet {
     pub stimulus: Vec<Vec<u64>>,
     /// Expected outputs of each row.
     pub expected: Vec<Vec<u64>>,
+}
+
+impl Counts {
+    /// Rows in all.
+    pub const fn total(&self) -> usize {
+        self.corners + self.random + self.rays + self.exhaustive
+    }
 }
 
 impl VectorSet {

@@ -68,12 +68,8 @@ pub fn wide(e: &Expr) -> String {
     let mut out = String::new();
     for (a, c) in terms {
         let text = match a {
-<<<<<<< HEAD
-            Atom::Call(Func::Pow2, x) => format!("(64'd1 << ({}))", x[0]),
-            Atom::Param(name) | Atom::Local(name, _) => name.clone(),
-=======
             Atom::Call(Func::Pow2, x) => format!("(64'd1 << {})", group(&x[0])),
->>>>>>> ci
+            Atom::Param(name) | Atom::Local(name, _) => name.clone(),
             Atom::Call(Func::Div, x) => format!("(({}) / ({}))", wide(&x[0]), wide(&x[1])),
             other => panic!("{other} can't stand in a wide constant"),
         };

@@ -1,7 +1,8 @@
 // tb_traverse: loads the pyramid, sends the golden rays, and checks that every ray comes back exactly once and right.
 //   +vectors=DIR   directory with memory.hex, stimulus.hex, expected.hex (default golden/traverse)
 //   +gaps          rays are held back at random      +stalls    results are taken at random
-//   +flood         fills the pipeline, resets it, and only then runs the set
+//   +flood         fills the pipeline with rays, resets it, and only then runs the set
+//   +patience=N    clocks without a result after which a ray counts as lost (default 2000000)
 //   +results=FILE  one line a ray: its number, then its outputs in hex
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
 // 5 nothing ran, 6 a ray never came back, 7 a result that nobody expected.
@@ -18,7 +19,6 @@ module tb_traverse #(
   localparam integer WarmUp = {{ warm_up }};  // clocks until the pipeline can be full
   localparam integer TagBits = (TAG_W < 8) ? TAG_W : 8;
   localparam integer Tags = 1 << TagBits;
-  localparam integer Patience = 2000000;
 
   reg [8*200-1:0] dir;
   reg [8*240-1:0] path;
@@ -36,6 +36,8 @@ module tb_traverse #(
   integer quiet;
   integer after;
   integer flood_left;
+  integer flood_rows;
+  integer patience;
   integer cycles;
   integer loaded;
   integer busy;
@@ -69,11 +71,14 @@ module tb_traverse #(
   // What each tag in flight stands for.
   reg        tag_used [0:Tags-1];
   integer    tag_ray [0:Tags-1];
+  reg [TAG_W-1:0] tag_sent [0:Tags-1];
 {%- for p in outputs %}
   reg [63:0] want_{{ p.name }} [0:Tags-1];
 {%- endfor %}
   wire [TagBits-1:0] slot = out_tag[TagBits-1:0];
   reg [TagBits-1:0] next_tag;
+  // The bits above those that tell rays apart travel too.
+  reg [31+TagBits:0] tag_word;
   wire       accepted = in_valid & in_ready & ~rst;
 
   {{ dut }} #(
@@ -117,6 +122,7 @@ module tb_traverse #(
     stim_left = 0;
     exp_left = 0;
     flood_left = 0;
+    flood_rows = 0;
     res_fd = 0;
     lfsr = 32'h2468_ace1;
     word = 0;
@@ -128,6 +134,7 @@ module tb_traverse #(
     in_valid = 1'b0;
     in_tag = 0;
     next_tag = 0;
+    tag_word = 0;
     out_ready = 1'b0;
 {%- for p in inputs %}
     {{ p.name }} = 0;
@@ -139,6 +146,7 @@ module tb_traverse #(
     gaps = $test$plusargs("gaps") != 0;
     stalls = $test$plusargs("stalls") != 0;
     if ($test$plusargs("flood") != 0) flood_left = 200;
+    if ($value$plusargs("patience=%d", patience) == 0) patience = 2000000;
     if ($value$plusargs("vectors=%s", dir) == 0) dir = "golden/traverse";
     $sformat(path, "%0s/memory.hex", dir);
     mem_fd = $fopen(path, "r");
@@ -190,15 +198,35 @@ module tb_traverse #(
         in_valid <= 1'b1;
         out_ready <= 1'b0;
         rst <= flood_left < 3;
-        if (flood_left == 0) in_valid <= 1'b0;
+        tag_word = {lfsr, next_tag};
+        in_tag <= tag_word[TAG_W-1:0];
+        if (flood_rows < stim_left) begin
+          flood_rows = flood_rows + 1;
+{%- for p in inputs %}
+          got = $fscanf(stim_fd, "%h", word);
+          {{ p.name }} <= word{{ p.select }};
+{%- endfor %}
+        end
+        if (flood_left == 0) begin
+          in_valid <= 1'b0;
+          $fclose(stim_fd);
+          $sformat(path, "%0s/stimulus.hex", dir);
+          stim_fd = $fopen(path, "r");
+          got = $fgets(header, stim_fd);
+          got = $fscanf(stim_fd, "%h", word);
+        end
       end else begin
         rst <= 1'b0;
         load_en <= 1'b0;
         out_ready <= ~stalls | lfsr[5];
         quiet = quiet + 1;
-        if (!rst && out_valid && out_ready) begin
+        if (!rst && (^{in_ready, out_valid, slot_busy}) === 1'bx) begin
+          $display("FAIL tb_traverse: in_ready, out_valid or slot_busy is undefined, after %0d", checked);
+          exit_code <= 8'd1;
+          done <= 1'b1;
+        end else if (!rst && out_valid && out_ready) begin
           quiet = 0;
-          if (!tag_used[slot]) begin
+          if (tag_used[slot] !== 1'b1 || out_tag !== tag_sent[slot]) begin
             $display("FAIL tb_traverse: a result with tag %h came that nobody expected, after %0d", out_tag, checked);
             exit_code <= 8'd7;
             done <= 1'b1;
@@ -233,6 +261,7 @@ module tb_traverse #(
             tag_used[in_tag[TagBits-1:0]] = 1'b1;
           end
           tag_ray[in_tag[TagBits-1:0]] = rays;
+          tag_sent[in_tag[TagBits-1:0]] = in_tag;
           rays = rays + 1;
           outstanding = outstanding + 1;
           next_tag = next_tag + 1'b1;
@@ -251,9 +280,14 @@ module tb_traverse #(
             got = $fscanf(stim_fd, "%h", word);
             {{ p.name }} <= word{{ p.select }};
 {%- endfor %}
+            if (got != 1) begin
+              $display("FAIL tb_traverse: stimulus.hex ends before the number of rows that it announces");
+              exit_code <= 8'd2;
+              done <= 1'b1;
+            end
             in_valid <= 1'b1;
-            in_tag <= 0;
-            in_tag[TagBits-1:0] <= next_tag;
+            tag_word = {lfsr, next_tag};
+            in_tag <= tag_word[TAG_W-1:0];
             stim_left = stim_left - 1;
           end else begin
             in_valid <= 1'b0;
@@ -272,7 +306,7 @@ module tb_traverse #(
             $display("PASS tb_traverse: 0 of %0d mismatched", checked);
           end
           if (res_fd != 0) $fclose(res_fd);
-        end else if (quiet > Patience && !done) begin
+        end else if (quiet > patience && !done) begin
           $display("FAIL tb_traverse: %0d rays went in and never came out", outstanding);
           exit_code <= 8'd6;
           done <= 1'b1;

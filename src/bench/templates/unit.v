@@ -129,6 +129,11 @@ module tb_{{ unit }}{% if params %} #(
           got = $fscanf(stim_fd, "%h", word);
           in_{{ p.name }} <= word{{ p.select }};
 {%- endfor %}
+          if (got != 1) begin
+            $display("FAIL tb_{{ unit }}: stimulus.hex ends before the number of rows that it announces");
+            exit_code <= 8'd2;
+            done <= 1'b1;
+          end
           in_valid <= 1'b1;
           stim_left = stim_left - 1;
         end else begin

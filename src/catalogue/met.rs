@@ -1,0 +1,206 @@
+//! Rows as a traced ray brings them to the units of the traversal. Free combinations of words hardly ever are: most are no ray at all,
+//! or a texel that the ray never sees, and a unit that clamps or refuses them hides what it computes.
+use crate::bits::mask;
+use crate::config::Design;
+use crate::golden::float as gf;
+use crate::golden::{Axis, Golden, RayInput};
+use rand::seq::IndexedRandom;
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+/// Puts into `rows` of `unit` what rays bring; ports that no ray decides keep their word. False, and nothing is changed, if the unit is
+/// no part of the traversal or no datapath exists at `d` (a format too small for the map).
+pub fn meet(unit: &str, ports: &[&str], d: &Design, idx: u32, seed: u64, rows: &mut [Vec<u64>]) -> bool {
+    let Some(word) = words(unit) else { return false };
+    let Ok(golden) = Golden::new(d) else { return false };
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    rng.set_stream(1);
+    for row in rows {
+        let moment = Moment::any(&golden, idx, &mut rng);
+        for (slot, port) in row.iter_mut().zip(ports) {
+            *slot = word(port, &moment).unwrap_or(*slot);
+        }
+    }
+    true
+}
+
+/// A ray at some level and parameter; indices are words of IDX_W bits.
+struct Moment {
+    ray: [u64; 4],
+    level: u32,
+    axes: [Side; 2],
+    height: u64,
+    t: u64,
+    m: u64,
+}
+
+/// What a moment says about one axis.
+#[derive(Clone, Copy)]
+struct Side {
+    a: Axis,
+    entry: u64,
+    end: u64,
+    at: u64,
+    low: u64,
+    high: u64,
+    plane: u64,
+    hit: u64,
+    t_plane: u64,
+}
+
+type Word = fn(&str, &Moment) -> Option<u64>;
+
+fn words(unit: &str) -> Option<Word> {
+    Some(match unit {
+        "ray_setup" => |p, m| ["u", "v", "du", "dv"].iter().position(|n| *n == p).map(|k| m.ray[k]),
+        "start_level" => |p, m| {
+            let [u, v] = m.axes;
+            [("x", u.entry), ("y", v.entry), ("x_end", u.end), ("y_end", v.end)].iter().find(|w| w.0 == p).map(|w| w.1)
+        },
+        "hit_position" => |p, m| if p == "x" { Some(m.axes[0].at) } else { one_axis(p, m) },
+        "plane_time" | "predicted_hit" => one_axis,
+        "height_test" | "node_crossing" | "multi_level_down" | "level_up" => both_axes,
+        _ => return None,
+    })
+}
+
+fn one_axis(port: &str, m: &Moment) -> Option<u64> {
+    let s = &m.axes[0];
+    Some(match port {
+        "p" => s.a.p,
+        "p_back" => s.a.pb,
+        "d" => s.a.dt,
+        "r" => s.a.r,
+        "never" => u64::from(s.a.never),
+        "plane" => s.plane,
+        "t" => m.t,
+        "m" => m.m,
+        _ => return None,
+    })
+}
+
+fn both_axes(port: &str, m: &Moment) -> Option<u64> {
+    let s = &m.axes[usize::from(port.starts_with('y') || port == "t_y")];
+    Some(match port.trim_start_matches("x_").trim_start_matches("y_") {
+        "height" => m.height,
+        "level" => u64::from(m.level),
+        "t" => m.t,
+        "m" => m.m,
+        "t_x" | "t_y" => s.t_plane,
+        "low" => s.low,
+        "high" => s.high,
+        "at" => s.at,
+        "hit" => s.hit,
+        _ => return None,
+    })
+}
+
+impl Moment {
+    fn any(g: &Golden, idx: u32, rng: &mut ChaCha8Rng) -> Self {
+        let (f, size) = (g.design().format, g.design().traverse);
+        let (mut ray, setup) = loop {
+            let r = any_ray(g.design(), rng);
+            let s = g.setup(&r);
+            if s.valid {
+                break ([r.u, r.v, r.du, r.dv], s);
+            }
+        };
+        let most = (1u64 << size.height_bits) - 1;
+        let height = rng.random_range(0..=most);
+        let t_v = gf::from_int(f, (most - height) as i64);
+        // Somewhere on the way; where the node's height is met, or just beside; or next to a border of texels, because only there a
+        // last bit moves a floor.
+        let t = match rng.random_range(0..6) {
+            0 => t_v,
+            1 => beside(t_v, rng),
+            2 => beside(border(g, &setup.u, setup.u.p, rng), rng),
+            3 => beside(border(g, &setup.u, setup.u.pb, rng), rng),
+            _ => gf::from_f64(f, most as f64 * rng.random::<f64>().powi(rng.random_range(1..4))),
+        };
+        let m = if gf::lt(f, t, t_v) { t_v } else { t };
+        let level = rng.random_range(0..=size.levels);
+        let mut axes = [setup.u, setup.v].map(|a| Side::at(g, a, level, [t, m], idx, rng));
+        // Both planes at once, and planes that are met exactly at the node's height or at the entry.
+        match rng.random_range(0..12) {
+            0 => axes[1].t_plane = axes[0].t_plane,
+            1 => axes[rng.random_range(0..2)].t_plane = m,
+            2 => axes[rng.random_range(0..2)].t_plane = t,
+            _ => {}
+        }
+        if rng.random_range(0..4) == 0 {
+            let k = rng.random_range(0..4);
+            ray[k] = edge(g.design(), k < 2, rng);
+        }
+        Self { ray, level, axes, height, t, m }
+    }
+}
+
+/// A parameter at which the ray, entering at `p`, meets a border of texels; 0 if it does not move.
+fn border(g: &Golden, a: &Axis, p: u64, rng: &mut ChaCha8Rng) -> u64 {
+    let f = g.design().format;
+    let (first, last) = (a.x.min(a.xa), a.x.max(a.xa));
+    let away = gf::add(f, gf::from_int(f, rng.random_range(first..=last + 1)), gf::neg(f, p));
+    let t = gf::div(f, away, a.dt);
+    let on_the_way = gf::lt(f, 0, t) && gf::lt(f, t, gf::from_int(f, 1 << g.design().traverse.height_bits));
+    if on_the_way { t } else { 0 }
+}
+
+/// A number or one of its two neighbours.
+fn beside(t: u64, rng: &mut ChaCha8Rng) -> u64 {
+    (t + rng.random_range(0..=2)).saturating_sub(1)
+}
+
+impl Side {
+    fn at(g: &Golden, a: Axis, level: u32, [t, m]: [u64; 2], idx: u32, rng: &mut ChaCha8Rng) -> Self {
+        let f = g.design().format;
+        let reach = |p: u64, t: u64| gf::to_int(f, gf::add(f, p, gf::mul(f, a.dt, t)), idx);
+        // A ray on a border of texels may stand in either; one further off is clamped.
+        let at = reach(a.p, t) + *[0, 0, 0, 0, -1, 1].choose(rng).expect("not empty");
+        let size = 1i64 << level;
+        let first = at & -size;
+        let (low, high) = if a.neg { (first, at) } else { (at, first + size - 1) };
+        let plane = if a.neg { first } else { first + size };
+        let hit = match rng.random_range(0..3) {
+            0 => reach(a.pb, m),
+            1 => rng.random_range(low - 2..=high + 2),
+            // In this node or up to two nodes further.
+            _ => first + rng.random_range(-2 * size..3 * size),
+        };
+        let away = gf::add(f, gf::from_int(f, plane), gf::neg(f, a.p));
+        let t_plane = if a.never { f.infinity() } else { gf::mul(f, away, a.r) };
+        let index = |v: i64| v as u64 & mask(idx);
+        let [entry, end, at, low, high] = [a.x, a.xa, at, low, high].map(index);
+        Self { a, entry, end, at, low, high, plane: index(plane), hit: index(hit), t_plane }
+    }
+}
+
+/// Entry points anywhere or on a border of texels, travels of every length, both axes on their own.
+fn any_ray(d: &Design, rng: &mut ChaCha8Rng) -> RayInput {
+    let (n, tile) = (d.traverse.levels as i32, d.traverse.tile_bits as i32);
+    let side = 2f64.powi(n);
+    let mut entry = || match rng.random_range(0..4) {
+        0 => (rng.random::<f64>() * side).floor() / side,
+        _ => rng.random::<f64>(),
+    };
+    let (u, v) = (entry(), entry());
+    let mut travel = || {
+        let sign = if rng.random::<bool>() { 1.0 } else { -1.0 };
+        let length = 2f64.powi(rng.random_range(-n - 4..=tile)) * rng.random_range(0.5..1.0);
+        sign * match rng.random_range(0..16) {
+            0 => 0.0,
+            1 => 2f64.powi(-rng.random_range(0..d.format.bias())),
+            _ => length,
+        }
+    };
+    let (du, dv) = (travel(), travel());
+    RayInput::from_f64(d.format, u, v, du, dv)
+}
+
+/// What stands at an end of what setup accepts.
+fn edge(d: &Design, entry: bool, rng: &mut ChaCha8Rng) -> u64 {
+    let f = d.format;
+    let end = gf::from_f64(f, if entry { 1.0 } else { 2f64.powi(d.traverse.tile_bits as i32) });
+    let v = [0, 1, f.man_mask(), 1 << f.man, end - 1, end, end + 1, f.infinity() - 1, f.infinity(), f.nan()];
+    let sign = if rng.random_range(0..3) == 0 { f.sign_bit() } else { 0 };
+    *v.choose(rng).expect("not empty") | sign
+}
