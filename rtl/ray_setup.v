@@ -1,5 +1,5 @@
 // ray_setup: a ray's constants, from texture coordinates to texels and height codes
-// Source     src/units/traversal/ray_setup.rs (emitted: do not edit)
+// Source     src/units/traversal/watertight/ray_setup.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
 //            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    3 clocks

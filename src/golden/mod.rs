@@ -7,10 +7,12 @@ mod level;
 mod pyramid;
 mod record;
 mod setup;
+mod tracer;
 mod traverse;
 
 pub use level::{Crossing, descend_levels, level_up, start_level};
 pub use pyramid::{Pyramid, address};
 pub use record::{Decision, Iteration, RayHit};
 pub use setup::{Axis, RayInput, Setup};
+pub use tracer::{Tracer, decode_time, encode_ray};
 pub use traverse::Golden;

@@ -54,15 +54,24 @@ pub(super) fn too_wide() -> Error {
 
 /// A dyadic number `sig * 2^exp` with its sign; `sig` is odd, or 0 with `exp` 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Dyadic {
+pub struct Dyadic {
     pub(super) negative: bool,
     pub(super) sig: u128,
     pub(super) exp: i32,
 }
 
 impl Dyadic {
+    /// `sig * 2^exp` with a sign.
+    pub fn new(negative: bool, sig: u128, exp: i32) -> Self {
+        if sig == 0 {
+            return Self { negative, sig, exp: 0 };
+        }
+        let even = sig.trailing_zeros();
+        Self { negative, sig: sig >> even, exp: exp + even as i32 }
+    }
+
     /// Reads a finite encoded number of `exp_w` exponent and `man_w` fraction bits; None for infinities and NaNs.
-    pub(super) fn read(code: u64, exp_w: u32, man_w: u32) -> Option<Self> {
+    pub fn read(code: u64, exp_w: u32, man_w: u32) -> Option<Self> {
         let fraction = code % (1 << man_w);
         let field = (code >> man_w) % (1 << exp_w);
         let negative = (code >> man_w) >> exp_w & 1 == 1;
@@ -73,9 +82,8 @@ impl Dyadic {
             return Some(Self { negative, sig: 0, exp: 0 });
         }
         let sig = fraction + (1 << man_w);
-        let even = sig.trailing_zeros();
         let unit = 1 - (1i32 << (exp_w - 1)) + field as i32 - man_w as i32;
-        Some(Self { negative, sig: u128::from(sig >> even), exp: unit + even as i32 })
+        Some(Self::new(negative, u128::from(sig), unit))
     }
 }
 

@@ -8,5 +8,5 @@
 mod exact;
 mod walk;
 
-pub use exact::Ratio;
+pub use exact::{Dyadic, Ratio};
 pub use walk::{ExactHit, ExactMap, ExactRay};

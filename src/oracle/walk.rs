@@ -15,15 +15,27 @@ pub struct ExactMap<'a> {
     pub texels: &'a [u32],
 }
 
-/// A ray by its encoded numbers: entry point and travel in tiles, `(u, v)` each.
+/// A ray by its exact numbers: entry point and travel in tiles, `(u, v)` each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ExactRay {
-    /// Format of the numbers.
-    pub format: FloatFormat,
     /// Entry point, in [0, 1).
-    pub p: [u64; 2],
+    pub p: [Dyadic; 2],
     /// Tiles travelled while the height falls from 1 to 0; below 2^8.
-    pub d: [u64; 2],
+    pub d: [Dyadic; 2],
+}
+
+impl ExactRay {
+    /// A ray of floating-point words; `None` if one of them is infinite or no number.
+    pub fn float(format: FloatFormat, p: [u64; 2], d: [u64; 2]) -> Option<Self> {
+        let read = |x: u64| Dyadic::read(x, format.exp, format.man);
+        Some(Self { p: [read(p[0])?, read(p[1])?], d: [read(d[0])?, read(d[1])?] })
+    }
+
+    /// A ray of fixed-point words with `fraction_bits` behind the point: entry points unsigned, travels signed.
+    pub fn fixed(fraction_bits: u32, p: [u64; 2], d: [i64; 2]) -> Self {
+        let read = |x: i64| Dyadic::new(x.is_negative(), u128::from(x.unsigned_abs()), -(fraction_bits as i32));
+        Self { p: p.map(|x| read(x as i64)), d: d.map(read) }
+    }
 }
 
 /// The exact hit.
@@ -63,12 +75,8 @@ struct Axis {
 }
 
 impl Axis {
-    fn new(p: u64, d: u64, fmt: FloatFormat, map: &ExactMap) -> Result<Self> {
+    fn new(p: Dyadic, d: Dyadic, map: &ExactMap) -> Result<Self> {
         let outside = || Error::input("an exact ray enters in [0, 1) and travels less than 256 tiles");
-        let (p, d) = (
-            Dyadic::read(p, fmt.exp, fmt.man).ok_or_else(outside)?,
-            Dyadic::read(d, fmt.exp, fmt.man).ok_or_else(outside)?,
-        );
         // Below 1 means that the top bit of sig * 2^exp is below the point.
         let bits = |x: &Dyadic| (u128::BITS - x.sig.leading_zeros()) as i32 + x.exp;
         if p.sig != 0 && (p.negative || bits(&p) > 0) || d.sig != 0 && bits(&d) > 8 {
@@ -139,8 +147,8 @@ impl ExactMap<'_> {
         if self.texels.len() != 1 << (2 * self.levels) {
             return Err(Error::input(format!("the map has {} texels, not 4^{}", self.texels.len(), self.levels)));
         }
-        let mut u = Axis::new(ray.p[0], ray.d[0], ray.format, self)?;
-        let mut v = Axis::new(ray.p[1], ray.d[1], ray.format, self)?;
+        let mut u = Axis::new(ray.p[0], ray.d[0], self)?;
+        let mut v = Axis::new(ray.p[1], ray.d[1], self)?;
         let bottom = (1u64 << self.height_bits) - 1;
         let mut judge = Judge { bottom: bottom as f64, margin: f64::INFINITY };
         let mut entry = Ratio::integer(0);

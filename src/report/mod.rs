@@ -2,5 +2,5 @@
 mod accuracy;
 mod steps;
 
-pub use accuracy::{Accuracy, WrongTexel, accuracy};
+pub use accuracy::{Accuracy, WrongTexel, accuracy, exact_ray};
 pub use steps::{PUBLISHED, Published, ROWS, Steps, steps};

@@ -4,7 +4,7 @@ use crate::config::Design;
 use crate::error::Result;
 use crate::format::FloatFormat;
 use crate::golden::float::to_f64;
-use crate::golden::{Golden, Iteration, Pyramid, RayInput};
+use crate::golden::{Iteration, Pyramid, RayInput, Tracer};
 use crate::interp::{Lanes, Netlist, Slot};
 use crate::ir::Binding;
 use std::sync::Arc;
@@ -75,7 +75,7 @@ pub fn diagnose_image(design: &Design, image: &[u64], ray: &RayInput) -> Result<
 /// Illegal parameters.
 pub fn diagnose(design: &Design, pyramid: &Pyramid, ray: &RayInput) -> Result<Option<Divergence>> {
     let mut iterations = Vec::new();
-    Golden::new(design)?.trace_with(pyramid, ray, |i| iterations.push(*i));
+    Tracer::new(design)?.trace_with(pyramid, ray, |i| iterations.push(*i));
     let p = Pipeline::new(design, &Binding::new())?;
     let probes: Vec<(u32, String, Slot)> = PROBES.iter().map(|(name, ..)| find(&p.net, name)).collect();
     let clocks = p.depth as usize + iterations.len() * p.slots as usize + 2;

@@ -14,7 +14,12 @@ fn modes() -> Vec<ModeConfig> {
     let mut all = Vec::new();
     for start_level in [false, true] {
         for levels_down in 1..=4 {
-            all.extend(LevelUp::ALL.map(|level_up| ModeConfig { start_level, levels_down, level_up }));
+            all.extend(LevelUp::ALL.map(|level_up| ModeConfig {
+                start_level,
+                levels_down,
+                level_up,
+                ..ModeConfig::default()
+            }));
         }
     }
     all
@@ -102,7 +107,7 @@ fn every_mode_returns_the_same_hit_in_other_formats() {
 /// The exact answer to a ray.
 fn exact(d: &Design, texels: &[u32], ray: &RayInput) -> reliefrtl::oracle::ExactHit {
     let map = ExactMap { levels: d.traverse.levels, height_bits: d.traverse.height_bits, texels };
-    map.trace(&ExactRay { format: d.format, p: [ray.u, ray.v], d: [ray.du, ray.dv] }).unwrap()
+    map.trace(&ExactRay::float(d.format, [ray.u, ray.v], [ray.du, ray.dv]).unwrap()).unwrap()
 }
 
 #[test]

@@ -1,9 +1,10 @@
 //! One iteration of `traverse`: from the slot's ray to the ray that goes back.
-use super::loop_state::{Ray, Sizes};
-use super::traverse::Load;
 use super::*;
 use crate::config::{Design, LevelUp};
 use crate::ir::{Builder, Sig};
+use crate::units::traversal::loop_state::Ray;
+use crate::units::traversal::traverse::Load;
+use crate::units::traversal::*;
 
 /// Builds the iteration; operands meet at the stage at which the latest of them is known.
 pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>, load: &Load<'b>) -> Ray<'b> {
@@ -13,16 +14,16 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
     b.section("node", "Extent and exit planes of the node, and its place in memory.");
     let parity = matches!(d.mode.level_up, LevelUp::Tevs | LevelUp::Selective);
     let planes = |axis: &str, x: Sig<'b>, neg: Sig<'b>| {
-        let ins = [("level", ray.level), ("x", x), ("neg", neg)];
+        let ins = [("level", ray.get("level")), ("x", x), ("neg", neg)];
         let o = b.inst(&node_planes(t, parity), &format!("u_planes_{axis}"), &idx(), &ins);
         let names = ["low", "high", "plane", "beyond", "even"];
         o.iter().zip(names).map(|(v, n)| v.named(&format!("{axis}_{n}")).id()).collect::<Vec<_>>()
     };
-    let px: Vec<Sig<'b>> = planes("x", ray.x, ray.neg_x).into_iter().map(|i| b.sig(i)).collect();
-    let py: Vec<Sig<'b>> = planes("y", ray.y, ray.neg_y).into_iter().map(|i| b.sig(i)).collect();
-    let (i, j) = (ray.x.slice(0, &s.levels), ray.y.slice(0, &s.levels));
-    let address =
-        b.inst(&height_address(t), "u_address", &[], &[("level", ray.level), ("i", i), ("j", j)])[0].named("address");
+    let px: Vec<Sig<'b>> = planes("x", ray.get("x"), ray.get("neg_x")).into_iter().map(|i| b.sig(i)).collect();
+    let py: Vec<Sig<'b>> = planes("y", ray.get("y"), ray.get("neg_y")).into_iter().map(|i| b.sig(i)).collect();
+    let (i, j) = (ray.get("x").slice(0, &s.levels), ray.get("y").slice(0, &s.levels));
+    let address = b.inst(&height_address(t), "u_address", &[], &[("level", ray.get("level")), ("i", i), ("j", j)])[0]
+        .named("address");
 
     b.section("height", "");
     let words = pyramid_words(&s.levels);
@@ -38,11 +39,11 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
         let ins = [("plane", plane), ("p", p), ("r", r), ("never", never)];
         b.inst(&plane_time(d), &format!("u_time_{axis}"), &idx(), &ins)[0].named(&format!("t_{axis}")).id()
     };
-    let t_x = b.sig(when("x", px[2], ray.p_x, ray.r_x, ray.never_x));
-    let t_y = b.sig(when("y", py[2], ray.p_y, ray.r_y, ray.never_y));
+    let t_x = b.sig(when("x", px[2], ray.get("p_x"), ray.get("r_x"), ray.get("never_x")));
+    let t_y = b.sig(when("y", py[2], ray.get("p_y"), ray.get("r_y"), ray.get("never_y")));
 
     b.section("height test", "");
-    let o = b.inst(&height_test(d), "u_height_test", &[], &[("height", height), ("t", ray.t)]);
+    let o = b.inst(&height_test(d), "u_height_test", &[], &[("height", height), ("t", ray.get("t"))]);
     let (m, below) = (o[0].named("m"), o[1].named("below"));
 
     b.section("predicted hit", "");
@@ -50,16 +51,16 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
         let ins = [("p_back", p), ("d", dir), ("m", m)];
         b.inst(&predicted_hit(d), &format!("u_predict_{axis}"), &idx(), &ins)[0].named(&format!("{axis}_hit")).id()
     };
-    let hit_x = b.sig(reach("x", ray.pb_x, ray.d_x));
-    let hit_y = b.sig(reach("y", ray.pb_y, ray.d_y));
+    let hit_x = b.sig(reach("x", ray.get("pb_x"), ray.get("d_x")));
+    let hit_y = b.sig(reach("y", ray.get("pb_y"), ray.get("d_y")));
 
     b.section("node crossing", "");
-    let o = b.inst(&node_crossing(d), "u_crossing", &[], &[("t", ray.t), ("m", m), ("t_x", t_x), ("t_y", t_y)]);
+    let o = b.inst(&node_crossing(d), "u_crossing", &[], &[("t", ray.get("t")), ("m", m), ("t_x", t_x), ("t_y", t_y)]);
     let (inside, x_first, t_next) = (o[0].named("is_inside"), o[1].named("x_first"), o[2].named("t_next"));
 
     b.section("multi-level down", "");
-    let mut ins = vec![("level", ray.level)];
-    ins.extend(ray.crossed.map(|c| ("crossed", c)));
+    let mut ins = vec![("level", ray.get("level"))];
+    ins.extend(ray.find("crossed").map(|c| ("crossed", c)));
     ins.extend([("x_low", px[0]), ("x_high", px[1]), ("x_hit", hit_x)]);
     ins.extend([("y_low", py[0]), ("y_high", py[1]), ("y_hit", hit_y)]);
     let o = b.inst(&multi_level_down(t, &d.mode), "u_down", &idx(), &ins);
@@ -70,13 +71,13 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
         None => b.zeros(1),
         Some(unit) => {
             let even = || x_first.mux(px[4], py[4]).named("even");
-            let mut ins = vec![("level", ray.level)];
+            let mut ins = vec![("level", ray.get("level"))];
             match d.mode.level_up {
-                LevelUp::Coherent => ins.extend(ray.prev.map(|p| ("prev_crossed", p))),
+                LevelUp::Coherent => ins.extend(ray.find("prev").map(|p| ("prev_crossed", p))),
                 LevelUp::Tevs => ins.push(("even", even())),
                 LevelUp::Selective => {
                     ins.push(("even", even()));
-                    ins.extend([("x_at", ray.x), ("x_hit", hit_x), ("y_at", ray.y), ("y_hit", hit_y)]);
+                    ins.extend([("x_at", ray.get("x")), ("x_hit", hit_x), ("y_at", ray.get("y")), ("y_hit", hit_y)]);
                 }
                 LevelUp::None | LevelUp::Always => {}
             }
@@ -89,40 +90,41 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
     let late = |v: Sig<'b>| if d.latency.decision > 1 { v.cut() } else { v };
     let mut ins = vec![("is_inside", late(inside)), ("x_first", late(x_first)), ("up", late(up))];
     ins.extend([
-        ("level", late(ray.level)),
+        ("level", late(ray.get("level"))),
         ("level_down", late(level_down)),
         ("m", late(m)),
         ("t_next", late(t_next)),
     ]);
-    ins.extend([("x_at", late(ray.x)), ("x_down", late(x_down)), ("x_beyond", late(px[3]))]);
-    ins.extend([("y_at", late(ray.y)), ("y_down", late(y_down)), ("y_beyond", late(py[3]))]);
+    ins.extend([("x_at", late(ray.get("x"))), ("x_down", late(x_down)), ("x_beyond", late(px[3]))]);
+    ins.extend([("y_at", late(ray.get("y"))), ("y_down", late(y_down)), ("y_beyond", late(py[3]))]);
     let o = b.inst(&level_decision(d), "u_decision", &idx(), &ins);
     let (hit, crosses) = (o[0].named("hit"), o[1].named("crosses"));
     let names = ["level_next", "x_next", "y_next", "t_after"];
     let n: Vec<Sig<'b>> = o[2..].iter().zip(names).map(|(v, n)| v.named(n)).collect();
 
-    let moves = (!ray.done).named("moves");
-    let steps = (ray.steps + moves.zext(16)).named("steps_next");
+    let moves = (!ray.get("done")).named("moves");
+    let steps = (ray.get("steps") + moves.zext(16)).named("steps_next");
     let limit_value = b.konst(&s.step_limit, 16).named("step_limit");
     let last_step = steps.eq(limit_value).named("last_step");
     let at_limit = (last_step & !hit).named("at_limit");
     let crossed_now = (crosses & moves).named("crossed_now");
     let up_now = (up & crossed_now).named("up_now");
-    let keep = |new: Sig<'b>, old: Sig<'b>| ray.done.mux(old, new);
-    Ray {
-        valid: ray.valid,
-        level: keep(n[0], ray.level),
-        x: keep(n[1], ray.x),
-        y: keep(n[2], ray.y),
-        t: keep(n[3], ray.t),
-        done: ray.done | hit | at_limit,
-        wall: keep(hit & below, ray.wall),
-        limit: ray.limit | (at_limit & moves),
-        steps,
-        crossings: ray.crossings + crossed_now.zext(16),
-        ups: ray.ups + up_now.zext(16),
-        crossed: ray.crossed.map(|c| c | crossed_now),
-        prev: ray.prev.map(|_| crossed_now),
-        ..*ray
-    }
+    let keep = |new: Sig<'b>, old: &str| (ray.get("done").mux(ray.get(old), new)).id();
+    let [level, x, y, t] =
+        [(n[0], "level"), (n[1], "x"), (n[2], "y"), (n[3], "t")].map(|(new, old)| b.sig(keep(new, old)));
+    let has_crossed = ray.find("crossed").map_or(crossed_now, |c| c | crossed_now);
+    ray.with(&[
+        ("level", level),
+        ("x", x),
+        ("y", y),
+        ("t", t),
+        ("done", ray.get("done") | hit | at_limit),
+        ("wall", b.sig(keep(hit & below, "wall"))),
+        ("limit", ray.get("limit") | (at_limit & moves)),
+        ("steps", steps),
+        ("crossings", ray.get("crossings") + crossed_now.zext(16)),
+        ("ups", ray.get("ups") + up_now.zext(16)),
+        ("crossed", has_crossed),
+        ("prev", crossed_now),
+    ])
 }
