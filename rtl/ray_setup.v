@@ -97,14 +97,14 @@ module ray_setup #(
     if (LEVELS + TILE_W + 2 > 24) begin : gen_illegal_10
       must_hold_LEVELS_plus_TILE_W_plus_2_at_most_24 u_illegal ();
     end
-    if (LEVELS + TILE_W + 8 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_11
-      must_hold_LEVELS_plus_TILE_W_plus_8_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
+    if (LEVELS + TILE_W + 1 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_11
+      must_hold_LEVELS_plus_TILE_W_plus_1_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
     end
     if (HEIGHT_W + 2 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_12
       must_hold_HEIGHT_W_plus_2_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
     end
-    if (MAN_W + 1 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_13
-      must_hold_MAN_W_plus_1_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
+    if (MAN_W > LEVELS + (1 << (EXP_W - 1)) - 1) begin : gen_illegal_13
+      must_hold_MAN_W_at_most_LEVELS_plus_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
     end
   endgenerate
 

@@ -93,6 +93,9 @@ pub struct CheckArgs {
     /// Spoils the vectors on purpose: the check must fail, each fault with its own exit code.
     #[arg(long)]
     pub canary: Option<Canary>,
+    /// Where the first mismatch goes as a waveform of the interpreter: the clocks around it, undefined values as x.
+    #[arg(long, value_name = "W.fst|W.vcd")]
+    pub wave: Option<PathBuf>,
 }
 
 /// Options of `config`.

@@ -55,10 +55,16 @@ impl Config {
                 "traverse.levels = {levels} and traverse.tile_bits = {tiles} make a texel coordinate of {index} bits: levels + tile_bits + 2 may be at most 24"
             ));
         }
-        if levels + tiles + 8 > bias {
+        if levels + tiles + 1 > bias {
             problems.push(format!(
-                "format.exp = {exp} is too small for traverse.levels = {levels} and traverse.tile_bits = {tiles}: levels + tile_bits + 8 = {} may be at most 2^(exp-1) - 1 = {bias}",
-                levels + tiles + 8
+                "format.exp = {exp} is too small for traverse.levels = {levels} and traverse.tile_bits = {tiles}: levels + tile_bits + 1 = {} may be at most 2^(exp-1) - 1 = {bias}",
+                levels + tiles + 1
+            ));
+        }
+        if man > bias + levels {
+            problems.push(format!(
+                "format.man = {man} is too large for format.exp = {exp} and traverse.levels = {levels}: at most 2^(exp-1) - 1 + levels = {} is legal",
+                bias + levels
             ));
         }
         if height + 2 > bias {

@@ -57,18 +57,6 @@ const PROBES: [Probe; 12] = [
     ("y_hit", Shown::Integer, |i| i.e_y as u64),
 ];
 
-/// As [`diagnose`], over a memory image (level 0 first, in Morton order).
-///
-/// # Errors
-/// Illegal parameters, or an image whose upper levels are not the maxima of the lower ones.
-pub fn diagnose_image(design: &Design, image: &[u64], ray: &RayInput) -> Result<Option<Divergence>> {
-    let n = design.traverse.levels;
-    let side = 1u32 << n;
-    let texel = |k: u32| image[crate::golden::address(n, 0, k % side, k / side)] as u32;
-    let texels: Vec<u32> = (0..side * side).map(texel).collect();
-    diagnose(design, &Pyramid::build(n, design.traverse.height_bits, &texels)?, ray)
-}
-
 /// Traces one ray in both and returns the first difference; `None` if pipeline and model agree all the way.
 ///
 /// # Errors

@@ -5,9 +5,9 @@ mod interp;
 mod wave;
 
 pub use csv::{HEADER, hits_csv};
-pub use diagnose::{Divergence, decode, diagnose, diagnose_image};
+pub use diagnose::{Divergence, decode, diagnose};
 pub use interp::{INPUTS, OUTPUTS, Pipeline, hit, trace_interp};
-pub use wave::{Window, record, record_mismatch, record_ray};
+pub use wave::{Window, record, record_mismatch, record_ray, record_rows};
 
 use crate::config::Design;
 use crate::error::Result;

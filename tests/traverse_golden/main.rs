@@ -104,6 +104,13 @@ fn every_mode_returns_the_same_hit_in_other_formats() {
     all_modes_agree(&formats, &[2, 5], &[2, 8], &[1, 2], env("RELIEFRTL_RAYS", 27));
 }
 
+/// The least exponent range at which a map of 256 texels is legal: small travels underflow, their reciprocals overflow.
+#[test]
+fn every_mode_returns_the_same_hit_at_the_edge_of_the_exponents() {
+    let formats = [FloatFormat::new(5, 7), FloatFormat::new(5, 16), FloatFormat::new(5, 23)];
+    all_modes_agree(&formats, &[8, 10], &[2, 8], &[4], env("RELIEFRTL_RAYS", 27));
+}
+
 /// The exact answer to a ray.
 fn exact(d: &Design, texels: &[u32], ray: &RayInput) -> reliefrtl::oracle::ExactHit {
     let map = ExactMap { levels: d.traverse.levels, height_bits: d.traverse.height_bits, texels };
