@@ -98,7 +98,7 @@ pub fn model(unit: &str, d: &Design, b: &Binding, x: &[u64]) -> Vec<u64> {
         }
         "ray_setup" => {
             let g = Golden::new(d).expect("the set's parameters are legal");
-            let o = g.setup(&RayInput { u: x[0], v: x[1], du: x[2], dv: x[3] });
+            let o = g.setup(&RayInput { u: x[0], v: x[1], du: x[2], dv: x[3], lod: x.get(4).map_or(0, |v| *v as u32) });
             let mut out = vec![u64::from(o.valid), u64::from(o.level)];
             for a in [o.u, o.v] {
                 out.extend([a.p, a.pb, a.dt, a.r, u64::from(a.never), u64::from(a.neg), index(a.x)]);

@@ -8,7 +8,7 @@ use crate::golden::RayInput;
 use crate::interp::{BLOCK, Traffic};
 use crate::ir::Binding;
 use crate::project::{Scene, encode};
-use crate::report::{PUBLISHED, ROWS, Steps, steps as count};
+use crate::report::{PUBLISHED, ROWS, Steps, TRIM_ROWS, steps as count};
 use crate::trace::{Pipeline, trace_golden, trace_interp};
 use serde_json::json;
 use std::path::Path;
@@ -34,14 +34,14 @@ pub fn steps(cli: &Cli, a: &StepsArgs) -> Result<()> {
 fn print_steps(cli: &Cli, c: &Config, scene: &Scene, means: Option<&[[Option<f64>; 3]; 7]>) -> Result<()> {
     let mut rows = Vec::new();
     let mut out = Vec::new();
-    for (r, (name, mode)) in ROWS.iter().enumerate() {
+    for (r, (name, mode)) in ROWS.iter().chain(&TRIM_ROWS).enumerate() {
         let mut row = vec![name.to_string()];
         for (v, view) in View::ALL.iter().enumerate() {
             let mut d = c.design();
             d.mode = *mode;
             let rays: Vec<RayInput> = scene.view(c, *view, c.view.stride).iter().map(|x| encode(c, x)).collect();
             let s: Steps = count(&trace_golden(&d, &scene.pyramid, &rays)?);
-            let published = means.and_then(|m| m[r][v]);
+            let published = means.and_then(|m| *m.get(r)?.get(v)?);
             let beside =
                 published.map_or(String::new(), |p| format!(" / {p:.1} ({:+.1} %)", (s.mean / p - 1.0) * 100.0));
             row.push(format!("{:.2}{beside}", s.mean));

@@ -133,7 +133,7 @@ fn pyramid_of(d: &Design, image: &[u64]) -> Result<Pyramid> {
 
 /// The words of a ray.
 fn ray_of(row: &[u64]) -> RayInput {
-    RayInput { u: row[0], v: row[1], du: row[2], dv: row[3] }
+    RayInput { u: row[0], v: row[1], du: row[2], dv: row[3], lod: row.get(4).map_or(0, |v| *v as u32) }
 }
 
 /// The words of a pyramid's image.

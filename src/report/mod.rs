@@ -3,4 +3,4 @@ mod accuracy;
 mod steps;
 
 pub use accuracy::{Accuracy, WrongTexel, accuracy, exact_ray};
-pub use steps::{PUBLISHED, Published, ROWS, Steps, steps};
+pub use steps::{PUBLISHED, Published, ROWS, Steps, TRIM_ROWS, steps};
