@@ -53,7 +53,7 @@ pub fn bench_files(units: &[Arc<Module>], traverse: &Module, warm_up: u32, prefi
     let named = |names: &[&str]| ports(names.iter().map(|n| traverse.port(n).expect("traverse has its ports").1));
     let value = context! {
         unit => "traverse", dut => format!("{prefix}traverse"), params => params(traverse), warm_up,
-        inputs => named(&crate::trace::INPUTS), outputs => named(&crate::trace::OUTPUTS),
+        inputs => named(&crate::trace::inputs(traverse)), outputs => named(&crate::trace::OUTPUTS),
     };
     files.insert("testbench/tb_traverse.v".into(), render("traverse", value.clone()));
     files.insert("testbench/tb_traverse_top.v".into(), render("top", value));

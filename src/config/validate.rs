@@ -1,6 +1,6 @@
 //! What must hold of a whole configuration.
 use super::keys::KEYS;
-use super::{Config, MapKind, check};
+use super::{Config, DatapathKind, MapKind, Trim, check};
 use crate::error::{Error, Result};
 
 impl Config {
@@ -65,6 +65,13 @@ impl Config {
             problems.push(format!(
                 "format.man = {man} is too large for format.exp = {exp} and traverse.levels = {levels}: at most 2^(exp-1) - 1 + levels = {} is legal",
                 bias + levels
+            ));
+        }
+        if self.mode.trim != Trim::None && self.datapath.kind == DatapathKind::Watertight && man + 4 > bias {
+            problems.push(format!(
+                "mode.trim = \"{}\" needs exponents of more bits for format.man = {man}: format.man + 4 = {} may be at most 2^(exp-1) - 1 = {bias}",
+                if self.mode.trim == Trim::Always { "always" } else { "descent" },
+                man + 4
             ));
         }
         if height + 2 > bias {

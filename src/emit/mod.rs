@@ -5,7 +5,7 @@ mod manifest;
 
 pub use manifest::manifest;
 
-use crate::config::Config;
+use crate::config::{Config, Trim};
 use crate::error::{Error, Result};
 use crate::ir::Module;
 use crate::verilog::{Style, print_module};
@@ -39,9 +39,15 @@ pub fn modules(tops: &[Arc<Module>]) -> Result<Vec<Arc<Module>>> {
 /// The line of each banner that names the configuration.
 pub fn config_line(c: &Config) -> String {
     let (t, m, l) = (&c.traverse, &c.mode, &c.latency);
+    let trim = match m.trim {
+        Trim::None => "",
+        Trim::Descent => ", trim after descents",
+        Trim::Always => ", trim always",
+    };
+    let more = format!("{trim}{}", if m.lod { ", level of detail" } else { "" });
     let start = if m.start_level { "start level" } else { "from the root" };
     format!(
-        "float {}, levels {}, heights {} bits, {start}, {} down, up {}; clocks add {} mul {} div {} compare {} from_int {} to_int {}",
+        "float {}, levels {}, heights {} bits, {start}, {} down, up {}{more}; clocks add {} mul {} div {} compare {} from_int {} to_int {}",
         c.format.float(),
         t.levels,
         t.height_bits,

@@ -15,7 +15,8 @@ pub struct RayInput {
     pub du: u64,
     /// As `du`, along v.
     pub dv: u64,
-    /// The finest level at which the ray may end; above LEVELS it means LEVELS. Read only where the design's `mode.lod` is set.
+    /// The finest level at which the ray may end, in as many bits as LEVELS needs; above LEVELS it means LEVELS. Read only where the design's
+    /// `mode.lod` is set.
     pub lod: u32,
 }
 

@@ -1,6 +1,6 @@
 //! Where a ray goes wrong: the pipeline's signals beside the golden model's, iteration by iteration.
 use super::interp::Pipeline;
-use crate::config::Design;
+use crate::config::{Design, Trim};
 use crate::error::Result;
 use crate::format::FloatFormat;
 use crate::golden::float::to_f64;
@@ -40,22 +40,29 @@ enum Shown {
     Float,
 }
 
-/// Signals that are compared, in the order in which they are computed, with the model's value.
-type Probe = (&'static str, Shown, fn(&Iteration) -> u64);
-const PROBES: [Probe; 12] = [
-    ("level", Shown::Integer, |i| u64::from(i.level)),
-    ("x", Shown::Integer, |i| i.x as u64),
-    ("y", Shown::Integer, |i| i.y as u64),
-    ("t", Shown::Float, |i| i.t),
-    ("x_plane", Shown::Integer, |i| i.b_x as u64),
-    ("y_plane", Shown::Integer, |i| i.b_y as u64),
-    ("height", Shown::Integer, |i| u64::from(i.height)),
-    ("m", Shown::Float, |i| i.m),
-    ("t_x", Shown::Float, |i| i.t_x),
-    ("t_y", Shown::Float, |i| i.t_y),
-    ("x_hit", Shown::Integer, |i| i.e_x as u64),
-    ("y_hit", Shown::Integer, |i| i.e_y as u64),
+/// Signals that are compared, in the order in which they are computed, with the model's value if it has one; a design without a trim has no
+/// chord.
+type Probe = (&'static str, Shown, fn(&Iteration) -> Option<u64>);
+const PROBES: [Probe; 15] = [
+    ("level", Shown::Integer, |i| Some(u64::from(i.level))),
+    ("x", Shown::Integer, |i| Some(i.x as u64)),
+    ("y", Shown::Integer, |i| Some(i.y as u64)),
+    ("t", Shown::Float, |i| Some(i.t)),
+    ("x_plane", Shown::Integer, |i| Some(i.b_x as u64)),
+    ("y_plane", Shown::Integer, |i| Some(i.b_y as u64)),
+    ("x_chord", Shown::Integer, |i| i.chord.map(|c| c.x as u64)),
+    ("y_chord", Shown::Integer, |i| i.chord.map(|c| c.y as u64)),
+    ("level_read", Shown::Integer, |i| i.chord.map(|c| u64::from(c.level))),
+    ("height", Shown::Integer, |i| Some(u64::from(i.height))),
+    ("m", Shown::Float, |i| Some(i.m)),
+    ("t_x", Shown::Float, |i| Some(i.t_x)),
+    ("t_y", Shown::Float, |i| Some(i.t_y)),
+    ("x_hit", Shown::Integer, |i| Some(i.e_x as u64)),
+    ("y_hit", Shown::Integer, |i| Some(i.e_y as u64)),
 ];
+
+/// Probes that exist where the design trims.
+const CHORD: [&str; 3] = ["x_chord", "y_chord", "level_read"];
 
 /// Traces one ray in both and returns the first difference; `None` if pipeline and model agree all the way.
 ///
@@ -65,13 +72,16 @@ pub fn diagnose(design: &Design, pyramid: &Pyramid, ray: &RayInput) -> Result<Op
     let mut iterations = Vec::new();
     Tracer::new(design)?.trace_with(pyramid, ray, |i| iterations.push(*i));
     let p = Pipeline::new(design, &Binding::new())?;
-    let probes: Vec<(u32, String, Slot)> = PROBES.iter().map(|(name, ..)| find(&p.net, name)).collect();
+    let traced = |q: &&Probe| design.mode.trim != Trim::None || !CHORD.contains(&q.0);
+    let list: Vec<&Probe> = PROBES.iter().filter(traced).collect();
+    let probes: Vec<(u32, String, Slot)> = list.iter().map(|q| find(&p.net, q.0)).collect();
     let clocks = p.depth as usize + iterations.len() * p.slots as usize + 2;
-    let (log, start) = record(&p.net, pyramid, ray, clocks, &probes);
+    let (log, start) = record(&p.net, &p.inputs, pyramid, ray, clocks, &probes);
     for (n, it) in iterations.iter().enumerate() {
-        for ((name, shown, model), (k, (stage, net, slot))) in PROBES.iter().zip(probes.iter().enumerate()) {
+        for ((name, shown, model), (k, (stage, net, slot))) in list.iter().zip(probes.iter().enumerate()) {
             let width = p.net.widths[*slot as usize];
-            let want = model(it) & crate::bits::mask(width);
+            let Some(want) = model(it) else { continue };
+            let want = want & crate::bits::mask(width);
             let at = start + n * p.slots as usize + *stage as usize;
             let got = log.get(at).map_or(u64::MAX, |row| row[k]);
             if want != got {
@@ -96,6 +106,7 @@ fn find(net: &Netlist, name: &str) -> (u32, String, Slot) {
 /// Probed values clock by clock, and the clock in which the ray stands in stage 0 for the first time.
 fn record(
     net: &Netlist,
+    inputs: &[&str],
     pyramid: &Pyramid,
     ray: &RayInput,
     clocks: usize,
@@ -110,7 +121,7 @@ fn record(
     set(&mut sim, "rst", 0);
     set(&mut sim, "out_ready", 1);
     set(&mut sim, "in_valid", 1);
-    for (name, v) in [("in_u", ray.u), ("in_v", ray.v), ("in_du", ray.du), ("in_dv", ray.dv)] {
+    for (name, v) in inputs.iter().zip(super::row(inputs, ray)) {
         set(&mut sim, name, v);
     }
     let (mut log, mut start) = (Vec::new(), None);

@@ -16,9 +16,16 @@ pub fn all(d: &Design) -> Vec<Arc<Module>> {
     let parity = matches!(d.mode.level_up, crate::config::LevelUp::Tevs | crate::config::LevelUp::Selective);
     let mut list = vec![lzc::lzc_module(8), interleave::interleave_module(t.levels + 1)];
     list.extend((path.arithmetic)(d));
-    list.extend(d.mode.start_level.then(|| traversal::start_level(t)));
+    let trims = d.mode.trim != crate::config::Trim::None;
+    list.extend((d.mode.start_level || trims).then(|| traversal::start_level(t)));
+    if d.mode.lod {
+        list.extend([traversal::finest_level(t), traversal::node_hit(t)]);
+    }
     list.extend([traversal::height_address(t), traversal::node_planes(t, parity)]);
     list.extend((path.steps)(d));
+    if trims {
+        list.extend([traversal::chord_trim(d), traversal::trim_return(d)]);
+    }
     list.push(traversal::multi_level_down(t, &d.mode));
     list.extend(traversal::level_up(t, d.mode.level_up));
     list.extend([

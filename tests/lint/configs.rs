@@ -55,6 +55,27 @@ const SPREAD: &[&[&str]] = &[
     &["traverse.levels=12"],
     &["traverse.height_bits=16"],
     &["traverse.tile_bits=1", "traverse.frac_bits=1", "traverse.tag_bits=1", "traverse.step_limit=1"],
+    &["mode.trim=descent"],
+    &["mode.trim=always", "mode.start_level=false", "mode.level_up=none"],
+    &["mode.trim=always", "mode.lod=true"],
+    &["mode.trim=descent", "mode.lod=true", "mode.level_up=coherent", "traverse.levels=3", "mode.levels_down=4"],
+    &["mode.lod=true", "mode.start_level=false", "mode.level_up=tevs", "mode.levels_down=1", "latency.decision=3"],
+    &[
+        "mode.trim=always",
+        "mode.level_up=always",
+        "format.exp=5",
+        "format.man=10",
+        "traverse.levels=4",
+        "traverse.tile_bits=2",
+    ],
+    &[
+        "mode.trim=always",
+        "latency.add=0",
+        "latency.mul=0",
+        "latency.compare=0",
+        "latency.from_int=0",
+        "latency.to_int=0",
+    ],
     &["traverse.tile_bits=8", "traverse.frac_bits=16", "traverse.tag_bits=32", "traverse.height_bits=2"],
 ];
 

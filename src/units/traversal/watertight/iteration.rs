@@ -1,6 +1,6 @@
 //! One iteration of `traverse`: from the slot's ray to the ray that goes back.
 use super::*;
-use crate::config::{Design, LevelUp};
+use crate::config::{Design, LevelUp, Trim};
 use crate::ir::{Builder, Sig};
 use crate::units::traversal::loop_state::Ray;
 use crate::units::traversal::traverse::Load;
@@ -21,26 +21,16 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
     };
     let px: Vec<Sig<'b>> = planes("x", ray.get("x"), ray.get("neg_x")).into_iter().map(|i| b.sig(i)).collect();
     let py: Vec<Sig<'b>> = planes("y", ray.get("y"), ray.get("neg_y")).into_iter().map(|i| b.sig(i)).collect();
-    let (i, j) = (ray.get("x").slice(0, &s.levels), ray.get("y").slice(0, &s.levels));
-    let address = b.inst(&height_address(t), "u_address", &[], &[("level", ray.get("level")), ("i", i), ("j", j)])[0]
-        .named("address");
-
-    b.section("height", "");
-    let words = pyramid_words(&s.levels);
-    let addr_w = s.levels.clone() * 2 + 1;
-    let n = t.levels;
-    let memory = height_memory(2 * n + 1, t.height_bits, ((1 << (2 * n + 2)) - 1) / 3);
-    let params = [("ADDR_W", addr_w), ("DATA_W", s.height.clone()), ("DEPTH", words)];
-    let ins = [("write_en", load.en), ("write_addr", load.addr), ("write_data", load.data), ("read_addr", address)];
-    let height = b.inst(&memory, "u_heights", &params, &ins)[0].named("height");
-
-    b.section("plane parameters", "");
-    let when = |axis: &str, plane: Sig<'b>, p: Sig<'b>, r: Sig<'b>, never: Sig<'b>| {
-        let ins = [("plane", plane), ("p", p), ("r", r), ("never", never)];
-        b.inst(&plane_time(d), &format!("u_time_{axis}"), &idx(), &ins)[0].named(&format!("t_{axis}")).id()
+    let (height, t_x, t_y, read) = if d.mode.trim == Trim::None {
+        let height = read_height(b, s, d, ray, load, ray.get("level"));
+        let [t_x, t_y] = plane_times(b, s, d, ray, [px[2], py[2]]);
+        (height, t_x, t_y, ray.get("level"))
+    } else {
+        let [t_x, t_y] = plane_times(b, s, d, ray, [px[2], py[2]]);
+        let read = trim::trim(b, s, d, ray, [[px[0], px[1]], [py[0], py[1]]], [t_x, t_y]);
+        b.section("address", "");
+        (read_height(b, s, d, ray, load, read), t_x, t_y, read)
     };
-    let t_x = b.sig(when("x", px[2], ray.get("p_x"), ray.get("r_x"), ray.get("never_x")));
-    let t_y = b.sig(when("y", py[2], ray.get("p_y"), ray.get("r_y"), ray.get("never_y")));
 
     b.section("height test", "");
     let o = b.inst(&height_test(d), "u_height_test", &[], &[("height", height), ("t", ray.get("t"))]);
@@ -59,8 +49,9 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
     let (inside, x_first, t_next) = (o[0].named("is_inside"), o[1].named("x_first"), o[2].named("t_next"));
 
     b.section("multi-level down", "");
-    let mut ins = vec![("level", ray.get("level"))];
+    let mut ins = vec![("level", read)];
     ins.extend(ray.find("crossed").map(|c| ("crossed", c)));
+    ins.extend(ray.find("lod").map(|lod| ("lod", lod)));
     ins.extend([("x_low", px[0]), ("x_high", px[1]), ("x_hit", hit_x)]);
     ins.extend([("y_low", py[0]), ("y_high", py[1]), ("y_hit", hit_y)]);
     let o = b.inst(&multi_level_down(t, &d.mode), "u_down", &idx(), &ins);
@@ -71,12 +62,19 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
         None => b.zeros(1),
         Some(unit) => {
             let even = || x_first.mux(px[4], py[4]).named("even");
-            let mut ins = vec![("level", ray.get("level"))];
+            let mut ins = vec![("level", read)];
             match d.mode.level_up {
                 LevelUp::Coherent => ins.extend(ray.find("prev").map(|p| ("prev_crossed", p))),
                 LevelUp::Tevs => ins.push(("even", even())),
                 LevelUp::Selective => {
-                    ins.push(("even", even()));
+                    // The plane of a trimmed node bounds larger ones too.
+                    let leaves = match d.mode.trim {
+                        Trim::None => even(),
+                        Trim::Descent | Trim::Always => {
+                            (even() | read.lt(ray.get("level")).named("is_trimmed")).named("leaves_parent")
+                        }
+                    };
+                    ins.push(("even", leaves));
                     ins.extend([("x_at", ray.get("x")), ("x_hit", hit_x), ("y_at", ray.get("y")), ("y_hit", hit_y)]);
                 }
                 LevelUp::None | LevelUp::Always => {}
@@ -86,15 +84,20 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
         }
     };
 
+    let (across, grown) = if d.mode.trim == Trim::None {
+        (("up", up), up)
+    } else {
+        let mut ins = vec![("level", ray.get("level")), ("level_read", read)];
+        ins.extend((d.mode.level_up != LevelUp::None).then_some(("up", up)));
+        let o = b.inst(&trim_return(d), "u_return", &[], &ins);
+        (("level_across", o[0].named("level_across")), o[1].named("grown"))
+    };
+
     b.section("level decision", "A ray that is done goes round unchanged.");
     let late = |v: Sig<'b>| if d.latency.decision > 1 { v.cut() } else { v };
-    let mut ins = vec![("is_inside", late(inside)), ("x_first", late(x_first)), ("up", late(up))];
-    ins.extend([
-        ("level", late(ray.get("level"))),
-        ("level_down", late(level_down)),
-        ("m", late(m)),
-        ("t_next", late(t_next)),
-    ]);
+    let mut ins = vec![("is_inside", late(inside)), ("x_first", late(x_first)), (across.0, late(across.1))];
+    ins.extend(ray.find("lod").map(|lod| ("lod", late(lod))));
+    ins.extend([("level", late(read)), ("level_down", late(level_down)), ("m", late(m)), ("t_next", late(t_next))]);
     ins.extend([("x_at", late(ray.get("x"))), ("x_down", late(x_down)), ("x_beyond", late(px[3]))]);
     ins.extend([("y_at", late(ray.get("y"))), ("y_down", late(y_down)), ("y_beyond", late(py[3]))]);
     let o = b.inst(&level_decision(d), "u_decision", &idx(), &ins);
@@ -108,11 +111,13 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
     let last_step = steps.eq(limit_value).named("last_step");
     let at_limit = (last_step & !hit).named("at_limit");
     let crossed_now = (crosses & moves).named("crossed_now");
-    let up_now = (up & crossed_now).named("up_now");
+    let up_now = (grown & crossed_now).named("up_now");
     let keep = |new: Sig<'b>, old: &str| (ray.get("done").mux(ray.get(old), new)).id();
     let [level, x, y, t] =
         [(n[0], "level"), (n[1], "x"), (n[2], "y"), (n[3], "t")].map(|(new, old)| b.sig(keep(new, old)));
     let has_crossed = ray.find("crossed").map_or(crossed_now, |c| c | crossed_now);
+    // Of a ray that ends here it does not matter whether it descended.
+    let descended = if ray.find("descended").is_some() { (!crossed_now).named("descended_now") } else { crossed_now };
     ray.with(&[
         ("level", level),
         ("x", x),
@@ -126,5 +131,36 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
         ("ups", ray.get("ups") + up_now.zext(16)),
         ("crossed", has_crossed),
         ("prev", crossed_now),
+        ("descended", descended),
     ])
+}
+
+/// The parameters of the planes by which the ray can leave, u first.
+fn plane_times<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>, planes: [Sig<'b>; 2]) -> [Sig<'b>; 2] {
+    b.section("plane parameters", "");
+    let when = |axis: &str, plane: Sig<'b>| {
+        let of = |word: &str| ray.get(&format!("{word}_{axis}"));
+        let ins = [("plane", plane), ("p", of("p")), ("r", of("r")), ("never", of("never"))];
+        let idx = [("IDX_W", s.idx.clone())];
+        b.inst(&plane_time(d), &format!("u_time_{axis}"), &idx, &ins)[0].named(&format!("t_{axis}")).id()
+    };
+    [b.sig(when("x", planes[0])), b.sig(when("y", planes[1]))]
+}
+
+/// The height of the ray's node of a level.
+fn read_height<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>, load: &Load<'b>, level: Sig<'b>) -> Sig<'b> {
+    let t = &d.traverse;
+    let place = |axis: &str| level.stage().map_or(ray.get(axis), |k| ray.get(axis).at(k)).slice(0, &s.levels).id();
+    let (i, j) = (b.sig(place("x")), b.sig(place("y")));
+    let address =
+        b.inst(&height_address(t), "u_address", &[], &[("level", level), ("i", i), ("j", j)])[0].named("address");
+
+    b.section("height", "");
+    let words = pyramid_words(&s.levels);
+    let addr_w = s.levels.clone() * 2 + 1;
+    let n = t.levels;
+    let memory = height_memory(2 * n + 1, t.height_bits, ((1 << (2 * n + 2)) - 1) / 3);
+    let params = [("ADDR_W", addr_w), ("DATA_W", s.height.clone()), ("DEPTH", words)];
+    let ins = [("write_en", load.en), ("write_addr", load.addr), ("write_data", load.data), ("read_addr", address)];
+    b.inst(&memory, "u_heights", &params, &ins)[0].named("height")
 }
