@@ -142,7 +142,7 @@ pub fn model(unit: &str, d: &Design, b: &Binding, x: &[u64]) -> Vec<u64> {
         "chord_trim" => chord_trim(d, idx, x),
         "trim_return" => {
             let (k, read) = (x[0], x[1]);
-            let up = d.mode.level_up != LevelUp::None && x[2] == 1;
+            let up = x[2] == 1;
             let stays = read < k && !up && d.mode.level_up == LevelUp::Selective;
             let grows = read >= k && up;
             vec![if stays { read } else { (k + u64::from(grows)) & mask(level_bits(d)) }, u64::from(grows)]

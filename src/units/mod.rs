@@ -24,7 +24,8 @@ pub fn all(d: &Design) -> Vec<Arc<Module>> {
     list.extend([traversal::height_address(t), traversal::node_planes(t, parity)]);
     list.extend((path.steps)(d));
     if trims {
-        list.extend([traversal::chord_trim(d), traversal::trim_return(d)]);
+        list.push(traversal::chord_trim(d));
+        list.extend((d.mode.level_up != crate::config::LevelUp::None).then(|| traversal::trim_return(d)));
     }
     list.push(traversal::multi_level_down(t, &d.mode));
     list.extend(traversal::level_up(t, d.mode.level_up));

@@ -84,13 +84,14 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
         }
     };
 
-    let (across, grown) = if d.mode.trim == Trim::None {
-        (("up", up), up)
-    } else {
-        let mut ins = vec![("level", ray.get("level")), ("level_read", read)];
-        ins.extend((d.mode.level_up != LevelUp::None).then_some(("up", up)));
-        let o = b.inst(&trim_return(d), "u_return", &[], &ins);
-        (("level_across", o[0].named("level_across")), o[1].named("grown"))
+    let (across, grown) = match (d.mode.trim, d.mode.level_up) {
+        (Trim::None, _) => (("up", up), up),
+        (_, LevelUp::None) => (("level_across", ray.get("level")), up),
+        _ => {
+            let ins = [("level", ray.get("level")), ("level_read", read), ("up", up)];
+            let o = b.inst(&trim_return(d), "u_return", &[], &ins);
+            (("level_across", o[0].named("level_across")), o[1].named("grown"))
+        }
     };
 
     b.section("level decision", "A ray that is done goes round unchanged.");
