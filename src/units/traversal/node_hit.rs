@@ -22,8 +22,8 @@ pub fn node_hit(t: &TraverseConfig) -> Arc<Module> {
     let keep = b.ones(&idx).shift_left(lod).named("keep");
     let low = b.cat(&[(x & keep).named("first"), b.zeros(&frac)]).named("low");
     let high = b.cat(&[(x | !keep).named("last"), b.ones(&frac)]).named("high");
-    let before = at.slt(low).named("before");
-    let behind = high.slt(at).named("behind");
+    let before = at.slt(low).named("is_before");
+    let behind = high.slt(at).named("is_behind");
     let kept = before.mux(low, behind.mux(high, at)).named("kept");
     b.unused(kept);
     b.drive(o_texel, kept.slice(frac.clone(), &levels), None);
