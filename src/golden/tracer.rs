@@ -1,5 +1,6 @@
 //! One tracer for every datapath: the words that enter, the hits that leave.
 use super::float;
+use super::published::Published;
 use super::pyramid::Pyramid;
 use super::record::{Iteration, RayHit};
 use super::setup::RayInput;
@@ -12,6 +13,8 @@ use crate::error::Result;
 pub enum Tracer {
     /// `docs/datapath.md`.
     Watertight(Golden),
+    /// `docs/published.md`.
+    Published(Published),
 }
 
 impl Tracer {
@@ -22,7 +25,8 @@ impl Tracer {
     pub fn new(design: &Design) -> Result<Self> {
         match design.datapath.kind {
             DatapathKind::Watertight => Golden::new(design).map(Self::Watertight),
-            DatapathKind::Published | DatapathKind::Fixed => {
+            DatapathKind::Published => Published::new(design).map(Self::Published),
+            DatapathKind::Fixed => {
                 Err(crate::error::Error::input("this datapath has no golden model"))
             }
         }
@@ -32,6 +36,7 @@ impl Tracer {
     pub fn design(&self) -> &Design {
         match self {
             Self::Watertight(g) => g.design(),
+            Self::Published(g) => g.design(),
         }
     }
 
@@ -42,6 +47,7 @@ impl Tracer {
     pub fn trace(&self, pyramid: &Pyramid, ray: &RayInput) -> RayHit {
         match self {
             Self::Watertight(g) => g.trace(pyramid, ray),
+            Self::Published(g) => g.trace(pyramid, ray),
         }
     }
 
@@ -52,6 +58,7 @@ impl Tracer {
     pub fn trace_with(&self, pyramid: &Pyramid, ray: &RayInput, see: impl FnMut(&Iteration)) -> RayHit {
         match self {
             Self::Watertight(g) => g.trace_with(pyramid, ray, see),
+            Self::Published(g) => g.trace_with(pyramid, ray, see),
         }
     }
 }
@@ -68,5 +75,10 @@ pub fn encode_ray(design: &Design, [u, v, du, dv]: [f64; 4]) -> RayInput {
 
 /// The ray parameter of a word `t`, in height codes, exact where an f64 holds it.
 pub fn decode_time(design: &Design, t: u64) -> f64 {
-    float::to_f64(design.format, t)
+    let t = float::to_f64(design.format, t);
+    match design.datapath.kind {
+        // 1 is the bottom plane.
+        DatapathKind::Published => t * f64::from((1u32 << design.traverse.height_bits) - 1),
+        DatapathKind::Watertight | DatapathKind::Fixed => t,
+    }
 }
