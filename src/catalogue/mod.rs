@@ -50,6 +50,7 @@ pub fn design_at(d: &Design, b: &Binding) -> Design {
     set("TILE_W", &mut d.traverse.tile_bits);
     set("FRAC_W", &mut d.traverse.frac_bits);
     set("STEP_LIMIT", &mut d.traverse.step_limit);
+    set("NUDGE_W", &mut d.datapath.nudge_bits);
     d
 }
 
@@ -98,6 +99,9 @@ pub fn bindings(m: &Module) -> Vec<Binding> {
     }
     if has("HEIGHT_W") {
         out.push(of(&[("HEIGHT_W", 16)]));
+    }
+    if has("NUDGE_W") {
+        out.extend([0, 1, 12, 16].map(|n| of(&[("NUDGE_W", n)])));
     }
     if has("W") && m.name != "div_rows" {
         out.extend([1, 2, 3, 7, 17, 32].map(|w| of(&[("W", w)])));

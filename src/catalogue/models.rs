@@ -1,4 +1,6 @@
 //! The golden model of each unit, in the order of its ports.
+mod published;
+
 use crate::bits::{mask, signed};
 use crate::config::Design;
 use crate::golden::float as gf;
@@ -110,7 +112,7 @@ pub fn model(unit: &str, d: &Design, b: &Binding, x: &[u64]) -> Vec<u64> {
             let at = gf::to_fixed(f, gf::add(f, x[0], gf::mul(f, x[1], x[2])), idx + frac, frac);
             vec![(at - (s(x[3]) << frac)).clamp(0, (1 << frac) - 1) as u64]
         }
-        other => panic!("{other} has no golden model"),
+        other => published::model(other, d, b, x),
     }
 }
 
@@ -137,7 +139,9 @@ fn up(d: &Design, x: &[u64], s: impl Fn(u64) -> i64) -> bool {
 pub fn legal(unit: &str, d: &Design, b: &Binding, mut x: Vec<u64>) -> Vec<u64> {
     let n = u64::from(d.traverse.levels);
     match unit {
-        "height_address" | "node_planes" => x[0] %= n + 1,
+        "height_address" | "node_planes" | "exit_plane" => x[0] %= n + 1,
+        "descent_level" => x[0] = x[0] % n + 1,
+        "level_choice" => x[if d.mode.start_level { 3 } else { 2 }] %= n + 1,
         "level_up" => {
             // Coordinates keep a bit of headroom: IDX_W holds any sum of an entry point and a travel.
             let idx = b.get("IDX_W").map_or(d.traverse.idx_bits(), |v| *v as u32);
