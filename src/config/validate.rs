@@ -1,6 +1,6 @@
 //! What must hold of a whole configuration.
 use super::keys::KEYS;
-use super::{Config, MapKind, check};
+use super::{Config, DatapathKind, MapKind, Trim, check};
 use crate::error::{Error, Result};
 
 impl Config {
@@ -13,6 +13,7 @@ impl Config {
         // A sum of numbers that are out of range themselves tells nothing new.
         if problems.is_empty() {
             self.width_problems(&mut problems);
+            self.published_problems(&mut problems);
             self.map_problems(&mut problems);
         }
         report(problems)
@@ -72,6 +73,23 @@ impl Config {
                 "format.exp = {exp} is too small for traverse.height_bits = {height}: height_bits + 2 = {} may be at most 2^(exp-1) - 1 = {bias}",
                 height + 2
             ));
+        }
+    }
+
+    /// What the published datapath asks for besides (`docs/published.md`, Parameters).
+    fn published_problems(&self, problems: &mut Vec<String>) {
+        if self.datapath.kind != DatapathKind::Published {
+            return;
+        }
+        let (index, nudge, man) = (self.traverse.idx_bits(), self.datapath.nudge_bits, self.format.man);
+        if index + nudge + man > 60 {
+            problems.push(format!(
+                "datapath.nudge_bits = {nudge} is too large for a texel coordinate of {index} bits and format.man = {man}: levels + tile_bits + 2 + nudge_bits + man = {} may be at most 60",
+                index + nudge + man
+            ));
+        }
+        if self.mode.trim != Trim::None {
+            problems.push("mode.trim needs integer nodes: datapath.kind = \"published\" has no chord trim".to_owned());
         }
     }
 

@@ -26,9 +26,7 @@ impl Tracer {
         match design.datapath.kind {
             DatapathKind::Watertight => Golden::new(design).map(Self::Watertight),
             DatapathKind::Published => Published::new(design).map(Self::Published),
-            DatapathKind::Fixed => {
-                Err(crate::error::Error::input("this datapath has no golden model"))
-            }
+            DatapathKind::Fixed => Err(crate::error::Error::input("this datapath has no golden model")),
         }
     }
 

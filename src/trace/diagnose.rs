@@ -1,6 +1,6 @@
 //! Where a ray goes wrong: the pipeline's signals beside the golden model's, iteration by iteration.
 use super::interp::Pipeline;
-use crate::config::Design;
+use crate::config::{DatapathKind, Design};
 use crate::error::Result;
 use crate::format::FloatFormat;
 use crate::golden::float::to_f64;
@@ -42,7 +42,7 @@ enum Shown {
 
 /// Signals that are compared, in the order in which they are computed, with the model's value.
 type Probe = (&'static str, Shown, fn(&Iteration) -> u64);
-const PROBES: [Probe; 12] = [
+const WATERTIGHT: [Probe; 12] = [
     ("level", Shown::Integer, |i| u64::from(i.level)),
     ("x", Shown::Integer, |i| i.x as u64),
     ("y", Shown::Integer, |i| i.y as u64),
@@ -56,20 +56,48 @@ const PROBES: [Probe; 12] = [
     ("x_hit", Shown::Integer, |i| i.e_x as u64),
     ("y_hit", Shown::Integer, |i| i.e_y as u64),
 ];
+const PUBLISHED: [Probe; 14] = [
+    ("level", Shown::Integer, |i| u64::from(i.level)),
+    ("x", Shown::Integer, |i| i.x as u64),
+    ("y", Shown::Integer, |i| i.y as u64),
+    ("t", Shown::Float, |i| i.t),
+    ("x_plane", Shown::Integer, |i| i.b_x as u64),
+    ("y_plane", Shown::Integer, |i| i.b_y as u64),
+    ("height", Shown::Integer, |i| u64::from(i.height)),
+    ("m", Shown::Float, |i| i.m),
+    ("t_x", Shown::Float, |i| i.t_x),
+    ("t_y", Shown::Float, |i| i.t_y),
+    ("level_next", Shown::Integer, |i| u64::from(i.next_level)),
+    ("t_after", Shown::Float, |i| i.next_t),
+    ("x_next", Shown::Integer, |i| i.next_x as u64),
+    ("y_next", Shown::Integer, |i| i.next_y as u64),
+];
 
 /// Traces one ray in both and returns the first difference; `None` if pipeline and model agree all the way.
 ///
 /// # Errors
 /// Illegal parameters.
 pub fn diagnose(design: &Design, pyramid: &Pyramid, ray: &RayInput) -> Result<Option<Divergence>> {
+    diagnose_in(&Pipeline::new(design, &Binding::new())?, design, pyramid, ray)
+}
+
+/// As [`diagnose`], in a pipeline that is there already.
+///
+/// # Errors
+/// Illegal parameters.
+pub fn diagnose_in(p: &Pipeline, design: &Design, pyramid: &Pyramid, ray: &RayInput) -> Result<Option<Divergence>> {
     let mut iterations = Vec::new();
     Tracer::new(design)?.trace_with(pyramid, ray, |i| iterations.push(*i));
-    let p = Pipeline::new(design, &Binding::new())?;
-    let probes: Vec<(u32, String, Slot)> = PROBES.iter().map(|(name, ..)| find(&p.net, name)).collect();
-    let clocks = p.depth as usize + iterations.len() * p.slots as usize + 2;
+    let published = design.datapath.kind == DatapathKind::Published;
+    let signals: &[Probe] = if published { &PUBLISHED } else { &WATERTIGHT };
+    let probes: Vec<(u32, String, Slot)> = signals.iter().map(|(name, ..)| find(&p.net, name)).collect();
+    // The trip that finds the start level comes first, and is no iteration.
+    let trips = usize::from(published && design.mode.start_level);
+    let clocks = p.depth as usize + (iterations.len() + trips) * p.slots as usize + 2;
     let (log, start) = record(&p.net, pyramid, ray, clocks, &probes);
+    let start = start + trips * p.slots as usize;
     for (n, it) in iterations.iter().enumerate() {
-        for ((name, shown, model), (k, (stage, net, slot))) in PROBES.iter().zip(probes.iter().enumerate()) {
+        for ((name, shown, model), (k, (stage, net, slot))) in signals.iter().zip(probes.iter().enumerate()) {
             let width = p.net.widths[*slot as usize];
             let want = model(it) & crate::bits::mask(width);
             let at = start + n * p.slots as usize + *stage as usize;

@@ -56,6 +56,31 @@ const SPREAD: &[&[&str]] = &[
     &["traverse.height_bits=16"],
     &["traverse.tile_bits=1", "traverse.frac_bits=1", "traverse.tag_bits=1", "traverse.step_limit=1"],
     &["traverse.tile_bits=8", "traverse.frac_bits=16", "traverse.tag_bits=32", "traverse.height_bits=2"],
+    &["datapath.kind=published"],
+    &["datapath.kind=published", "mode.start_level=false", "mode.level_up=none", "mode.levels_down=1"],
+    &["datapath.kind=published", "mode.level_up=coherent", "mode.levels_down=4", "datapath.nudge_bits=0"],
+    &["datapath.kind=published", "format.exp=5", "format.man=10", "traverse.levels=2", "mode.level_up=tevs"],
+    &[
+        "datapath.kind=published",
+        "format.exp=8",
+        "format.man=23",
+        "traverse.levels=12",
+        "latency.add=0",
+        "latency.mul=0",
+        "latency.div=0",
+        "latency.compare=0",
+        "latency.from_int=0",
+        "latency.to_int=0",
+    ],
+    &[
+        "datapath.kind=published",
+        "traverse.height_bits=16",
+        "traverse.tile_bits=8",
+        "datapath.nudge_bits=16",
+        "latency.div=9",
+        "latency.compare=3",
+        "latency.decision=4",
+    ],
 ];
 
 /// All configurations; written to disk at the first call.

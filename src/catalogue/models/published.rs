@@ -64,7 +64,8 @@ pub fn model(unit: &str, d: &Design, b: &Binding, x: &[u64]) -> Vec<u64> {
             vec![x[0].wrapping_sub(u64::from(down)) & mask(level_bits(d))]
         }
         "level_choice" => {
-            let (first, x) = if d.mode.start_level { (x[1] == 1, [&x[..1], &x[2..]].concat()) } else { (false, x.into()) };
+            let (first, x) =
+                if d.mode.start_level { (x[1] == 1, [&x[..1], &x[2..]].concat()) } else { (false, x.into()) };
             let [leaves, up, level, down, m, t_next, x_hit, x_cross, y_hit, y_cross] = x[..] else {
                 panic!("10 inputs, and first with a start level")
             };

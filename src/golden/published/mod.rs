@@ -107,8 +107,7 @@ impl Published {
             hit.crossings += u32::from(crossing);
             hit.ups += u32::from(crossing && it.next_level > it.level);
             let crossed = state.crossed || crossing;
-            state =
-                State { level: it.next_level, x: it.next_x, y: it.next_y, t: it.next_t, crossed, prev: crossing };
+            state = State { level: it.next_level, x: it.next_x, y: it.next_y, t: it.next_t, crossed, prev: crossing };
             if it.decision == Decision::Hit {
                 hit.wall = float::lt(fmt, it.t_v, it.t);
                 break;

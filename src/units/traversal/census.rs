@@ -60,9 +60,15 @@ fn count(m: &Module, name: &str) -> u32 {
 /// Why the `row` (of [`Census::rows`]) of a datapath differs from the published one, where it does.
 pub fn difference(kind: DatapathKind, row: &str) -> &'static str {
     match (kind, row) {
-        (_, "stages") if kind == DatapathKind::Published => "latencies other than the published ones: add 2, divide 2, multiply 1, compare 1",
-        (DatapathKind::Watertight, "adders") => "only the hit is predicted; a crossing steps an integer index and needs no position",
-        (DatapathKind::Watertight, "multipliers") => "planes times a reciprocal, and the hit; t counts height codes, so heights are not scaled",
+        (_, "stages") if kind == DatapathKind::Published => {
+            "latencies other than the published ones: add 2, divide 2, multiply 1, compare 1"
+        }
+        (DatapathKind::Watertight, "adders") => {
+            "only the hit is predicted; a crossing steps an integer index and needs no position"
+        }
+        (DatapathKind::Watertight, "multipliers") => {
+            "planes times a reciprocal, and the hit; t counts height codes, so heights are not scaled"
+        }
         (DatapathKind::Watertight, "dividers") => "the reciprocal of the travel is found once per ray, in setup",
         (DatapathKind::Watertight, "stages") => "no division, and no position after the nearer plane is known",
         (DatapathKind::Fixed, "stages") => "fixed-point units are shorter, and nothing is divided in the loop",

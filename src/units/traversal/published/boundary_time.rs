@@ -16,8 +16,11 @@ pub fn latency(l: &LatencyConfig) -> u32 {
 
 /// Declares NUDGE_W and what it may be.
 pub fn nudge_width(b: &Builder, d: &Design) -> Expr {
-    let nudge =
-        b.param("NUDGE_W", d.datapath.nudge_bits, "a crossing aims 2^-NUDGE_W texels behind its plane; 0: at the plane");
+    let nudge = b.param(
+        "NUDGE_W",
+        d.datapath.nudge_bits,
+        "a crossing aims 2^-NUDGE_W texels behind its plane; 0: at the plane",
+    );
     b.require(0, &nudge);
     b.require(&nudge, 16);
     nudge
@@ -31,6 +34,8 @@ pub fn boundary_time(d: &Design) -> Arc<Module> {
     let nudge = nudge_width(&b, d);
     b.require(2, &idx);
     b.require(&idx + &nudge + &f.man, 60);
+    // A divider of many stages needs as many rows to cut.
+    b.require(d.latency.div.clamp(1, d.format.man + 3).saturating_sub(3), &f.man);
     let wide = b.local("FixedW", &idx + &nudge + 1);
     b.clock();
     b.clock_enable();
@@ -59,8 +64,6 @@ pub fn boundary_time(d: &Design) -> Arc<Module> {
     let t = b.inst(&fp_div(d.format, d.latency.div), "u_div", &[], &[("a", dist), ("b", dir)])[0].named("when_met");
     let l = latency(&d.latency);
     b.drive(out, t, Some(l));
-    let at = |n: i64, e: i64, m: i64| {
-        Binding::from([("NUDGE_W".into(), n), ("EXP_W".into(), e), ("MAN_W".into(), m)])
-    };
+    let at = |n: i64, e: i64, m: i64| Binding::from([("NUDGE_W".into(), n), ("EXP_W".into(), e), ("MAN_W".into(), m)]);
     b.finish(Some(l), &[at(0, 7, 16), at(1, 5, 10), at(16, 8, 23)])
 }

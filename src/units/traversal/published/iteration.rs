@@ -30,11 +30,8 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
     b.section("height read", "");
     let n = t.levels;
     let memory = height_memory(2 * n + 1, t.height_bits, ((1 << (2 * n + 2)) - 1) / 3);
-    let params = [
-        ("ADDR_W", s.levels.clone() * 2 + 1),
-        ("DATA_W", s.height.clone()),
-        ("DEPTH", pyramid_words(&s.levels)),
-    ];
+    let params =
+        [("ADDR_W", s.levels.clone() * 2 + 1), ("DATA_W", s.height.clone()), ("DEPTH", pyramid_words(&s.levels))];
     let ins =
         [("write_en", load.en), ("write_addr", load.addr), ("write_data", load.data), ("read_addr", address.cut())];
     let height = b.inst(&memory, "u_heights", &params, &ins)[0].named("height");
@@ -109,8 +106,7 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
     ins.extend([("x_hit", hit[0]), ("x_cross", cross[0]), ("y_hit", hit[1]), ("y_cross", cross[1])]);
     let o = b.inst(&level_choice(d), "u_decision", &[], &ins);
     let names = ["is_hit", "crosses", "level_next", "x_next_at", "y_next_at", "t_after"];
-    let o: Vec<Sig<'b>> =
-        o.iter().zip(names).map(|(v, n)| (0..l.decision).fold(v.named(n), |v, _| v.cut())).collect();
+    let o: Vec<Sig<'b>> = o.iter().zip(names).map(|(v, n)| (0..l.decision).fold(v.named(n), |v, _| v.cut())).collect();
     let [hit, crosses, level_next, x_at, y_at, t_after] = o[..] else { unreachable!("as many as names") };
 
     b.section("address conversion", "");

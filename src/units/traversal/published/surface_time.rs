@@ -12,7 +12,8 @@ pub fn latency(l: &LatencyConfig) -> u32 {
 
 /// Builds `surface_time`; with a start level it has the input that asks for the end of the ray instead.
 pub fn surface_time(d: &Design) -> Arc<Module> {
-    let b = Builder::new("surface_time", file!(), "parameter at which the ray is in the node and at or below its height");
+    let b =
+        Builder::new("surface_time", file!(), "parameter at which the ray is in the node and at or below its height");
     let f = FormatParams::declare(&b, d.format);
     let h = b.param("HEIGHT_W", d.traverse.height_bits, "bits of a height code");
     b.require(2, &h);
