@@ -1,12 +1,12 @@
 //! The emitted Verilog of the published datapath in Icarus and Verilator, and `trace` by all four engines.
 //! A missing simulator fails these tests (`tools/test.sh` installs them) unless RELIEFRTL_NO_SIMULATORS=1.
-use crate::scenes::{design, hard, modes};
-use reliefrtl::bench::{Simulator, run_bench};
+use crate::scenes::{hard, modes};
+use reliefrtl::bench::{Simulator, bench_files, run_bench};
 use reliefrtl::catalogue::{bindings, design_at, find, ray_set, vector_set};
-use reliefrtl::config::{Config, DatapathKind};
+use reliefrtl::config::{Config, DatapathKind, ModeConfig};
 use reliefrtl::emit::Files;
 use reliefrtl::ir::Binding;
-use reliefrtl::project::{Scene, check_tree, project};
+use reliefrtl::project::{Scene, check_tree, hardware, project};
 use reliefrtl::vectors::{Plan, set_files};
 use std::path::Path;
 use tempfile::TempDir;
@@ -126,9 +126,9 @@ fn traverse_at(sim: Simulator, sizes: &[(u32, u32, u32)], plusargs: &[&str]) {
 }
 
 #[test]
-fn traverse_at_2_to_12_levels_in_verilator() {
+fn traverse_at_other_sizes_in_verilator() {
     if !skip() {
-        let sizes: Vec<(u32, u32, u32)> = (2..=12).map(|l| (l, if l % 2 == 0 { 8 } else { 16 }, 14 - l)).collect();
+        let sizes = [(2, 8, 12), (5, 16, 9), (8, 8, 6), (11, 16, 3), (12, 8, 2)];
         traverse_at(Simulator::Verilator, &sizes, &[]);
     }
 }
@@ -139,35 +139,56 @@ fn traffic_in_icarus() {
         for traffic in [&["gaps"][..], &["stalls"], &["gaps", "stalls", "flood"]] {
             traverse_at(Simulator::Icarus, &[(4, 8, 7)], traffic);
         }
-        traverse_at(Simulator::Icarus, &[(2, 8, 0), (3, 16, 16), (6, 2, 3)], &[]);
     }
 }
 
-/// Every mode as Verilog, with rays of its own.
 #[test]
-fn every_mode_in_verilator() {
-    if skip() {
-        return;
+fn traverse_at_2_to_10_levels_in_icarus() {
+    if !skip() {
+        let sizes: Vec<(u32, u32, u32)> = (2..=10).map(|l| (l, if l % 2 == 0 { 8 } else { 16 }, 14 - l)).collect();
+        traverse_at(Simulator::Icarus, &sizes, &[]);
     }
-    let mut checked = 0;
-    for mode in modes() {
-        let mut c = config(&["traverse.levels=4", "vectors.arithmetic=20"]);
-        c.mode = mode;
-        let d = reliefrtl::config::Design { mode, ..design(4) };
-        let dir = tree(&c);
-        let (pyramid, rays) = hard(&d, 160, 2);
-        let m = find(&d, "traverse").unwrap();
-        let set = ray_set(&d, &m, &pyramid, &rays, 1).unwrap();
-        let mut files = set_files(&set.set);
-        files.insert("memory.hex".into(), set.memory);
-        let place = tempfile::tempdir().unwrap();
-        write(place.path(), &files);
-        let args = [format!("vectors={}", place.path().display())];
-        let o = run_bench(Simulator::Verilator, dir.path(), "traverse", &Binding::new(), &args)
-            .unwrap_or_else(|e| panic!("{mode:?}: {e}"));
-        checked += o.checked;
+}
+
+/// Rays through the Verilog of one mode; how many.
+fn in_mode(sim: Simulator, mode: ModeConfig) -> usize {
+    let mut c = config(&["traverse.levels=4"]);
+    c.mode = mode;
+    let d = c.design();
+    let mut p = hardware(&c).unwrap();
+    let depth = p.traverse.setup + p.traverse.slots + p.traverse.finish;
+    p.files.extend(bench_files(&[], &p.traverse.module, depth, ""));
+    let (pyramid, rays) = hard(&d, 160, 2);
+    let set = ray_set(&d, &p.traverse.module, &pyramid, &rays, 1).unwrap();
+    let mut files = set_files(&set.set);
+    files.insert("memory.hex".into(), set.memory);
+    p.files.extend(files.into_iter().map(|(n, text)| (format!("golden/traverse/{n}"), text)));
+    let dir = tempfile::tempdir().unwrap();
+    write(dir.path(), &p.files);
+    run_bench(sim, dir.path(), "traverse", &Binding::new(), &[]).unwrap_or_else(|e| panic!("{mode:?}: {e}")).checked
+}
+
+#[test]
+fn every_mode_in_icarus() {
+    if !skip() {
+        let checked: usize = modes().into_iter().map(|m| in_mode(Simulator::Icarus, m)).sum();
+        println!("icarus: 0 of {checked} rays mismatched in 40 modes (seed 2)");
+        assert_eq!(checked, 40 * 160);
     }
-    println!("verilator: 0 of {checked} rays mismatched in 40 modes (seed 2)");
+}
+
+/// Every level-up rule, with every number of levels down, with and without a start level.
+#[test]
+fn every_rule_in_verilator() {
+    if !skip() {
+        let some = modes().into_iter().step_by(7);
+        let checked: Vec<usize> = some.map(|m| in_mode(Simulator::Verilator, m)).collect();
+        println!(
+            "verilator: 0 of {} rays mismatched in {} modes (seed 2)",
+            checked.iter().sum::<usize>(),
+            checked.len()
+        );
+    }
 }
 
 #[test]

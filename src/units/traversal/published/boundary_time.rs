@@ -48,7 +48,7 @@ pub fn boundary_time(d: &Design) -> Arc<Module> {
     b.section("nudge", "In fixed point: a plane has no fraction bits, so the nudge is its last one.");
     let by = b.konst(&nudge, 5).named("nudge_bits");
     let at = plane.sext(&wide).shift_left(by).named("plane_fixed");
-    let step = b.konst(nudge.smaller(1), &wide).named("nudge");
+    let step = b.konst(nudge.smaller(1), 1).named("has_nudge").zext(&wide);
     let behind = neg.mux(at - step, at + step).named("behind").cut();
 
     b.section("distance", "");
@@ -65,5 +65,5 @@ pub fn boundary_time(d: &Design) -> Arc<Module> {
     let l = latency(&d.latency);
     b.drive(out, t, Some(l));
     let at = |n: i64, e: i64, m: i64| Binding::from([("NUDGE_W".into(), n), ("EXP_W".into(), e), ("MAN_W".into(), m)]);
-    b.finish(Some(l), &[at(0, 7, 16), at(1, 5, 10), at(16, 8, 23)])
+    b.finish(Some(l), &[at(0, 7, 16), at(1, 5, 10), at(13, 8, 23), at(16, 7, 16)])
 }
