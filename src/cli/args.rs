@@ -35,6 +35,8 @@ pub enum Verb {
     Vectors(BuildArgs),
     /// Replays golden vectors in an engine.
     Check(CheckArgs),
+    /// Proves the emitted units with SymbiYosys: for every input, not only for the vectors.
+    Prove(ProveArgs),
     /// Traces rays from a CSV file.
     Trace(TraceArgs),
     /// Renders the map through the datapath.
@@ -96,6 +98,20 @@ pub struct CheckArgs {
     /// Where the first mismatch goes as a waveform of the interpreter: the clocks around it, undefined values as x.
     #[arg(long, value_name = "W.fst|W.vcd")]
     pub wave: Option<PathBuf>,
+}
+
+/// Options of `prove`.
+#[derive(Args, Debug)]
+pub struct ProveArgs {
+    /// Only this proof.
+    #[arg(long, value_name = "NAME")]
+    pub unit: Option<String>,
+    /// A tree that `build` wrote with the same configuration; without it a fresh one is made and thrown away.
+    #[arg(long, value_name = "DIR")]
+    pub dir: Option<PathBuf>,
+    /// Lists the proofs and what they claim, and runs none.
+    #[arg(long)]
+    pub list: bool,
 }
 
 /// Options of `config`.

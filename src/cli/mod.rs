@@ -7,6 +7,7 @@ mod emit;
 mod figures;
 mod list;
 mod output;
+mod prove;
 mod render;
 mod trace;
 
@@ -42,6 +43,7 @@ fn run(cli: &Cli) -> Result<()> {
         Verb::Emit(a) => emit::run(cli, a),
         Verb::Vectors(a) => build::vectors(cli, a),
         Verb::Check(a) => check::run(cli, a),
+        Verb::Prove(a) => prove::run(cli, a),
         Verb::Trace(a) => trace::run(cli, a),
         Verb::Render(a) => render::run(cli, a),
         Verb::Steps(a) => figures::steps(cli, a),
