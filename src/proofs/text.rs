@@ -75,7 +75,7 @@ const ALL: &[Proof] = &[
 /// The proofs that a design has.
 pub fn proofs(units: &[Arc<Module>]) -> Vec<&'static Proof> {
     let has = |name: &&str| units.iter().any(|m| m.name == **name);
-    ALL.iter().filter(|p| p.units.iter().all(|u| has(&u))).collect()
+    ALL.iter().filter(|p| p.units.iter().all(&has)).collect()
 }
 
 /// Harness and script of every proof of a design, under `testbench/`; `files` are the emitted modules without folder, in `rtl/`.
