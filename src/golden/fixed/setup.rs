@@ -88,7 +88,7 @@ impl Fixed {
     /// S, from 1/M = 2^-h (1 + 2^-h) (1 + 2^-2h) (1 + 2^-4h) ..., cut off after every factor and after four of them.
     pub fn per_code(&self, a: u64) -> u64 {
         let h = self.design.traverse.height_bits;
-        (0..4).fold(i128::from(a), |s, k| s + (s >> (h << k))) as u64
+        (0..4).fold(i128::from(a), |s, k| s + s / (1 << (h << k).min(120))) as u64
     }
 
     /// t of a plane at a distance ahead of the entry point (2^-FRACTION_W tiles): all ones if it is never met.
