@@ -112,8 +112,7 @@ impl Fixed {
     fn iterate<const SEEN: bool>(&self, pyramid: &Pyramid, setup: &FixedSetup, at: &Place) -> Iteration {
         let (n, k, rule) = (self.design.traverse.levels, at.level, self.design.mode.level_up);
         let height = pyramid.node(k, self.wrap(at.x) >> k, self.wrap(at.y) >> k);
-        // The parameter counts height codes, so the depth of a code is its parameter, without any rounding.
-        let t_v = (self.bottom - u64::from(height)) << self.time_fraction;
+        let t_v = self.height_time(u64::from(height));
         let m = at.t.max(t_v);
         let (b_x, t_x) = self.exit(&setup.u, k, at.x);
         let (b_y, t_y) = self.exit(&setup.v, k, at.y);
@@ -163,6 +162,11 @@ impl Fixed {
         let c = Crossing { level: k, plane, x: at.x, y: at.y, e_x, e_y, previous: at.prev };
         it.next_level = n.min(k + u32::from(level_up(rule, &c)));
         it
+    }
+
+    /// t_v of a height code: its depth, as the parameter counts height codes, without any rounding.
+    pub fn height_time(&self, height: u64) -> u64 {
+        (self.bottom - height) << self.time_fraction
     }
 
     /// The plane by which the ray can leave the level-k node of texel `x`, and the parameter there.

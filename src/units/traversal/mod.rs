@@ -1,5 +1,6 @@
 //! The traversal's units, one file each, and `traverse` on top. Units of one datapath stand in a folder of its name.
 mod datapath;
+pub mod fixed;
 mod height_address;
 mod height_memory;
 mod level_decision;
@@ -8,6 +9,7 @@ mod loop_state;
 mod multi_level_down;
 mod node_planes;
 mod params;
+mod plane_iteration;
 mod start_level;
 mod stream_delay;
 mod traverse;
