@@ -115,6 +115,14 @@ pub fn legal(unit: &str, d: &Design, b: &Binding, mut x: Vec<u64>) -> Vec<u64> {
             order_bounds(d, b, &mut x);
         }
         "level_decision" => x[3] %= n + 1,
+        // A distance is moved by at most as much as loses its last bit.
+        "plane_time" if d.datapath.kind == DatapathKind::Fixed => {
+            x[4] = x[4].min(u64::from(d.datapath.fraction_bits + d.traverse.tile_bits + 1));
+        }
+        // A ray's way stays below 2^TILE_W tiles.
+        "hit_position" if d.datapath.kind == DatapathKind::Fixed => {
+            x[1] &= mask(d.datapath.fraction_bits + d.traverse.tile_bits);
+        }
         "div_rows" => {
             let w = b["W"] as u32;
             x[1] |= 1 << (w - 1);
