@@ -37,7 +37,7 @@ fn all_units(sim: Simulator) {
     for (f, w) in FORMATS {
         let (c, dir) = tree(f, w);
         let done = check_tree(&c, dir.path(), Some(sim), None, None, None, &|_| ()).unwrap();
-        assert_eq!(done.len(), 16);
+        assert_eq!(done.len(), 17);
         assert!(done.iter().all(|x| x.rows > 0));
         let rows: usize = done.iter().map(|x| x.rows).sum();
         println!("{} Q.{f}/{w}: 0 of {rows} mismatched", sim.name());
