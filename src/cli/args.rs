@@ -1,4 +1,5 @@
 //! What can be typed.
+use crate::config::View;
 use crate::project::Canary;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -35,6 +36,8 @@ pub enum Verb {
     Vectors(BuildArgs),
     /// Replays golden vectors in an engine.
     Check(CheckArgs),
+    /// Proves the emitted units with SymbiYosys: for every input, not only for the vectors.
+    Prove(ProveArgs),
     /// Traces rays from a CSV file.
     Trace(TraceArgs),
     /// Renders the map through the datapath.
@@ -43,6 +46,8 @@ pub enum Verb {
     Steps(StepsArgs),
     /// Compares the datapath with the exact oracle: wrong texels with their witnesses.
     Accuracy(MapArgs),
+    /// Finds the smallest design that keeps an error budget on a scene, says why, and writes its configuration.
+    Fit(FitArgs),
     /// Measures rays per second of the engines on the same rays, in one run.
     Bench(BenchArgs),
     /// Lists the units with their parameters and latency.
@@ -96,6 +101,20 @@ pub struct CheckArgs {
     /// Where the first mismatch goes as a waveform of the interpreter: the clocks around it, undefined values as x.
     #[arg(long, value_name = "W.fst|W.vcd")]
     pub wave: Option<PathBuf>,
+}
+
+/// Options of `prove`.
+#[derive(Args, Debug)]
+pub struct ProveArgs {
+    /// Only this proof.
+    #[arg(long, value_name = "NAME")]
+    pub unit: Option<String>,
+    /// A tree that `build` wrote with the same configuration; without it a fresh one is made and thrown away.
+    #[arg(long, value_name = "DIR")]
+    pub dir: Option<PathBuf>,
+    /// Lists the proofs and what they claim, and runs none.
+    #[arg(long)]
+    pub list: bool,
 }
 
 /// Options of `config`.
@@ -169,6 +188,29 @@ pub struct StepsArgs {
     /// Directory with rocks.png, stones.png, four.png, saints.png: prints them beside the published means.
     #[arg(long, value_name = "DIR")]
     pub scenes: Option<PathBuf>,
+}
+
+/// Options of `fit`.
+#[derive(Args, Debug)]
+pub struct FitArgs {
+    /// The height map.
+    #[command(flatten)]
+    pub map: MapArgs,
+    /// Views whose rays count; without it the configured ones.
+    #[arg(long, value_delimiter = ',', value_name = "VIEW,...")]
+    pub views: Vec<View>,
+    /// Budget: the share of rays that may end in another texel than the ray as given, 0 to 1.
+    #[arg(long, value_name = "SHARE", allow_negative_numbers = true, conflicts_with = "max_uv_error")]
+    pub max_wrong_texel: Option<f64>,
+    /// Budget: how far 99 % of the hits may lie from the exact ones, in texels.
+    #[arg(long, value_name = "TEXELS", allow_negative_numbers = true)]
+    pub max_uv_error: Option<f64>,
+    /// The map itself may become coarser: fewer levels, fewer bits a height.
+    #[arg(long)]
+    pub allow_resample: bool,
+    /// Where the configuration of the design goes.
+    #[arg(long, value_name = "FILE.toml")]
+    pub out: Option<PathBuf>,
 }
 
 /// Options of `bench`.
