@@ -32,8 +32,12 @@ pub fn predicted_hit(d: &Design) -> Arc<Module> {
     let l = latency(&d.latency);
     b.plan(l, &[("way", 10), ("position", 4)]);
     b.section("way", "");
-    let recip_bits = b.konst(&w, 6).named("recip_bits");
-    let early = (m - m.shift_right(recip_bits)).named("early");
+    // A bit more, so that the shift never is as wide as its word and still can leave nothing.
+    let tall = b.cat(&[b.zeros(1), m]).named("m_tall");
+    let recip_bits = b.konst(w.smaller(&time), 6).named("recip_bits");
+    let less = (tall - tall.shift_right(recip_bits)).named("m_less");
+    b.unused(less.msb());
+    let early = less.slice(0, &time).named("early");
     let way = way(&b, s, early, &time, &reach);
     b.section("position", "");
     let at = position(&b, p, way, neg, &reach);

@@ -102,12 +102,17 @@ fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &str, p: Sig<'b>, trave
     b.section(&n("slope"), "Height codes per length, and lengths per height code: the travel times 2^HEIGHT_W / M.");
     let o = b.inst(&reciprocal(d), &format!("u_{name}_reciprocal"), &[], &[("a", a)]);
     let (r, z) = (o[0].named(&n("r")), o[1].named(&n("z")));
-    let mut per_code = a.zext(reach + 1).named(&n("s_0"));
+    let tall = reach + 2;
+    let mut sum = a.zext(tall.clone()).named(&n("s_0"));
     for k in 0..4u32 {
         // 2^h / M = 1 / (1 - 2^-h) = (1 + 2^-h) (1 + 2^-2h) (1 + 2^-4h) (1 + 2^-8h) ...
-        let by = b.konst(s.h.clone() * (1 << k), 8).named(&format!("code_{}", 1 << k));
-        per_code = (per_code + per_code.shift_right(by)).named(&n(&format!("s_{}", k + 1)));
+        // A bit more than the sum needs, so that a shift never is as wide as its word and still can leave nothing.
+        let by = (s.h.clone() * (1 << k)).smaller(reach + 1);
+        let by = b.konst(by, 8).named(&format!("code_{}", 1 << k));
+        sum = (sum + sum.shift_right(by)).named(&n(&format!("s_{}", k + 1)));
     }
+    b.unused(sum.msb());
+    let per_code = sum.slice(0, reach + 1).named(&n("s"));
 
     b.section(&n("texels"), "");
     let below = &s.f - &s.n;
