@@ -38,6 +38,9 @@ impl Config {
 
     /// The bounds that keep every intermediate result of the datapath inside its width (`docs/datapath.md`, Parameters).
     fn width_problems(&self, problems: &mut Vec<String>) {
+        if self.datapath.kind == DatapathKind::Fixed {
+            return self.fixed_problems(problems);
+        }
         let (exp, man) = (self.format.exp, self.format.man);
         let (levels, height, tiles) = (self.traverse.levels, self.traverse.height_bits, self.traverse.tile_bits);
         let bias = (1u32 << (exp - 1)) - 1;
@@ -91,6 +94,24 @@ impl Config {
         if self.mode.trim != Trim::None {
             problems.push("mode.trim needs integer nodes: datapath.kind = \"published\" has no chord trim".to_owned());
         }
+    }
+
+    /// As [`Config::width_problems`], of the fixed-point datapath (`docs/fixed.md`, Parameters).
+    fn fixed_problems(&self, problems: &mut Vec<String>) {
+        let (f, w) = (self.datapath.fraction_bits, self.datapath.reciprocal_bits);
+        let (levels, height, tiles) = (self.traverse.levels, self.traverse.height_bits, self.traverse.tile_bits);
+        let mut most = |what: &str, value: u32, why: &str, limit: u32| {
+            if value > limit {
+                problems.push(format!("{what} = {value} is too large: {why} may be at most {limit}"));
+            }
+        };
+        most("traverse.levels", levels, "with datapath.fraction_bits a texel's corner is exact, so it", f);
+        most("traverse.height_bits", height, "with datapath.fraction_bits a height code is exact, so it", f);
+        let index = self.traverse.idx_bits();
+        most("traverse.levels + traverse.tile_bits + 2", index, "a texel coordinate", 24);
+        most("datapath.fraction_bits + traverse.tile_bits", f + tiles, "a travel's magnitude", 32);
+        let product = f + tiles + w;
+        most("datapath.fraction_bits + traverse.tile_bits + datapath.reciprocal_bits", product, "their sum", 63);
     }
 
     fn map_problems(&self, problems: &mut Vec<String>) {

@@ -39,6 +39,12 @@ pub fn modules(tops: &[Arc<Module>]) -> Result<Vec<Arc<Module>>> {
 /// The line of each banner that names the configuration.
 pub fn config_line(c: &Config) -> String {
     let (t, m, l) = (&c.traverse, &c.mode, &c.latency);
+    let numbers = match c.datapath.kind {
+        DatapathKind::Fixed => {
+            format!("fixed point {}, reciprocal {}", c.datapath.fraction_bits, c.datapath.reciprocal_bits)
+        }
+        DatapathKind::Watertight | DatapathKind::Published => format!("float {}", c.format.float()),
+    };
     let start = if m.start_level { "start level" } else { "from the root" };
     let path = match c.datapath.kind {
         DatapathKind::Watertight => "",
@@ -46,8 +52,7 @@ pub fn config_line(c: &Config) -> String {
         DatapathKind::Fixed => "fixed datapath, ",
     };
     format!(
-        "{path}float {}, levels {}, heights {} bits, {start}, {} down, up {}; clocks add {} mul {} div {} compare {} from_int {} to_int {}",
-        c.format.float(),
+        "{path}{numbers}, levels {}, heights {} bits, {start}, {} down, up {}; clocks add {} mul {} div {} compare {} from_int {} to_int {}",
         t.levels,
         t.height_bits,
         m.levels_down,

@@ -1,4 +1,5 @@
 //! One tracer for every datapath: the words that enter, the hits that leave.
+use super::fixed::{self, Fixed};
 use super::float;
 use super::published::Published;
 use super::pyramid::Pyramid;
@@ -15,6 +16,8 @@ pub enum Tracer {
     Watertight(Golden),
     /// `docs/published.md`.
     Published(Published),
+    /// `docs/fixed.md`.
+    Fixed(Fixed),
 }
 
 impl Tracer {
@@ -26,7 +29,7 @@ impl Tracer {
         match design.datapath.kind {
             DatapathKind::Watertight => Golden::new(design).map(Self::Watertight),
             DatapathKind::Published => Published::new(design).map(Self::Published),
-            DatapathKind::Fixed => Err(crate::error::Error::input("this datapath has no golden model")),
+            DatapathKind::Fixed => Fixed::new(design).map(Self::Fixed),
         }
     }
 
@@ -35,6 +38,7 @@ impl Tracer {
         match self {
             Self::Watertight(g) => g.design(),
             Self::Published(g) => g.design(),
+            Self::Fixed(g) => g.design(),
         }
     }
 
@@ -46,6 +50,7 @@ impl Tracer {
         match self {
             Self::Watertight(g) => g.trace(pyramid, ray),
             Self::Published(g) => g.trace(pyramid, ray),
+            Self::Fixed(g) => g.trace(pyramid, ray),
         }
     }
 
@@ -57,6 +62,7 @@ impl Tracer {
         match self {
             Self::Watertight(g) => g.trace_with(pyramid, ray, see),
             Self::Published(g) => g.trace_with(pyramid, ray, see),
+            Self::Fixed(g) => g.trace_with(pyramid, ray, see),
         }
     }
 }
@@ -64,6 +70,9 @@ impl Tracer {
 /// The ray whose words in the design's number format are nearest to (u, v, du, dv), in tiles. The map repeats, so the entry point is
 /// wrapped into \[0, 1), also where it rounds up to 1.
 pub fn encode_ray(design: &Design, [u, v, du, dv]: [f64; 4]) -> RayInput {
+    if design.datapath.kind == DatapathKind::Fixed {
+        return fixed::encode(design, [u, v, du, dv]);
+    }
     let f = design.format;
     let one = (f.bias() as u64) << f.man;
     let wrap = |x: u64| if x == one { 0 } else { x };
@@ -71,12 +80,19 @@ pub fn encode_ray(design: &Design, [u, v, du, dv]: [f64; 4]) -> RayInput {
     RayInput { u: wrap(r.u), v: wrap(r.v), ..r }
 }
 
+/// A travel's word of the fixed-point datapath as a number, in 2^-FRACTION_W tiles.
+pub fn decode_travel(design: &Design, word: u64) -> i64 {
+    fixed::travel(design, word)
+}
+
 /// The ray parameter of a word `t`, in height codes, exact where an f64 holds it.
 pub fn decode_time(design: &Design, t: u64) -> f64 {
-    let t = float::to_f64(design.format, t);
     match design.datapath.kind {
+        DatapathKind::Fixed => fixed::time(design, t),
+        DatapathKind::Watertight => float::to_f64(design.format, t),
         // 1 is the bottom plane.
-        DatapathKind::Published => t * f64::from((1u32 << design.traverse.height_bits) - 1),
-        DatapathKind::Watertight | DatapathKind::Fixed => t,
+        DatapathKind::Published => {
+            float::to_f64(design.format, t) * f64::from((1u32 << design.traverse.height_bits) - 1)
+        }
     }
 }

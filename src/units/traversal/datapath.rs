@@ -4,7 +4,7 @@
 use super::loop_state::{Field, Numbers, Ray, Sizes};
 use super::published;
 use super::traverse::Load;
-use super::watertight;
+use super::{fixed, watertight};
 use crate::config::{DatapathKind, Design};
 use crate::ir::{Builder, Expr, Module, Sig};
 use crate::units::float::FormatParams;
@@ -42,7 +42,7 @@ impl Datapath {
         match d.datapath.kind {
             DatapathKind::Watertight => &watertight::DATAPATH,
             DatapathKind::Published => &published::DATAPATH,
-            DatapathKind::Fixed => &watertight::DATAPATH,
+            DatapathKind::Fixed => &fixed::DATAPATH,
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The traversal's units, one file each, and `traverse` on top. Units of one datapath stand in a folder of its name.
 mod census;
 mod datapath;
+pub mod fixed;
 mod height_address;
 mod height_memory;
 mod level_decision;
@@ -9,6 +10,7 @@ mod loop_state;
 mod multi_level_down;
 mod node_planes;
 mod params;
+mod plane_iteration;
 pub mod published;
 mod start_level;
 mod stream_delay;
