@@ -38,7 +38,7 @@ fn hard(d: &Design, count: usize, seed: u64) -> (Pyramid, Vec<RayInput>) {
                 1 => [a, p, 0.0, c],
                 2 => [a, b, 0.25, -0.25],
                 3 => [p, b, c / 50.0, 0.0],
-                4 => [p, q, 0.0, if k % 2 == 0 { 0.0 } else { 1e9 }],
+                4 => [p, q, 0.0, if k.is_multiple_of(2) { 0.0 } else { 1e9 }],
                 5 => [a, q, c / 1e4, e / 1e6],
                 _ => [p, q, c, e / 9.0],
             },
