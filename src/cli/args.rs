@@ -48,6 +48,8 @@ pub enum Verb {
     Accuracy(MapArgs),
     /// Finds the smallest design that keeps an error budget on a scene, says why, and writes its configuration.
     Fit(FitArgs),
+    /// Runs the hard cases: maps and rays on which a traversal is most likely to go wrong.
+    Hard(HardArgs),
     /// Measures rays per second of the engines on the same rays, in one run.
     Bench(BenchArgs),
     /// Lists the units with their parameters and latency.
@@ -211,6 +213,26 @@ pub struct FitArgs {
     /// Where the configuration of the design goes.
     #[arg(long, value_name = "FILE.toml")]
     pub out: Option<PathBuf>,
+}
+
+/// Options of `hard`.
+#[derive(Args, Debug)]
+pub struct HardArgs {
+    /// Lists the cases and what they aim at, and runs none.
+    #[arg(long)]
+    pub list: bool,
+    /// Only this case.
+    #[arg(long, value_name = "NAME")]
+    pub case: Option<String>,
+    /// Rays of each case.
+    #[arg(long, default_value_t = 200)]
+    pub rays: usize,
+    /// Seed of maps and rays.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Writes a picture of each case into this directory.
+    #[arg(long, value_name = "DIR")]
+    pub pictures: Option<PathBuf>,
 }
 
 /// Options of `bench`.

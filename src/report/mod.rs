@@ -2,6 +2,7 @@
 mod accuracy;
 mod cost;
 mod fit;
+pub mod hard;
 mod steps;
 
 pub use accuracy::{Accuracy, WrongTexel, accuracy, exact_ray};
