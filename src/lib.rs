@@ -16,6 +16,7 @@ pub mod oracle;
 pub mod project;
 pub mod report;
 pub mod scene;
+pub mod synth;
 pub mod trace;
 pub mod units;
 pub mod vectors;

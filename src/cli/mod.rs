@@ -8,6 +8,7 @@ mod figures;
 mod list;
 mod output;
 mod render;
+mod synth;
 mod trace;
 
 pub use args::Cli;
@@ -47,6 +48,7 @@ fn run(cli: &Cli) -> Result<()> {
         Verb::Steps(a) => figures::steps(cli, a),
         Verb::Accuracy(a) => figures::accuracy(cli, a),
         Verb::Bench(a) => figures::bench(cli, a),
+        Verb::Synth(a) => synth::run(cli, a),
         Verb::List => list::run(cli),
         Verb::Config(a) => config::run(cli, a),
         Verb::Completions { shell } => {
