@@ -67,8 +67,7 @@ module fp_mul #(
   wire               s0_is_zero = s0_a_is_zero | s0_b_is_zero;
   wire               s0_is_inf = s0_a_is_inf | s0_b_is_inf;
   wire               s0_is_nan = s0_a_is_nan | s0_b_is_nan | (s0_is_zero & s0_is_inf);
-  wire               s0_sign = (s0_a_sign ^ s0_b_sign) & ~s0_is_nan;
-  wire               s0_special = s0_is_inf | s0_is_nan;
+  wire               s0_prod_sign = s0_a_sign ^ s0_b_sign;
 
   // ---- stage 0: round ---------------------------------------------------------- mul.rs
   // A product of two numbers in [1, 2) lies in [1, 4): low below 2, high from 2 on. A carry out of
@@ -98,10 +97,11 @@ module fp_mul #(
 
   // ---- stage 0: select --------------------------------------------------------- mul.rs
   wire [EXP_W+MAN_W-1:0] s0_picked = s0_top ? s0_high_body : s0_low_body;
-  wire                   s0_give_inf = s0_special |
+  wire                   s0_give_inf = s0_is_nan | s0_is_inf |
       ((s0_top ? s0_high_over : s0_low_over) & ~s0_is_zero);
   wire                   s0_keep =
       ~(s0_give_inf | s0_is_zero | (s0_top ? s0_high_too_low : s0_low_too_low));
+  wire                   s0_sign = s0_prod_sign & ~s0_is_nan;
   wire [FloatW-1:0]      s0_value =
       {s0_sign, (s0_picked[EXP_W+MAN_W-1:MAN_W] & {EXP_W{s0_keep}}) | {EXP_W{s0_give_inf}},
       (s0_picked[MAN_W-1:0] & {MAN_W{s0_keep}}) | {s0_is_nan, {(MAN_W - 1){1'b0}}}};

@@ -5,8 +5,9 @@
 //! afterwards, so that no carry chain waits for the OR of the lower half. Exponent and fraction round as one number.
 //! Formats: `docs/datapath.md`.
 use super::fields::{Fields, FormatParams};
+use super::round::{Candidate, Classes};
 use crate::format::FloatFormat;
-use crate::ir::{Builder, Module, Sig};
+use crate::ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
 
 /// Sections and how long each takes, in tenths of a nanosecond on ECP5.
@@ -36,51 +37,34 @@ pub fn fp_mul(format: FloatFormat, latency: u32) -> Arc<Module> {
     let zero = (fa.is_zero | fb.is_zero).named("is_zero");
     let inf = (fa.is_inf | fb.is_inf).named("is_inf");
     let nan = (fa.is_nan | fb.is_nan | (zero & inf)).named("is_nan");
-    let sign = ((fa.sign ^ fb.sign) & !nan).named("sign");
-    let special = (inf | nan).named("special");
+    let sign = (fa.sign ^ fb.sign).named("prod_sign");
 
     b.section(
         "round",
         "A product of two numbers in [1, 2) lies in [1, 4): low below 2, high from 2 on. A carry out of the fraction \
          goes on into the exponent, and from the largest number to infinity, by itself.",
     );
-    let low = Candidate::of(&b, &f, prod, exp_low, &p - 1, "low");
-    let high = Candidate::of(&b, &f, prod, exp_high, p.clone(), "high");
+    let low = candidate(&b, &f, prod, &(&p - 1), exp_low, "low");
+    let high = candidate(&b, &f, prod, &p, exp_high, "high");
     let top = prod.msb().named("top");
 
     b.section("select", "");
-    let body = top.mux(high.body, low.body).named("picked");
-    let too_low = top.mux(high.too_low, low.too_low);
-    let over = (special | (top.mux(high.over, low.over) & !zero)).named("give_inf");
-    let keep = (!(over | zero | too_low)).named("keep");
-    let exp = body.slice(&f.man, &f.exp) & keep.rep(&f.exp) | over.rep(&f.exp);
-    let frac = body.slice(0, &f.man) & keep.rep(&f.man) | b.cat(&[nan, b.zeros(&f.man - 1)]);
-    b.drive(out, b.cat(&[sign, exp, frac]).named("value"), Some(latency));
+    let picked = Candidate::pick(top, &high, &low);
+    let value = picked.pack(&b, &f, sign, &Classes { nan, inf, zero });
+    b.drive(out, value, Some(latency));
     b.finish(Some(latency), &super::bindings())
 }
 
 /// The result if the significand's last bit is bit `lsb` of the product.
-struct Candidate<'b> {
-    /// Exponent and fraction, rounded; EXP_W + MAN_W bits.
-    body: Sig<'b>,
-    /// Below the smallest normal number after rounding.
-    too_low: Sig<'b>,
-    /// Beyond the largest exponent before rounding; what reaches it by rounding is infinity already.
-    over: Sig<'b>,
-}
-
-impl<'b> Candidate<'b> {
-    fn of(b: &'b Builder, f: &FormatParams, prod: Sig<'b>, exp: Sig<'b>, lsb: crate::ir::Expr, name: &str) -> Self {
-        let called = |s: Sig<'b>, what: &str| s.named(&format!("{name}_{what}"));
-        let guard = called(prod.bit(lsb.clone() - 1), "guard");
-        let tie = called(guard & prod.slice(0, lsb.clone() - 1).none(), "tie");
-        let exact = b.cat(&[exp.slice(0, &f.exp), prod.slice(lsb, f.man.clone())]);
-        let sum = called(exact + guard.zext(&f.exp + &f.man), "sum");
-        let body = called(b.cat(&[sum.slice(1, &f.exp + &f.man - 1), sum.bit(0) & !tie]), "body");
-        // From exponent 0, rounding may still reach the smallest normal number.
-        let at_zero = called(exp.none(), "at_zero");
-        let too_low = called(exp.msb() | (at_zero & !sum.bit(&f.man)), "too_low");
-        let over = called(!exp.msb() & (exp.bit(&f.exp) | exp.slice(0, &f.exp).all()), "over");
-        Self { body, too_low, over }
-    }
+fn candidate<'b>(
+    b: &'b Builder,
+    f: &FormatParams,
+    prod: Sig<'b>,
+    lsb: &Expr,
+    exp: Sig<'b>,
+    name: &str,
+) -> Candidate<'b> {
+    let guard = prod.bit(lsb.clone() - 1).named(&format!("{name}_guard"));
+    let tie = guard & prod.slice(0, lsb.clone() - 1).none();
+    Candidate::of(b, f, exp, prod.slice(lsb, &f.man), guard, Some(tie), name)
 }
