@@ -11,6 +11,7 @@ mod list;
 mod output;
 mod prove;
 mod render;
+mod synth;
 mod trace;
 
 pub use args::Cli;
@@ -53,6 +54,7 @@ fn run(cli: &Cli) -> Result<()> {
         Verb::Fit(a) => fit::run(cli, a),
         Verb::Hard(a) => hard::run(cli, a),
         Verb::Bench(a) => figures::bench(cli, a),
+        Verb::Synth(a) => synth::run(cli, a),
         Verb::List => list::run(cli),
         Verb::Config(a) => config::run(cli, a),
         Verb::Completions { shell } => {
