@@ -6,6 +6,7 @@
 //! The rules are those of the datapath: the map repeats, cells are half-open `[entry, exit)`, the u plane goes first on a tie,
 //! height code c stands at ray parameter M - c, M = 2^height_bits - 1.
 mod exact;
+mod value;
 mod walk;
 
 pub use exact::{Dyadic, Ratio};
