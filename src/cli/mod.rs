@@ -9,6 +9,7 @@ mod list;
 mod output;
 mod prove;
 mod render;
+mod report;
 mod trace;
 
 pub use args::Cli;
@@ -48,6 +49,7 @@ fn run(cli: &Cli) -> Result<()> {
         Verb::Render(a) => render::run(cli, a),
         Verb::Steps(a) => figures::steps(cli, a),
         Verb::Accuracy(a) => figures::accuracy(cli, a),
+        Verb::Report(a) => report::run(cli, a),
         Verb::Bench(a) => figures::bench(cli, a),
         Verb::List => list::run(cli),
         Verb::Config(a) => config::run(cli, a),
