@@ -1,8 +1,13 @@
 //! The report: speed against error of every design, as one page, JSON and CSV with the same numbers.
 mod cell;
+mod figures;
 mod plan;
+mod published;
+mod replay;
+mod sections;
 mod stats;
 mod store;
+mod table;
 
 pub use cell::{Cell, CellSpec, Witness};
 pub use plan::{Extent, Plan};

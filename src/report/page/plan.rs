@@ -206,7 +206,9 @@ pub fn modes(extent: Extent) -> Vec<ModeConfig> {
     let trims = [Trim::Descent, Trim::Always].map(|trim| ModeConfig { trim, ..BEST });
     if extent != Extent::Full {
         let rows = if extent == Extent::Tiny { &ROWS[5..] } else { &ROWS[..] };
-        return rows.iter().map(|r| r.1).chain(trims).collect();
+        let downs = [3, 4].map(|levels_down| ModeConfig { levels_down, ..ROWS[0].1 });
+        let downs = downs.into_iter().filter(|_| extent == Extent::Standard);
+        return rows.iter().map(|r| r.1).chain(downs).chain(trims).collect();
     }
     let mut out = Vec::new();
     for trim in Trim::ALL {
