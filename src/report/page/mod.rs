@@ -1,5 +1,6 @@
 //! The report: speed against error of every design, as one page, JSON and CSV with the same numbers.
 mod cell;
+mod charts;
 mod figures;
 mod plan;
 mod published;
@@ -7,6 +8,7 @@ mod replay;
 mod sections;
 mod stats;
 mod store;
+mod svg;
 mod table;
 
 pub use cell::{Cell, CellSpec, Witness};

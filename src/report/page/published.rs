@@ -126,7 +126,7 @@ pub fn claim_words(claims: &Table) -> Vec<String> {
     let word = |(_, against, low, high): &(usize, &str, f64, f64)| {
         let mine: Vec<_> = claims.rows.iter().filter(|r| r[2] == *against).collect();
         let holds = mine.iter().filter(|r| r[6] == "yes").count();
-        let saved = |k: usize| mine.iter().filter_map(|r| r[k].as_f64());
+        let saved = |k: usize| mine.iter().filter_map(move |r| r[k].as_f64());
         let (least, most) = (saved(5).fold(f64::INFINITY, f64::min), saved(5).fold(f64::NEG_INFINITY, f64::max));
         format!(
             "Claimed: {low:.0}–{high:.0} % fewer iterations than {against}. Ours: {least:.1} to {most:.1} %; inside the claim in {holds} of {} cells.",
