@@ -112,7 +112,7 @@ fn exact_map(site: &Site) -> ExactMap<'_> {
 }
 
 /// The exact hit, and its place in texels; `None` if the walk is too wide.
-fn walk(site: &Site, ray: &ExactRay) -> Option<(ExactHit, [f64; 2])> {
+pub(super) fn walk(site: &Site, ray: &ExactRay) -> Option<(ExactHit, [f64; 2])> {
     let hit = exact_map(site).trace(ray).ok()?;
     let side = 2f64.powi(site.spec.levels as i32);
     let bottom = f64::from((1u32 << site.spec.height_bits) - 1);
@@ -135,7 +135,7 @@ impl Reference {
 }
 
 /// Distance of a returned hit and an exact place, in texels, the shorter way round the tile.
-fn distance(d: &Design, h: &RayHit, place: [f64; 2]) -> f64 {
+pub(super) fn distance(d: &Design, h: &RayHit, place: [f64; 2]) -> f64 {
     let side = 2f64.powi(d.traverse.levels as i32);
     let unit = 2f64.powi(-(d.traverse.frac_bits as i32));
     let away = |texel: u32, part: u32, exact: f64| {

@@ -2,6 +2,7 @@
 mod cell;
 mod charts;
 mod figures;
+mod pictures;
 mod plan;
 mod published;
 mod replay;
@@ -10,7 +11,9 @@ mod stats;
 mod store;
 mod svg;
 mod table;
+mod write;
 
 pub use cell::{Cell, CellSpec, Witness};
 pub use plan::{Extent, Plan};
 pub use store::{Work, cells};
+pub use write::{Output, files, write};

@@ -8,6 +8,8 @@ pub enum Scale {
     Linear(f64, f64),
     /// Powers of ten, from and to.
     Log(i32, i32),
+    /// From 0 to an end, with ticks of its own.
+    Named(f64, Vec<(f64, String)>),
     /// Evenly spaced words.
     Words(Vec<String>),
 }
@@ -73,6 +75,7 @@ impl Scale {
         match self {
             Self::Linear(a, b) => (v - a) / (b - a),
             Self::Log(a, b) => (v.max(f64::MIN_POSITIVE).log10() - f64::from(*a)) / f64::from(b - a),
+            Self::Named(end, _) => v / end,
             Self::Words(w) => (v + 0.5) / w.len() as f64,
         }
     }
@@ -91,6 +94,7 @@ impl Scale {
                 let every = ((b - a) / 8 + 1) as usize;
                 (*a..=*b).step_by(every).map(|k| (10f64.powi(k), power(k))).collect()
             }
+            Self::Named(_, ticks) => ticks.clone(),
             Self::Words(w) => w.iter().enumerate().map(|(k, s)| (k as f64, s.clone())).collect(),
         }
     }
