@@ -1,4 +1,5 @@
 //! What can be typed.
+use crate::config::View;
 use crate::project::Canary;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -47,6 +48,8 @@ pub enum Verb {
     Accuracy(MapArgs),
     /// Measures steps and error of every design and writes a page, JSON and CSV about them.
     Report(ReportArgs),
+    /// Finds the smallest design that keeps an error budget on a scene, says why, and writes its configuration.
+    Fit(FitArgs),
     /// Measures rays per second of the engines on the same rays, in one run.
     Bench(BenchArgs),
     /// Lists the units with their parameters and latency.
@@ -201,6 +204,29 @@ pub struct ReportArgs {
     /// Every width and every mode, not a selection.
     #[arg(long)]
     pub full: bool,
+}
+
+/// Options of `fit`.
+#[derive(Args, Debug)]
+pub struct FitArgs {
+    /// The height map.
+    #[command(flatten)]
+    pub map: MapArgs,
+    /// Views whose rays count; without it the configured ones.
+    #[arg(long, value_delimiter = ',', value_name = "VIEW,...")]
+    pub views: Vec<View>,
+    /// Budget: the share of rays that may end in another texel than the ray as given, 0 to 1.
+    #[arg(long, value_name = "SHARE", allow_negative_numbers = true, conflicts_with = "max_uv_error")]
+    pub max_wrong_texel: Option<f64>,
+    /// Budget: how far 99 % of the hits may lie from the exact ones, in texels.
+    #[arg(long, value_name = "TEXELS", allow_negative_numbers = true)]
+    pub max_uv_error: Option<f64>,
+    /// The map itself may become coarser: fewer levels, fewer bits a height.
+    #[arg(long)]
+    pub allow_resample: bool,
+    /// Where the configuration of the design goes.
+    #[arg(long, value_name = "FILE.toml")]
+    pub out: Option<PathBuf>,
 }
 
 /// Options of `bench`.

@@ -5,6 +5,7 @@ mod check;
 mod config;
 mod emit;
 mod figures;
+mod fit;
 mod list;
 mod output;
 mod prove;
@@ -50,6 +51,7 @@ fn run(cli: &Cli) -> Result<()> {
         Verb::Steps(a) => figures::steps(cli, a),
         Verb::Accuracy(a) => figures::accuracy(cli, a),
         Verb::Report(a) => report::run(cli, a),
+        Verb::Fit(a) => fit::run(cli, a),
         Verb::Bench(a) => figures::bench(cli, a),
         Verb::List => list::run(cli),
         Verb::Config(a) => config::run(cli, a),

@@ -1,5 +1,7 @@
 //! One tracer for every datapath: the words that enter, the hits that leave.
+use super::fixed::{self, Fixed};
 use super::float;
+use super::published::Published;
 use super::pyramid::Pyramid;
 use super::record::{Iteration, RayHit};
 use super::setup::RayInput;
@@ -12,6 +14,10 @@ use crate::error::Result;
 pub enum Tracer {
     /// `docs/datapath.md`.
     Watertight(Golden),
+    /// `docs/published.md`.
+    Published(Published),
+    /// `docs/fixed.md`.
+    Fixed(Fixed),
 }
 
 impl Tracer {
@@ -25,9 +31,8 @@ impl Tracer {
         }
         match design.datapath.kind {
             DatapathKind::Watertight => Golden::new(design).map(Self::Watertight),
-            DatapathKind::Published | DatapathKind::Fixed => {
-                Err(crate::error::Error::input("this datapath has no golden model"))
-            }
+            DatapathKind::Published => Published::new(design).map(Self::Published),
+            DatapathKind::Fixed => Fixed::new(design).map(Self::Fixed),
         }
     }
 
@@ -35,6 +40,8 @@ impl Tracer {
     pub fn design(&self) -> &Design {
         match self {
             Self::Watertight(g) => g.design(),
+            Self::Published(g) => g.design(),
+            Self::Fixed(g) => g.design(),
         }
     }
 
@@ -45,6 +52,8 @@ impl Tracer {
     pub fn trace(&self, pyramid: &Pyramid, ray: &RayInput) -> RayHit {
         match self {
             Self::Watertight(g) => g.trace(pyramid, ray),
+            Self::Published(g) => g.trace(pyramid, ray),
+            Self::Fixed(g) => g.trace(pyramid, ray),
         }
     }
 
@@ -55,6 +64,8 @@ impl Tracer {
     pub fn trace_with(&self, pyramid: &Pyramid, ray: &RayInput, see: impl FnMut(&Iteration)) -> RayHit {
         match self {
             Self::Watertight(g) => g.trace_with(pyramid, ray, see),
+            Self::Published(g) => g.trace_with(pyramid, ray, see),
+            Self::Fixed(g) => g.trace_with(pyramid, ray, see),
         }
     }
 }
@@ -62,6 +73,9 @@ impl Tracer {
 /// The ray whose words in the design's number format are nearest to (u, v, du, dv), in tiles. The map repeats, so the entry point is
 /// wrapped into \[0, 1), also where it rounds up to 1.
 pub fn encode_ray(design: &Design, [u, v, du, dv]: [f64; 4]) -> RayInput {
+    if design.datapath.kind == DatapathKind::Fixed {
+        return fixed::encode(design, [u, v, du, dv]);
+    }
     let f = design.format;
     let one = (f.bias() as u64) << f.man;
     let wrap = |x: u64| if x == one { 0 } else { x };
@@ -69,7 +83,19 @@ pub fn encode_ray(design: &Design, [u, v, du, dv]: [f64; 4]) -> RayInput {
     RayInput { u: wrap(r.u), v: wrap(r.v), ..r }
 }
 
+/// A travel's word of the fixed-point datapath as a number, in 2^-FRACTION_W tiles.
+pub fn decode_travel(design: &Design, word: u64) -> i64 {
+    fixed::travel(design, word)
+}
+
 /// The ray parameter of a word `t`, in height codes, exact where an f64 holds it.
 pub fn decode_time(design: &Design, t: u64) -> f64 {
-    float::to_f64(design.format, t)
+    match design.datapath.kind {
+        DatapathKind::Fixed => fixed::time(design, t),
+        DatapathKind::Watertight => float::to_f64(design.format, t),
+        // 1 is the bottom plane.
+        DatapathKind::Published => {
+            float::to_f64(design.format, t) * f64::from((1u32 << design.traverse.height_bits) - 1)
+        }
+    }
 }

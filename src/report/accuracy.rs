@@ -1,7 +1,7 @@
 //! Hits against the exact texel walk: wrong texels with their witnesses, and the largest error of the parameter.
-use crate::config::Design;
+use crate::config::{DatapathKind, Design};
 use crate::error::{Error, Result};
-use crate::golden::{RayHit, RayInput, decode_time};
+use crate::golden::{RayHit, RayInput, decode_time, decode_travel};
 use crate::oracle::{ExactMap, ExactRay};
 use rayon::prelude::*;
 
@@ -39,6 +39,9 @@ pub struct Accuracy {
 /// Words that are not numbers.
 pub fn exact_ray(d: &Design, r: &RayInput) -> Result<ExactRay> {
     let (p, t) = ([r.u, r.v], [r.du, r.dv]);
+    if d.datapath.kind == DatapathKind::Fixed {
+        return Ok(ExactRay::fixed(d.datapath.fraction_bits, p, t.map(|word| decode_travel(d, word))));
+    }
     ExactRay::float(d.format, p, t).ok_or_else(|| Error::input("an exact ray is made of finite numbers"))
 }
 

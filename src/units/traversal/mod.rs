@@ -1,5 +1,7 @@
 //! The traversal's units, one file each, and `traverse` on top. Units of one datapath stand in a folder of its name.
+mod census;
 mod datapath;
+pub mod fixed;
 mod height_address;
 mod height_memory;
 mod level_decision;
@@ -8,11 +10,14 @@ mod loop_state;
 mod multi_level_down;
 mod node_planes;
 mod params;
+mod plane_iteration;
+pub mod published;
 mod start_level;
 mod stream_delay;
 mod traverse;
 pub mod watertight;
 
+pub use census::{Census, PUBLISHED, census, difference};
 pub use datapath::Datapath;
 pub use height_address::height_address;
 pub use height_memory::{height_memory, pyramid_words};

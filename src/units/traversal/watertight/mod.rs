@@ -1,7 +1,6 @@
 //! The watertight datapath: parameters of integer planes, compared in floating point (`docs/datapath.md`).
 mod height_test;
 mod hit_position;
-mod iteration;
 mod node_crossing;
 mod plane_time;
 mod predicted_hit;
@@ -17,6 +16,7 @@ pub use ray_setup::ray_setup;
 use super::datapath::Datapath;
 use super::loop_state::{Field, Numbers, Sizes, Start};
 use super::params::ray_conditions;
+use super::plane_iteration::{PlaneUnits, plane_iteration};
 use crate::config::Design;
 use crate::ir::{Expr, Module};
 use crate::units::div_rows::div_rows_module;
@@ -41,13 +41,22 @@ pub(super) static DATAPATH: Datapath = Datapath {
     constants,
     setup: ray_setup,
     setup_clocks: ray_setup::latency,
-    iteration: iteration::iteration,
+    iteration: |b, s, d, ray, load| plane_iteration(b, s, d, ray, load, &UNITS),
     hit: hit_position,
     hit_clocks: |d| hit_position::latency(&d.latency),
     hit_inputs: |ray, axis| {
         let of = |name: &str| ray.get(&format!("{name}_{axis}"));
         vec![("p", of("p")), ("d", of("d")), ("t", ray.get("t")), ("x", ray.get(axis))]
     },
+};
+
+const UNITS: PlaneUnits = PlaneUnits {
+    plane_time,
+    plane_inputs: &[("p", "p"), ("r", "r"), ("never", "never")],
+    height_test,
+    predicted_hit,
+    predicted_inputs: &[("p_back", "pb"), ("d", "d")],
+    node_crossing,
 };
 
 /// Per axis: entry point, the same biased backwards, direction, reciprocal, and how it runs.

@@ -1,13 +1,37 @@
-//! One iteration of `traverse`: from the slot's ray to the ray that goes back.
+//! One iteration of a datapath that compares plane parameters: from the slot's ray to the ray that goes back.
+use super::loop_state::{Ray, Sizes};
+use super::traverse::Load;
 use super::*;
 use crate::config::{Design, LevelUp};
-use crate::ir::{Builder, Sig};
-use crate::units::traversal::loop_state::Ray;
-use crate::units::traversal::traverse::Load;
-use crate::units::traversal::*;
+use crate::ir::{Builder, Module, Sig};
+use std::sync::Arc;
+
+/// What such a datapath puts into an iteration. The constants of a ray that a unit reads per axis are named by its port and by the word
+/// that the ray carries, without `_x` or `_y`.
+pub struct PlaneUnits {
+    /// The parameter of a plane; the plane comes beside these constants.
+    pub plane_time: fn(&Design) -> Arc<Module>,
+    /// Constants that `plane_time` reads.
+    pub plane_inputs: &'static [(&'static str, &'static str)],
+    /// The larger of the ray's parameter and that of a height.
+    pub height_test: fn(&Design) -> Arc<Module>,
+    /// The texel reached at a parameter, which comes beside these constants.
+    pub predicted_hit: fn(&Design) -> Arc<Module>,
+    /// Constants that `predicted_hit` reads.
+    pub predicted_inputs: &'static [(&'static str, &'static str)],
+    /// Hit or exit.
+    pub node_crossing: fn(&Design) -> Arc<Module>,
+}
 
 /// Builds the iteration; operands meet at the stage at which the latest of them is known.
-pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>, load: &Load<'b>) -> Ray<'b> {
+pub fn plane_iteration<'b>(
+    b: &'b Builder,
+    s: &Sizes,
+    d: &Design,
+    ray: &Ray<'b>,
+    load: &Load<'b>,
+    units: &PlaneUnits,
+) -> Ray<'b> {
     let t = &d.traverse;
     let idx = || [("IDX_W", s.idx.clone())];
 
@@ -35,27 +59,31 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
     let height = b.inst(&memory, "u_heights", &params, &ins)[0].named("height");
 
     b.section("plane parameters", "");
-    let when = |axis: &str, plane: Sig<'b>, p: Sig<'b>, r: Sig<'b>, never: Sig<'b>| {
-        let ins = [("plane", plane), ("p", p), ("r", r), ("never", never)];
-        b.inst(&plane_time(d), &format!("u_time_{axis}"), &idx(), &ins)[0].named(&format!("t_{axis}")).id()
+    let constants = |axis: &str, names: &[(&'static str, &'static str)]| {
+        let of = |(port, word): &(&'static str, &'static str)| (*port, ray.get(&format!("{word}_{axis}")));
+        names.iter().map(of).collect::<Vec<_>>()
     };
-    let t_x = b.sig(when("x", px[2], ray.get("p_x"), ray.get("r_x"), ray.get("never_x")));
-    let t_y = b.sig(when("y", py[2], ray.get("p_y"), ray.get("r_y"), ray.get("never_y")));
+    let when = |axis: &str, plane: Sig<'b>| {
+        let ins = [vec![("plane", plane)], constants(axis, units.plane_inputs)].concat();
+        b.inst(&(units.plane_time)(d), &format!("u_time_{axis}"), &idx(), &ins)[0].named(&format!("t_{axis}")).id()
+    };
+    let (t_x, t_y) = (b.sig(when("x", px[2])), b.sig(when("y", py[2])));
 
     b.section("height test", "");
-    let o = b.inst(&height_test(d), "u_height_test", &[], &[("height", height), ("t", ray.get("t"))]);
+    let o = b.inst(&(units.height_test)(d), "u_height_test", &[], &[("height", height), ("t", ray.get("t"))]);
     let (m, below) = (o[0].named("m"), o[1].named("below"));
 
     b.section("predicted hit", "");
-    let reach = |axis: &str, p: Sig<'b>, dir: Sig<'b>| {
-        let ins = [("p_back", p), ("d", dir), ("m", m)];
-        b.inst(&predicted_hit(d), &format!("u_predict_{axis}"), &idx(), &ins)[0].named(&format!("{axis}_hit")).id()
+    let reach = |axis: &str| {
+        let ins = [constants(axis, units.predicted_inputs), vec![("m", m)]].concat();
+        let e = b.inst(&(units.predicted_hit)(d), &format!("u_predict_{axis}"), &idx(), &ins)[0];
+        e.named(&format!("{axis}_hit")).id()
     };
-    let hit_x = b.sig(reach("x", ray.get("pb_x"), ray.get("d_x")));
-    let hit_y = b.sig(reach("y", ray.get("pb_y"), ray.get("d_y")));
+    let (hit_x, hit_y) = (b.sig(reach("x")), b.sig(reach("y")));
 
     b.section("node crossing", "");
-    let o = b.inst(&node_crossing(d), "u_crossing", &[], &[("t", ray.get("t")), ("m", m), ("t_x", t_x), ("t_y", t_y)]);
+    let ins = [("t", ray.get("t")), ("m", m), ("t_x", t_x), ("t_y", t_y)];
+    let o = b.inst(&(units.node_crossing)(d), "u_crossing", &[], &ins);
     let (inside, x_first, t_next) = (o[0].named("is_inside"), o[1].named("x_first"), o[2].named("t_next"));
 
     b.section("multi-level down", "");
