@@ -23,48 +23,88 @@ type Error = (&'static str, fn(&Pool<'_>) -> (f64, bool));
 const WRONG: Error = ("wrong texel or given up, part of the rays", |p| p.rate_or_bound());
 const UV: Error = ("uv error p99 of the worst view, texels", |p| (p.largest(|c| c.uv_all.p99), false));
 
-/// Cycles against an error, a dot a design; `true` for wrong texels, `false` for the position error.
-pub fn pareto(plan: &Plan, dots: &[Dot<'_>], rate: bool) -> String {
-    let (name, error) = if rate { WRONG } else { UV };
+/// What a plot of all designs shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Plot {
+    /// Cycles against wrong texels.
+    Wrong,
+    /// Cycles against the position error.
+    Uv,
+    /// Size against wrong texels.
+    Size,
+}
+
+/// The stair of points that no other is below and left of.
+fn frontier(mut at: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    at.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    let mut least = f64::INFINITY;
+    at.retain(|p| {
+        let better = p.1 < least;
+        least = least.min(p.1);
+        better
+    });
+    at
+}
+
+/// Cost against an error, a dot a design.
+pub fn pareto(plan: &Plan, dots: &[Dot<'_>], plot: Plot) -> String {
+    let (name, error) = if plot == Plot::Uv { UV } else { WRONG };
+    let (unit, x_name) = match plot {
+        Plot::Size => ("counted bits", "counted bits: logic + products + registers, before synthesis (fewer is better)"),
+        _ => ("cycles per ray", "cycles per ray, mean over maps and views (less is better)"),
+    };
+    let cost = |d: &Dot<'_>| if plot == Plot::Size { d.size.unwrap_or(0) as f64 } else { d.pool.cycles() };
+    // A design without hardware has no size to be drawn at.
+    let dots: Vec<&Dot<'_>> = dots.iter().filter(|d| plot != Plot::Size || d.size.is_some()).collect();
     let named = headlines(plan);
-    let mut lines: Vec<Line> = Vec::new();
-    let front = |d: &Dot<'_>| if rate { d.front_rate } else { d.front_uv };
-    let mut edge: Vec<(f64, f64)> = dots.iter().filter(|d| front(d)).map(|d| (d.pool.cycles(), error(&d.pool).0)).collect();
-    edge.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.total_cmp(&a.1)));
-    let mut marks = Vec::new();
+    let at: Vec<(f64, f64)> = dots.iter().map(|d| (cost(d), error(&d.pool).0)).collect();
+    let edge = frontier(at.clone());
+    let plain = |x, y| Mark { x, y, hollow: false, tip: String::new(), label: String::new() };
+    // What costs less is not as good: the frontier is a stair.
+    let mut stair = Vec::new();
     for (k, (x, y)) in edge.iter().enumerate() {
-        let plain = |x, y| Mark { x, y, hollow: false, tip: String::new(), label: String::new() };
-        // What costs less is not as good: the frontier is a stair.
-        if k > 0 {
-            marks.push(plain(*x, edge[k - 1].1));
-        }
-        marks.push(plain(*x, *y));
+        stair.extend(k.checked_sub(1).map(|before| plain(*x, edge[before].1)));
+        stair.push(plain(*x, *y));
     }
-    lines.push(Line { kind: 9, joined: true, marked: false, marks });
-    for d in dots {
-        let (y, hollow) = error(&d.pool);
-        let x = d.pool.cycles();
-        let headline = named.iter().any(|h| h.design == *d.design);
-        let label = match (headline, front(d)) {
-            (true, _) => d.design.label(),
-            (false, true) if d.design.mode == BEST => d.design.label(),
-            (false, true) => format!("{}, {}", d.design.label(), mode_label(&d.design.mode)),
-            _ => String::new(),
-        };
-        let tip = format!("{}: {} cycles per ray, {} {}{}", d.label(), short(x), name, if hollow { "below " } else { "" }, short(y));
-        lines.push(Line { kind: kind(d.design), joined: false, marked: true, marks: vec![Mark { x, y, hollow, tip, label }] });
-    }
-    let (mut low, mut high) = (f64::INFINITY, 0.0f64);
-    dots.iter().map(|d| d.pool.cycles()).for_each(|x| (low, high) = (low.min(x), high.max(x)));
+    let end = |xs: &mut dyn Iterator<Item = f64>| xs.fold(0.0f64, f64::max);
+    let high = end(&mut at.iter().map(|p| p.0));
+    let low = at.iter().map(|p| p.0).fold(high, f64::min);
     let space = (high - low).max(1.0) * 0.08;
+    // To the right of the last one, what costs more is no better.
+    stair.extend(edge.last().map(|(_, y)| plain(high + space, *y)));
+    let mut lines = vec![Line { kind: 9, joined: true, marked: false, marks: stair }];
+    let mut said: Vec<(f64, f64)> = Vec::new();
+    for (d, place) in dots.iter().zip(&at) {
+        let (y, hollow) = error(&d.pool);
+        let headline = named.iter().any(|h| h.design == *d.design);
+        let near = |p: &(f64, f64)| (p.0 - place.0).abs() < space * 0.15 && (p.1 / place.1 - 1.0).abs() < 0.1;
+        // Designs that differ in nothing visible share a label.
+        let wanted = headline || edge.contains(place) && !said.iter().any(near);
+        let twins = at.iter().filter(|p| *p == place).count() - 1;
+        let mut label = String::new();
+        if wanted {
+            said.push(*place);
+            label = d.design.label();
+            if d.design.mode != BEST {
+                label += &format!(", {}", mode_label(&d.design.mode));
+            }
+            if twins > 0 && !headline {
+                label += &format!(" and {twins} more");
+            }
+        }
+        let below = if hollow { "below " } else { "" };
+        let tip = format!("{}: {} {unit}, {name} {below}{}", d.label(), short(place.0), short(y));
+        let mark = Mark { x: place.0, y, hollow, tip, label };
+        lines.push(Line { kind: kind(d.design), joined: false, marked: true, marks: vec![mark] });
+    }
     Chart {
-        title: format!("Cycles per ray against {name}"),
-        x_name: "cycles per ray, mean over maps and views (less is better)".into(),
+        title: format!("{unit} against {name}"),
+        x_name: x_name.into(),
         y_name: name.into(),
         x: Scale::Linear(low - space, high + space),
-        y: decades(dots.iter().map(|d| error(&d.pool).0)),
-        size: (760.0, 430.0),
-        right: 150.0,
+        y: decades(at.iter().map(|p| p.1)),
+        size: (620.0, 430.0),
+        right: 24.0,
         lines,
         bars: Vec::new(),
     }

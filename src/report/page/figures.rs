@@ -3,6 +3,8 @@ use super::cell::Cell;
 use super::plan::{BEST, DesignSpec, Plan, mode_label};
 use super::stats::{BINS, bound};
 use crate::config::{DatapathConfig, DatapathKind, View};
+use crate::report::Cost;
+use rayon::prelude::*;
 
 /// Cells of one design, put together.
 #[derive(Clone, Debug)]
@@ -96,6 +98,8 @@ pub struct Dot<'a> {
     pub design: &'a DesignSpec,
     /// Its cells.
     pub pool: Pool<'a>,
+    /// Counted bits of its hardware without the memory; `None` if there is no hardware for it yet.
+    pub size: Option<u64>,
     /// No other design is cheaper and at least as often right, or as cheap and more often right.
     pub front_rate: bool,
     /// As `front_rate`, for the 99th percentile of the position error.
@@ -120,9 +124,14 @@ pub fn dots<'a>(plan: &'a Plan, cells: &'a [Cell]) -> Vec<Dot<'a>> {
     let pool = |d: &DesignSpec| Pool::new(cells, |c| c.spec.design == *d && c.spec.map.levels == levels);
     let mut out: Vec<Dot<'a>> = plan
         .designs
-        .iter()
-        .map(|design| Dot { design, pool: pool(design), front_rate: false, front_uv: false })
-        .filter(|d| !d.pool.cells.is_empty())
+        .par_iter()
+        .map(|design| (design, pool(design)))
+        .filter(|(_, pool)| !pool.cells.is_empty())
+        .map(|(design, pool)| {
+            let hardware = design.design(&plan.config, levels).and_then(|d| Cost::of(&d));
+            let size = hardware.ok().map(|c| c.bits());
+            Dot { design, pool, size, front_rate: false, front_uv: false }
+        })
         .collect();
     let front = |error: &dyn Fn(&Dot<'a>) -> f64| -> Vec<bool> {
         let at: Vec<(f64, f64)> = out.iter().map(|d| (d.pool.cycles(), error(d))).collect();

@@ -22,8 +22,6 @@ const MISS: [u8; 3] = [255, 255, 255];
 
 /// A view of a design as pictures.
 pub struct ViewPictures {
-    /// The view.
-    pub view: View,
     /// Rendered by the datapath, by the oracle, and the difference.
     pub whole: [Picture; 3],
     /// The same three around the worst pixel.
@@ -108,7 +106,7 @@ pub fn view(plan: &Plan, site: &Site, spec: &DesignSpec, view: View) -> Result<V
         Picture { width: w, height: h, pixels: differ },
     ];
     let near = [0, 1, 2].map(|k: usize| crop(&whole[k], worst.1));
-    Ok(ViewPictures { view, whole, near, worst: worst.1, error: worst.0, counts })
+    Ok(ViewPictures { whole, near, worst: worst.1, error: worst.0, counts })
 }
 
 /// A picture as a data URI.

@@ -4,12 +4,13 @@ use super::figures::{Dot, Pool, Series, headlines};
 use super::plan::{NotLegal, Plan, mode_label};
 use super::replay::command;
 use super::stats::{BINS, bound, upper};
-use super::table::{Table, exact, real};
+use super::table::{Table, grouped, real};
 use serde_json::{Value, json};
 
 /// "k of N", or "0 of N (95 % bound 3/N)".
 pub fn of(k: u64, n: u64) -> String {
-    if k == 0 { format!("0 of {n} (95 % bound {:.1e})", bound(n)) } else { format!("{k} of {n}") }
+    let (count, all) = (grouped(k), grouped(n));
+    if k == 0 { format!("0 of {all} (95 % bound {:.1e})", bound(n)) } else { format!("{count} of {all}") }
 }
 
 /// Every cell, a row each.
@@ -45,6 +46,7 @@ pub fn pareto(dots: &[Dot<'_>]) -> Table {
             ("mode", "mode"),
             ("word_bits", "word bits"),
             ("cycles", "cycles / ray"),
+            ("counted_bits", "counted bits"),
             ("cells_x_clock", "cells × clock"),
             ("rays", "rays"),
             ("wrong_texels", "wrong texels"),
@@ -66,6 +68,7 @@ pub fn pareto(dots: &[Dot<'_>]) -> Table {
             json!(mode_label(&d.design.mode)),
             json!(d.design.word_bits()),
             real(d.pool.cycles()),
+            json!(d.size),
             json!("not measured"),
             json!(d.pool.rays()),
             json!(d.pool.wrong()),
@@ -249,7 +252,7 @@ pub fn worst(plan: &Plan, dots: &[Dot<'_>]) -> Table {
             t.push(vec![
                 json!(h.design.label()),
                 json!(what),
-                real(value(cell)),
+                if what == "most iterations" { json!(cell.steps_max) } else { real(value(cell)) },
                 json!(cell.spec.map.name),
                 json!(cell.spec.view.word()),
                 json!(w.ray),
@@ -285,10 +288,4 @@ pub fn maps(plan: &Plan) -> Table {
         t.push(vec![json!(m.name), json!(1u64 << m.levels), seed, real(m.scale), json!(m.repeat), json!(m.codes)]);
     }
     t
-}
-
-/// The texts of a column, for tests and charts.
-pub fn column(t: &Table, key: &str) -> Vec<String> {
-    let at = t.columns.iter().position(|c| c.key == key);
-    at.map_or(Vec::new(), |k| t.rows.iter().map(|r| exact(&r[k])).collect())
 }

@@ -39,10 +39,24 @@ pub fn short(x: f64) -> String {
     }
 }
 
+/// A count for people: its digits in threes.
+pub fn grouped(n: u64) -> String {
+    let digits = n.to_string();
+    let mut out = String::new();
+    for (k, c) in digits.chars().enumerate() {
+        if k > 0 && (digits.len() - k).is_multiple_of(3) && digits.len() > 4 {
+            out.push('\u{202f}');
+        }
+        out.push(c);
+    }
+    out
+}
+
 /// A value for people.
 pub fn shown(v: &Value) -> String {
     match v {
         Value::Null => "–".to_owned(),
+        Value::Number(n) if n.is_u64() => grouped(n.as_u64().unwrap_or(0)),
         Value::String(s) => s.clone(),
         Value::Number(n) if n.is_f64() => short(n.as_f64().unwrap_or(0.0)),
         other => other.to_string(),
@@ -104,7 +118,7 @@ impl Table {
             .iter()
             .map(|c| json!({"text": self.columns[*c].head, "number": !self.rows.is_empty() && numeric(*c)}))
             .collect();
-        let value = |c: usize, v: &Value| json!({"text": shown(v), "exact": exact(v), "number": v.is_number(), "code": self.columns[c].key == "command"});
+        let value = |c: usize, v: &Value| json!({"text": shown(v), "exact": exact(v), "number": v.is_number(), "right": numeric(c), "code": self.columns[c].key == "command"});
         let rows: Vec<Vec<Value>> =
             self.rows.iter().map(|r| shown_columns.iter().map(|c| value(*c, &r[*c])).collect()).collect();
         json!({"name": self.name, "head": head, "rows": rows})

@@ -1,8 +1,9 @@
 //! The report's files: JSON, CSV and the page, from the same tables.
 use super::cell::Cell;
 use super::figures::{Dot, dots, headlines, series};
+use super::charts::Plot;
 use super::plan::{Extent, Plan, mode_label};
-use super::table::short;
+use super::table::{grouped, short};
 use super::{charts, pictures, published, sections};
 use crate::config::View;
 use crate::error::{Error, Result};
@@ -103,8 +104,9 @@ pub fn files(plan: &Plan, cells: &[Cell], again: &str) -> Result<Output> {
         .filter_map(|h| dots.iter().find(|d| *d.design == h.design))
         .map(charts::histogram)
         .collect();
+    let clouds = [Plot::Wrong, Plot::Uv, Plot::Size].map(|plot| charts::pareto(plan, &dots, plot));
     let charts = json!({
-        "pareto": [charts::pareto(plan, &dots, true), charts::pareto(plan, &dots, false)],
+        "pareto": clouds,
         "angle": [along("angle", "wrong"), along("angle", "uv"), along("angle", "cycles")],
         "size": [along("size", "wrong"), along("size", "uv"), along("size", "cycles")],
         "bits": [along("bits", "wrong"), along("bits", "uv"), along("bits", "cycles")],
@@ -113,7 +115,7 @@ pub fn files(plan: &Plan, cells: &[Cell], again: &str) -> Result<Output> {
     let shown: serde_json::Map<String, Value> =
         tables.iter().filter(|t| t.name != "cells").map(|t| (t.name.to_owned(), t.page())).collect();
     let page = json!({
-        "head": head, "cards": cards, "charts": charts, "tables": shown, "pictures": picture_rows(plan)?,
+        "head": head, "rays": grouped(cells.iter().map(|x| x.rays).sum()), "cards": cards, "charts": charts, "tables": shown, "pictures": picture_rows(plan)?,
         "claims": published::claim_words(&claims), "levels": c.traverse.levels, "map": plan.sites[0].spec.name,
     });
     out.push(("report.html".to_owned(), html(&page)?.into_bytes()));
