@@ -66,7 +66,8 @@ fn page_json_and_csv_hold_the_same_numbers_and_a_resumed_run_the_same_bytes() {
     }
 
     // Stopped in the middle: some cells are there, one is half a file, one is of another model.
-    let stored = || -> BTreeSet<_> { std::fs::read_dir(dir.path().join("cells")).unwrap().map(|f| f.unwrap().path()).collect() };
+    let stored =
+        || -> BTreeSet<_> { std::fs::read_dir(dir.path().join("cells")).unwrap().map(|f| f.unwrap().path()).collect() };
     let names = stored();
     let bytes: Vec<Vec<u8>> = names.iter().map(|p| std::fs::read(p).unwrap()).collect();
     let mut paths = names.iter();

@@ -21,9 +21,17 @@ pub fn run(cli: &Cli, a: &ReportArgs) -> Result<()> {
     write(&a.out, &files(&plan, &cells, &again(cli, a))?)?;
     let page = a.out.join("report.html");
     if cli.json {
-        println!("{}", serde_json::json!({"cells": cells.len(), "measured": work.measured, "taken": work.taken, "not_legal": plan.not_legal.len(), "page": page}));
+        println!(
+            "{}",
+            serde_json::json!({"cells": cells.len(), "measured": work.measured, "taken": work.taken, "not_legal": plan.not_legal.len(), "page": page})
+        );
     } else {
-        println!("{} measurements ({} from an earlier run), {} combinations not legal", cells.len(), work.taken, plan.not_legal.len());
+        println!(
+            "{} measurements ({} from an earlier run), {} combinations not legal",
+            cells.len(),
+            work.taken,
+            plan.not_legal.len()
+        );
         println!("page in {}", page.display());
     }
     Ok(())

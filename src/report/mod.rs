@@ -1,8 +1,8 @@
 //! Figures: steps, error against the exact oracle, speed of the engines. Each with its count and its worst case.
 mod accuracy;
-pub mod page;
 mod cost;
 mod fit;
+pub mod page;
 mod steps;
 
 pub use accuracy::{Accuracy, WrongTexel, accuracy, exact_ray};

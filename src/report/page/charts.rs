@@ -50,7 +50,9 @@ fn frontier(mut at: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
 pub fn pareto(plan: &Plan, dots: &[Dot<'_>], plot: Plot) -> String {
     let (name, error) = if plot == Plot::Uv { UV } else { WRONG };
     let (unit, x_name) = match plot {
-        Plot::Size => ("counted bits", "counted bits: logic + products + registers, before synthesis (fewer is better)"),
+        Plot::Size => {
+            ("counted bits", "counted bits: logic + products + registers, before synthesis (fewer is better)")
+        }
         _ => ("cycles per ray", "cycles per ray, mean over maps and views (less is better)"),
     };
     let cost = |d: &Dot<'_>| if plot == Plot::Size { d.size.unwrap_or(0) as f64 } else { d.pool.cycles() };
@@ -136,10 +138,16 @@ pub fn along(plan: &Plan, all: &[Series<'_>], by: &str, what: &str) -> String {
         let mark = |(k, p): (usize, &super::figures::At<'_>)| {
             let (y, hollow) = value(&p.pool);
             let label = if k == last { s.name.clone() } else { String::new() };
-            let tip = format!("{}: {}{} of {} rays", s.name, if hollow { "below " } else { "" }, short(y), p.pool.rays());
+            let tip =
+                format!("{}: {}{} of {} rays", s.name, if hollow { "below " } else { "" }, short(y), p.pool.rays());
             Mark { x: p.x, y, hollow, tip, label }
         };
-        lines.push(Line { kind: colour, joined: true, marked: true, marks: s.points.iter().enumerate().map(mark).collect() });
+        lines.push(Line {
+            kind: colour,
+            joined: true,
+            marked: true,
+            marks: s.points.iter().enumerate().map(mark).collect(),
+        });
     }
     let marks = || lines.iter().flat_map(|l| l.marks.iter());
     let y = if what == "cycles" {
@@ -148,10 +156,15 @@ pub fn along(plan: &Plan, all: &[Series<'_>], by: &str, what: &str) -> String {
         decades(marks().map(|m| m.y))
     };
     let (x, x_name) = match by {
-        "angle" => (Scale::Words(View::WORDS.iter().map(|w| (*w).to_owned()).collect()), "view (90°, 22°, 3° above the plane)"),
+        "angle" => {
+            (Scale::Words(View::WORDS.iter().map(|w| (*w).to_owned()).collect()), "view (90°, 22°, 3° above the plane)")
+        }
         "size" => {
             let (a, b) = (plan.config.traverse.levels, plan.sites.iter().map(|s| s.spec.levels).max().unwrap_or(0));
-            (Scale::Linear(f64::from(a) - 0.3, f64::from(b.max(a + 1)) + 0.3), "levels: the map is 2^levels texels wide")
+            (
+                Scale::Linear(f64::from(a) - 0.3, f64::from(b.max(a + 1)) + 0.3),
+                "levels: the map is 2^levels texels wide",
+            )
         }
         _ => (Scale::Linear(6.5, 28.5), "fraction bits (MAN_W, or F of fixed point)"),
     };
@@ -178,7 +191,8 @@ pub fn histogram(dot: &Dot<'_>) -> String {
     let mut curve = Vec::new();
     for k in 0..BINS {
         let (from, to) = (k as f64, k as f64 + 1.0);
-        let tip = format!("below {} texel: {} rays, {} of them with the right texel", short(upper(k)), all[k], right[k]);
+        let tip =
+            format!("below {} texel: {} rays, {} of them with the right texel", short(upper(k)), all[k], right[k]);
         bars.push((from, to, 100.0 * all[k] as f64 / total, 1, tip.clone()));
         bars.push((from, to, 100.0 * right[k] as f64 / total, 0, tip));
         sum += all[k];

@@ -83,7 +83,9 @@ impl<'a> Pool<'a> {
     pub fn matrix(&self) -> [[[u64; 2]; 2]; 3] {
         let mut sum = [[[0; 2]; 2]; 3];
         for c in &self.cells {
-            for (at, n) in sum.as_flattened_mut().as_flattened_mut().iter_mut().zip(c.matrix.as_flattened().as_flattened()) {
+            for (at, n) in
+                sum.as_flattened_mut().as_flattened_mut().iter_mut().zip(c.matrix.as_flattened().as_flattened())
+            {
                 *at += n;
             }
         }

@@ -1,5 +1,7 @@
 //! What is measured: maps, views, designs, modes; every combination is a cell.
-use crate::config::{Config, DatapathConfig, DatapathKind, Design, LevelUp, MapConfig, MapKind, ModeConfig, Trim, View};
+use crate::config::{
+    Config, DatapathConfig, DatapathKind, Design, LevelUp, MapConfig, MapKind, ModeConfig, Trim, View,
+};
 use crate::error::Result;
 use crate::golden::{Pyramid, Tracer};
 use crate::report::{PUBLISHED, ROWS};

@@ -11,9 +11,15 @@ fn sets(c: &Config) -> String {
     let mut out = String::new();
     for (section, keys) in now.as_object().into_iter().flatten() {
         for (key, value) in keys.as_object().into_iter().flatten() {
-            let skip = usual[section].get(key) == Some(value) || section == "view" || key == "file" || key == "kind" && section == "map" && value == "file";
+            let skip = usual[section].get(key) == Some(value)
+                || section == "view"
+                || key == "file"
+                || key == "kind" && section == "map" && value == "file";
             if !skip {
-                out += &format!(" --set {section}.{key}={}", value.as_str().map_or_else(|| Value::to_string(value), str::to_owned));
+                out += &format!(
+                    " --set {section}.{key}={}",
+                    value.as_str().map_or_else(|| Value::to_string(value), str::to_owned)
+                );
             }
         }
     }

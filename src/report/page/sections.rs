@@ -16,22 +16,74 @@ pub fn of(k: u64, n: u64) -> String {
 /// Every cell, a row each.
 pub fn cells(cells: &[Cell]) -> Table {
     let keys = [
-        "map", "seed", "levels", "codes", "view", "stride", "design", "word_bits", "mode", "rays", "unjudged", "wrong_texels",
-        "wrong_walls", "given_up", "cycles", "steps_mean", "steps_max", "steps_max_ray", "crossings_mean", "t_error_max",
-        "uv_p50", "uv_p99", "uv_max", "uv_max_ray", "uv_right_p50", "uv_right_p99", "uv_right_max", "unrounded_wrong",
-        "unrounded_uv_p50", "unrounded_uv_p99", "unrounded_uv_max",
+        "map",
+        "seed",
+        "levels",
+        "codes",
+        "view",
+        "stride",
+        "design",
+        "word_bits",
+        "mode",
+        "rays",
+        "unjudged",
+        "wrong_texels",
+        "wrong_walls",
+        "given_up",
+        "cycles",
+        "steps_mean",
+        "steps_max",
+        "steps_max_ray",
+        "crossings_mean",
+        "t_error_max",
+        "uv_p50",
+        "uv_p99",
+        "uv_max",
+        "uv_max_ray",
+        "uv_right_p50",
+        "uv_right_p99",
+        "uv_right_max",
+        "unrounded_wrong",
+        "unrounded_uv_p50",
+        "unrounded_uv_p99",
+        "unrounded_uv_max",
     ];
     let mut t = Table::new("cells", &keys.map(|k| (k, "")));
     for c in cells {
         let (m, d) = (&c.spec.map, &c.spec.design);
         let (a, r, u) = (&c.uv_all, &c.uv_right, &c.uv_unrounded);
         t.push(vec![
-            json!(m.name), json!(m.seed), json!(m.levels), json!(m.codes), json!(c.spec.view.word()), json!(c.spec.stride),
-            json!(d.label()), json!(d.word_bits()), json!(mode_label(&d.mode)), json!(c.rays), json!(c.unjudged), json!(c.wrong),
-            json!(c.wrong_walls), json!(c.limits), real(c.cycles()), real(c.steps_mean), json!(c.steps_max),
-            json!(c.worst_steps.as_ref().map(|w| w.ray)), real(c.crossings_mean), real(c.t_max),
-            real(a.p50), real(a.p99), real(a.max), json!(a.max_ray), real(r.p50), real(r.p99), real(r.max), json!(c.unrounded_wrong),
-            real(u.p50), real(u.p99), real(u.max),
+            json!(m.name),
+            json!(m.seed),
+            json!(m.levels),
+            json!(m.codes),
+            json!(c.spec.view.word()),
+            json!(c.spec.stride),
+            json!(d.label()),
+            json!(d.word_bits()),
+            json!(mode_label(&d.mode)),
+            json!(c.rays),
+            json!(c.unjudged),
+            json!(c.wrong),
+            json!(c.wrong_walls),
+            json!(c.limits),
+            real(c.cycles()),
+            real(c.steps_mean),
+            json!(c.steps_max),
+            json!(c.worst_steps.as_ref().map(|w| w.ray)),
+            real(c.crossings_mean),
+            real(c.t_max),
+            real(a.p50),
+            real(a.p99),
+            real(a.max),
+            json!(a.max_ray),
+            real(r.p50),
+            real(r.p99),
+            real(r.max),
+            json!(c.unrounded_wrong),
+            real(u.p50),
+            real(u.p99),
+            real(u.max),
         ]);
     }
     t
@@ -147,7 +199,8 @@ pub fn series(series: &[Series<'_>]) -> Table {
     );
     for s in series {
         for p in &s.points {
-            let at = if s.by == "angle" { json!(crate::config::View::ALL[p.x as usize].word()) } else { json!(p.x as u64) };
+            let at =
+                if s.by == "angle" { json!(crate::config::View::ALL[p.x as usize].word()) } else { json!(p.x as u64) };
             t.push(vec![
                 json!(s.by),
                 json!(s.name),
@@ -168,7 +221,13 @@ pub fn series(series: &[Series<'_>]) -> Table {
 pub fn histogram(plan: &Plan, dots: &[Dot<'_>]) -> Table {
     let mut t = Table::new(
         "histogram",
-        &[("design", "design"), ("below", "below, texel"), ("right", "right texel"), ("all", "all that ended"), ("cumulative", "cumulative")],
+        &[
+            ("design", "design"),
+            ("below", "below, texel"),
+            ("right", "right texel"),
+            ("all", "all that ended"),
+            ("cumulative", "cumulative"),
+        ],
     );
     for h in headlines(plan) {
         let Some(dot) = dots.iter().find(|d| *d.design == h.design) else { continue };
@@ -210,7 +269,15 @@ pub fn matrix(plan: &Plan, dots: &[Dot<'_>]) -> Table {
                     (_, true) => format!("wrong texel: {}", of(wrong, n)),
                     _ => format!("wrong texel: {}; right texel, other side: {}", of(wrong, n), of(right, n)),
                 };
-                t.push(vec![json!(h.design.label()), json!(datapath), json!(oracle), json!(right), json!(wrong), json!(n), json!(words)]);
+                t.push(vec![
+                    json!(h.design.label()),
+                    json!(datapath),
+                    json!(oracle),
+                    json!(right),
+                    json!(wrong),
+                    json!(n),
+                    json!(words),
+                ]);
             }
         }
     }
@@ -279,7 +346,12 @@ pub fn not_legal(refused: &[NotLegal]) -> Table {
 /// The maps.
 pub fn maps(plan: &Plan) -> Table {
     let keys = [
-        ("map", "map"), ("side", "side, texels"), ("seed", "seed"), ("scale", "height, world"), ("repeat", "repeats"), ("codes", "hash of the codes"),
+        ("map", "map"),
+        ("side", "side, texels"),
+        ("seed", "seed"),
+        ("scale", "height, world"),
+        ("repeat", "repeats"),
+        ("codes", "hash of the codes"),
     ];
     let mut t = Table::new("maps", &keys);
     for s in &plan.sites {

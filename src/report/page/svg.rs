@@ -114,7 +114,9 @@ fn power(k: i32) -> String {
     if (-2..=3).contains(&k) {
         return trimmed((0.0, format!("{:.2}", 10f64.powi(k)))).1;
     }
-    let digit = |c: char| if c == '-' { '⁻' } else { "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(c as usize - 48).unwrap_or(c) };
+    let digit = |c: char| {
+        if c == '-' { '⁻' } else { "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(c as usize - 48).unwrap_or(c) }
+    };
     "10".to_owned() + &k.to_string().chars().map(digit).collect::<String>()
 }
 
@@ -141,7 +143,20 @@ fn shape(kind: usize, x: f64, y: f64, hollow: bool) -> String {
         (false, 1) => &[(-3.8, -3.8), (3.8, -3.8), (3.8, 3.8), (-3.8, 3.8)],
         (false, 2) => &[(0.0, -5.2), (5.2, 0.0), (0.0, 5.2), (-5.2, 0.0)],
         (false, 3) => &[(0.0, -5.0), (4.8, 3.6), (-4.8, 3.6)],
-        (false, 4) => &[(-1.5, -5.0), (1.5, -5.0), (1.5, -1.5), (5.0, -1.5), (5.0, 1.5), (1.5, 1.5), (1.5, 5.0), (-1.5, 5.0), (-1.5, 1.5), (-5.0, 1.5), (-5.0, -1.5), (-1.5, -1.5)],
+        (false, 4) => &[
+            (-1.5, -5.0),
+            (1.5, -5.0),
+            (1.5, -1.5),
+            (5.0, -1.5),
+            (5.0, 1.5),
+            (1.5, 1.5),
+            (1.5, 5.0),
+            (-1.5, 5.0),
+            (-1.5, 1.5),
+            (-5.0, 1.5),
+            (-5.0, -1.5),
+            (-1.5, -1.5),
+        ],
         (false, _) => return format!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4.2\""),
     };
     let points: Vec<String> = corners.iter().map(|(dx, dy)| format!("{:.1},{:.1}", x + dx, y + dy)).collect();
@@ -162,8 +177,10 @@ fn free(taken: &Taken, x: f64, y: f64, text: &str, room: &[f64; 4]) -> (f64, f64
             let at = if left { x - 9.0 - width } else { x + 9.0 };
             let this = [at, y + dy - 6.0, at + width, y + dy + 6.0];
             let inside = this[0] >= room[0] && this[2] <= room[2] && this[1] >= room[1] && this[3] <= room[3];
-            let hits = taken.iter().filter(|t| t[0] < this[2] && this[0] < t[2] && t[1] < this[3] && this[1] < t[3]).count();
-            let cost = hits as f64 * 40.0 + dy.abs() + if left { 15.0 } else { 0.0 } + if inside { 0.0 } else { 1000.0 };
+            let hits =
+                taken.iter().filter(|t| t[0] < this[2] && this[0] < t[2] && t[1] < this[3] && this[1] < t[3]).count();
+            let cost =
+                hits as f64 * 40.0 + dy.abs() + if left { 15.0 } else { 0.0 } + if inside { 0.0 } else { 1000.0 };
             if cost < least {
                 (least, best) = (cost, (at, y + dy, dy.abs() > 7.0));
             }
@@ -186,18 +203,41 @@ impl Chart {
         );
         for (v, text) in self.y.ticks() {
             let y = py(v);
-            let _ = write!(s, "<path class=\"grid\" d=\"M{LEFT} {y:.1}h{w:.1}\"/><text class=\"tick end\" x=\"{:.1}\" y=\"{:.1}\">{}</text>", LEFT - 7.0, y + 3.8, escape(&text));
+            let _ = write!(
+                s,
+                "<path class=\"grid\" d=\"M{LEFT} {y:.1}h{w:.1}\"/><text class=\"tick end\" x=\"{:.1}\" y=\"{:.1}\">{}</text>",
+                LEFT - 7.0,
+                y + 3.8,
+                escape(&text)
+            );
         }
         for (v, text) in self.x.ticks() {
             let x = px(v);
-            let _ = write!(s, "<path class=\"grid faint\" d=\"M{x:.1} {TOP}v{h:.1}\"/><text class=\"tick mid\" x=\"{x:.1}\" y=\"{:.1}\">{}</text>", TOP + h + 16.0, escape(&text));
+            let _ = write!(
+                s,
+                "<path class=\"grid faint\" d=\"M{x:.1} {TOP}v{h:.1}\"/><text class=\"tick mid\" x=\"{x:.1}\" y=\"{:.1}\">{}</text>",
+                TOP + h + 16.0,
+                escape(&text)
+            );
         }
         let _ = write!(s, "<path class=\"axis\" d=\"M{LEFT} {:.1}h{w:.1}\"/>", TOP + h);
-        let _ = write!(s, "<text class=\"name mid\" x=\"{:.1}\" y=\"{:.1}\">{}</text>", LEFT + w / 2.0, height - 8.0, escape(&self.x_name));
+        let _ = write!(
+            s,
+            "<text class=\"name mid\" x=\"{:.1}\" y=\"{:.1}\">{}</text>",
+            LEFT + w / 2.0,
+            height - 8.0,
+            escape(&self.x_name)
+        );
         let _ = write!(s, "<text class=\"name\" x=\"4\" y=\"12\">{}</text>", escape(&self.y_name));
         for (from, to, y, kind, tip) in &self.bars {
             let (a, b, top) = (px(*from), px(*to), py(*y));
-            let _ = write!(s, "<rect class=\"bar k{kind}\" x=\"{a:.1}\" y=\"{top:.1}\" width=\"{:.1}\" height=\"{:.1}\"><title>{}</title></rect>", (b - a - 1.0).max(0.5), TOP + h - top, escape(tip));
+            let _ = write!(
+                s,
+                "<rect class=\"bar k{kind}\" x=\"{a:.1}\" y=\"{top:.1}\" width=\"{:.1}\" height=\"{:.1}\"><title>{}</title></rect>",
+                (b - a - 1.0).max(0.5),
+                TOP + h - top,
+                escape(tip)
+            );
         }
         let mut taken = Taken::new();
         for line in self.lines.iter().filter(|l| l.joined && l.marks.len() > 1) {
@@ -209,13 +249,22 @@ impl Chart {
                 let (x, y) = (px(m.x), py(m.y));
                 taken.push([x - 5.0, y - 5.0, x + 5.0, y + 5.0]);
                 let hollow = if m.hollow { " hollow" } else { "" };
-                let _ = write!(s, "{} class=\"mark k{}{hollow}\"><title>{}</title></{}>", shape(line.kind, x, y, m.hollow), line.kind, escape(&m.tip), if !m.hollow && line.kind.is_multiple_of(5) { "circle" } else { "polygon" });
+                let _ = write!(
+                    s,
+                    "{} class=\"mark k{}{hollow}\"><title>{}</title></{}>",
+                    shape(line.kind, x, y, m.hollow),
+                    line.kind,
+                    escape(&m.tip),
+                    if !m.hollow && line.kind.is_multiple_of(5) { "circle" } else { "polygon" }
+                );
             }
         }
         let mut labels: Vec<(f64, f64, usize, &str)> = self
             .lines
             .iter()
-            .flat_map(|l| l.marks.iter().filter(|m| !m.label.is_empty()).map(|m| (px(m.x), py(m.y), l.kind, m.label.as_str())))
+            .flat_map(|l| {
+                l.marks.iter().filter(|m| !m.label.is_empty()).map(|m| (px(m.x), py(m.y), l.kind, m.label.as_str()))
+            })
             .collect();
         labels.sort_by(|a, b| a.1.total_cmp(&b.1));
         let room = [LEFT + 2.0, TOP - 4.0, width - 2.0, TOP + h - 2.0];
@@ -227,7 +276,8 @@ impl Chart {
                 let end = if lx > x { lx - 2.0 } else { lx + text_width + 2.0 };
                 let _ = write!(s, "<path class=\"leader\" d=\"M{x:.1} {y:.1}L{end:.1} {ly:.1}\"/>");
             }
-            let _ = write!(s, "<text class=\"label t{kind}\" x=\"{lx:.1}\" y=\"{:.1}\">{}</text>", ly + 3.8, escape(text));
+            let _ =
+                write!(s, "<text class=\"label t{kind}\" x=\"{lx:.1}\" y=\"{:.1}\">{}</text>", ly + 3.8, escape(text));
         }
         s + "</svg>"
     }

@@ -1,7 +1,7 @@
 //! The report's files: JSON, CSV and the page, from the same tables.
 use super::cell::Cell;
-use super::figures::{Dot, dots, headlines, series};
 use super::charts::Plot;
+use super::figures::{Dot, dots, headlines, series};
 use super::plan::{Extent, Plan, mode_label};
 use super::table::{grouped, short};
 use super::{charts, pictures, published, sections};
@@ -89,7 +89,8 @@ pub fn files(plan: &Plan, cells: &[Cell], again: &str) -> Result<Output> {
     for t in &tables {
         report[t.name] = t.json();
     }
-    let mut out = vec![("report.json".to_owned(), (serde_json::to_string_pretty(&report).map_err(bad)? + "\n").into_bytes())];
+    let mut out =
+        vec![("report.json".to_owned(), (serde_json::to_string_pretty(&report).map_err(bad)? + "\n").into_bytes())];
     for name in ["cells", "pareto", "steps", "published"] {
         let table = tables.iter().find(|t| t.name == name);
         out.extend(table.map(|t| (format!("{name}.csv"), t.csv())));
