@@ -125,29 +125,36 @@ pub fn along(plan: &Plan, all: &[Series<'_>], by: &str, what: &str) -> String {
         "uv" => UV,
         _ => ("cycles per ray", |p| (p.cycles(), false)),
     };
-    let mut lines = Vec::new();
+    let mut lines: Vec<Line> = Vec::new();
+    let mut drawn: Vec<(Vec<f64>, usize)> = Vec::new();
     for (k, s) in mine.iter().enumerate() {
         let design = s.points.first().and_then(|p| p.pool.cells.first()).map(|c| &c.spec.design);
+        let ys: Vec<f64> = s.points.iter().map(|p| value(&p.pool).0).collect();
+        // Lines on top of each other become one, with the names of all.
+        let widths = design.and_then(|d| d.exp).filter(|_| by == "bits");
+        if let Some((exp, (_, line))) = widths.zip(drawn.iter().find(|d| d.0 == ys)) {
+            let label = lines[*line].marks.last_mut().map(|m| &mut m.label);
+            label.into_iter().for_each(|text| *text += &format!(" {exp}"));
+            continue;
+        }
+        drawn.push((ys, lines.len()));
         let colour = match (by, design) {
             ("bits", Some(d)) if d.kind == DatapathKind::Fixed => 2,
-            ("bits", _) => [4, 1, 0, 3][k % 4],
+            ("bits", _) => [0, 4, 1, 3][k % 4],
             (_, Some(d)) if named.iter().any(|h| h.design == *d) => kind(d),
             _ => 4,
         };
         let last = s.points.len() - 1;
         let mark = |(k, p): (usize, &super::figures::At<'_>)| {
             let (y, hollow) = value(&p.pool);
-            let label = if k == last { s.name.clone() } else { String::new() };
+            let short_name = widths.map_or_else(|| s.name.clone(), |exp| format!("EXP_W {exp}"));
+            let label = if k == last { short_name } else { String::new() };
             let tip =
                 format!("{}: {}{} of {} rays", s.name, if hollow { "below " } else { "" }, short(y), p.pool.rays());
             Mark { x: p.x, y, hollow, tip, label }
         };
-        lines.push(Line {
-            kind: colour,
-            joined: true,
-            marked: true,
-            marks: s.points.iter().enumerate().map(mark).collect(),
-        });
+        let marks = s.points.iter().enumerate().map(mark).collect();
+        lines.push(Line { kind: colour, joined: true, marked: true, marks });
     }
     let marks = || lines.iter().flat_map(|l| l.marks.iter());
     let y = if what == "cycles" {
@@ -174,8 +181,8 @@ pub fn along(plan: &Plan, all: &[Series<'_>], by: &str, what: &str) -> String {
         y_name: name.into(),
         x,
         y,
-        size: (480.0, 320.0),
-        right: 140.0,
+        size: (400.0, 290.0),
+        right: 122.0,
         lines,
         bars: Vec::new(),
     };
@@ -193,22 +200,25 @@ pub fn histogram(dot: &Dot<'_>) -> String {
         let (from, to) = (k as f64, k as f64 + 1.0);
         let tip =
             format!("below {} texel: {} rays, {} of them with the right texel", short(upper(k)), all[k], right[k]);
-        bars.push((from, to, 100.0 * all[k] as f64 / total, 1, tip.clone()));
-        bars.push((from, to, 100.0 * right[k] as f64 / total, 0, tip));
+        let mut bar =
+            |n: u64, kind| bars.extend((n > 0).then(|| (from, to, 100.0 * n as f64 / total, kind, tip.clone())));
+        bar(all[k], 1);
+        bar(right[k], 0);
         sum += all[k];
-        let part = 100.0 * sum as f64 / total;
-        let tip = format!("{part:.3} % of the rays are below {} texel", short(upper(k)));
-        curve.push(Mark { x: to, y: part, hollow: false, tip, label: String::new() });
+        let beyond = 100.0 * (total - sum as f64) / total;
+        if beyond > 0.0 {
+            curve.push(Mark { x: to, y: beyond, hollow: false, tip: String::new(), label: String::new() });
+        }
     }
     // Ticks at powers of two that people read: 2^-16, 2^-12 ...
     let tick = |k: usize| (k as f64 + 1.0, if k == 16 { "1".to_owned() } else { format!("2^{}", k as i32 - 16) });
     let chart = Chart {
         title: format!("Position error of {}", dot.design.label()),
         x_name: "position error, texels (one bar an octave)".into(),
-        y_name: format!("{}: % of the rays (bars) and cumulative (line)", dot.design.label()),
+        y_name: format!("{}: % of the rays; line: with a larger error", dot.design.label()),
         x: Scale::Named(BINS as f64, (0..BINS).step_by(4).map(tick).collect()),
-        y: Scale::Linear(0.0, 100.0),
-        size: (480.0, 260.0),
+        y: Scale::Log(-3, 2),
+        size: (400.0, 270.0),
         right: 16.0,
         lines: vec![Line { kind: 2, joined: true, marked: false, marks: curve }],
         bars,
