@@ -46,6 +46,8 @@ pub enum Verb {
     Steps(StepsArgs),
     /// Compares the datapath with the exact oracle: wrong texels with their witnesses.
     Accuracy(MapArgs),
+    /// Measures steps and error of every design and writes a page, JSON and CSV about them.
+    Report(ReportArgs),
     /// Finds the smallest design that keeps an error budget on a scene, says why, and writes its configuration.
     Fit(FitArgs),
     /// Runs the hard cases: maps and rays on which a traversal is most likely to go wrong.
@@ -192,6 +194,20 @@ pub struct StepsArgs {
     /// Directory with rocks.png, stones.png, four.png, saints.png: prints them beside the published means.
     #[arg(long, value_name = "DIR")]
     pub scenes: Option<PathBuf>,
+}
+
+/// Options of `report`.
+#[derive(Args, Debug)]
+pub struct ReportArgs {
+    /// Directory to write to; measurements already in it are taken over, so that a run can be stopped and resumed.
+    #[arg(long, default_value = "report", value_name = "DIR")]
+    pub out: PathBuf,
+    /// Directory with rocks.png, stones.png, four.png, saints.png: measures them too, beside the published tables.
+    #[arg(long, value_name = "DIR")]
+    pub scenes: Option<PathBuf>,
+    /// Every width and every mode, not a selection.
+    #[arg(long)]
+    pub full: bool,
 }
 
 /// Options of `fit`.

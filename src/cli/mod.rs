@@ -11,6 +11,7 @@ mod list;
 mod output;
 mod prove;
 mod render;
+mod report;
 mod synth;
 mod trace;
 
@@ -51,6 +52,7 @@ fn run(cli: &Cli) -> Result<()> {
         Verb::Render(a) => render::run(cli, a),
         Verb::Steps(a) => figures::steps(cli, a),
         Verb::Accuracy(a) => figures::accuracy(cli, a),
+        Verb::Report(a) => report::run(cli, a),
         Verb::Fit(a) => fit::run(cli, a),
         Verb::Hard(a) => hard::run(cli, a),
         Verb::Bench(a) => figures::bench(cli, a),

@@ -6,7 +6,7 @@ use super::pyramid::Pyramid;
 use super::record::{Iteration, RayHit};
 use super::setup::RayInput;
 use super::traverse::Golden;
-use crate::config::{DatapathKind, Design};
+use crate::config::{DatapathKind, Design, Trim};
 use crate::error::Result;
 
 /// The golden model of a design's datapath.
@@ -26,6 +26,9 @@ impl Tracer {
     /// # Errors
     /// [`crate::error::Error::Input`] if the sizes are outside of the datapath's ranges.
     pub fn new(design: &Design) -> Result<Self> {
+        if design.mode.trim != Trim::None || design.mode.lod {
+            return Err(crate::error::Error::input("the modes trim and lod have no golden model"));
+        }
         match design.datapath.kind {
             DatapathKind::Watertight => Golden::new(design).map(Self::Watertight),
             DatapathKind::Published => Published::new(design).map(Self::Published),

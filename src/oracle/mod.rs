@@ -19,6 +19,7 @@
 //! formats up to 8/23, fixed point up to 28 fraction bits and maps of up to 4096 texels always fit.
 mod axis;
 mod exact;
+mod value;
 mod walk;
 mod wide;
 

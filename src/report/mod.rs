@@ -3,6 +3,7 @@ mod accuracy;
 mod cost;
 mod fit;
 pub mod hard;
+pub mod page;
 mod steps;
 
 pub use accuracy::{Accuracy, WrongTexel, accuracy, exact_ray};
