@@ -26,7 +26,7 @@ pub fn run(cli: &Cli, a: &HardArgs) -> Result<()> {
     let mut pictures = a.pictures.as_deref().map(OutDir::new).transpose()?;
     let bar = spinner(cli, "hard cases");
     let (mut rows, mut witnesses, mut values) = (Vec::new(), Vec::new(), Vec::new());
-    let (mut rays, mut broken, mut sum) = (0, Vec::new(), [0; 5]);
+    let (mut rays, mut broken, mut sum) = (0, Vec::new(), [0; 6]);
     for case in &chosen {
         bar.set_message(format!("hard case {}", case.name));
         let scene = case.scene(&c.design(), a.rays, a.seed);
@@ -64,9 +64,9 @@ pub fn run(cli: &Cli, a: &HardArgs) -> Result<()> {
     if rays == 0 {
         return Err(Error::NothingRan("no case fits this design".into()));
     }
-    let [wrong, ties, limits, differ, limit_wrong] = sum;
+    let [wrong, ties, limits, differ, limit_wrong, tied] = sum;
     if cli.json {
-        let value = json!({"seed": a.seed, "rays": rays, "wrong": wrong, "ties": ties, "given_up": limits,
+        let value = json!({"seed": a.seed, "rays": rays, "wrong": wrong, "wrong_ties": ties, "ties": tied, "given_up": limits,
             "modes_differ": differ, "limit_wrong": limit_wrong, "cases": values});
         println!("{}", serde_json::to_string_pretty(&value).expect("plain data"));
     } else {
@@ -76,7 +76,7 @@ pub fn run(cli: &Cli, a: &HardArgs) -> Result<()> {
             print!("{}", table(&["case", "what", "ray", "u v du dv (hex)", "got", "expected"], &witnesses));
         }
         println!(
-            "\n{rays} rays, seed {}: {wrong} wrong texels, and {ties} beside an exact tie; {limits} given up; {differ} depend on the mode",
+            "\n{rays} rays, seed {}: {wrong} wrong texels, and {ties} of {tied} rays on an exact tie; {limits} given up; {differ} depend on the mode",
             a.seed
         );
     }
@@ -93,7 +93,7 @@ pub fn run(cli: &Cli, a: &HardArgs) -> Result<()> {
 }
 
 const HEAD: [&str; 8] =
-    ["case", "texels", "wrong texels", "beside a tie", "largest margin", "given up", "modes differ", "step limit"];
+    ["case", "texels", "wrong texels", "wrong on a tie", "largest margin", "given up", "modes differ", "step limit"];
 
 /// What is wrong with the configuration at the case's sizes.
 fn illegal(c: &Config, traverse: crate::config::TraverseConfig) -> Option<String> {
@@ -118,7 +118,7 @@ fn row(name: &str, f: &HardFigures) -> Vec<String> {
         name.into(),
         (1u32 << f.design.traverse.levels).to_string(),
         of(f.accuracy.wrong.len() - f.ties),
-        f.ties.to_string(),
+        format!("{} of {}", f.ties, f.tied),
         if f.largest_margin() > 0.0 { format!("{:.1e}", f.largest_margin()) } else { String::new() },
         of(f.accuracy.limits),
         of(f.differ.len()),
@@ -150,7 +150,7 @@ fn value(name: &str, f: &HardFigures) -> Value {
         |w| json!({"ray": w.ray, "words": words(&f.rays[w.ray]), "got": w.got, "exact": w.exact, "margin": w.margin}),
     );
     json!({"case": name, "texels": 1u32 << f.design.traverse.levels, "rays": f.rays.len(),
-        "wrong": f.accuracy.wrong.len() - f.ties, "ties": f.ties, "given_up": f.accuracy.limits, "modes": f.modes,
+        "wrong": f.accuracy.wrong.len() - f.ties, "wrong_ties": f.ties, "ties": f.tied, "given_up": f.accuracy.limits, "modes": f.modes,
         "modes_differ": f.differ.len(), "limit_wrong": f.limit_wrong, "worst": worst, "first_that_differs": differ})
 }
 

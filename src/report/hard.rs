@@ -1,8 +1,9 @@
 //! A design on a hard case: wrong texels, rays given up, and whether every mode finds the same.
-use super::accuracy::{Accuracy, accuracy};
+use super::accuracy::{Accuracy, accuracy, exact_ray};
 use crate::config::{DatapathKind, Design, LevelUp, ModeConfig, Trim};
 use crate::error::Result;
 use crate::golden::{Pyramid, RayHit, RayInput, Tracer, encode_ray};
+use crate::oracle::ExactMap;
 use crate::scene::hard::{Case, HardScene};
 use rayon::prelude::*;
 
@@ -30,8 +31,10 @@ pub struct HardFigures {
     pub hits: Vec<RayHit>,
     /// Against the exact walk; `limits` are the rays given up.
     pub accuracy: Accuracy,
-    /// Wrong texels whose exact decision was a tie, or that a tie was next to: margin 0.
+    /// Wrong texels among the tied rays.
     pub ties: usize,
+    /// Rays whose exact walk meets a tie, or passes one by, that could lead to another texel: margin 0.
+    pub tied: usize,
     /// Modes compared.
     pub modes: usize,
     /// Rays that end differently in some mode, with the first such mode.
@@ -60,6 +63,11 @@ impl HardFigures {
         let rays: Vec<RayInput> = scene.rays.iter().map(|ray| encode_ray(&design, *ray)).collect();
         let hits = all(&tracer, &pyramid, &rays);
         let accuracy = accuracy(&design, &scene.texels, &rays, &hits)?;
+        let t = &design.traverse;
+        let map = ExactMap { levels: t.levels, height_bits: t.height_bits, texels: &scene.texels };
+        let margin = |ray: &RayInput| Ok(map.trace(&exact_ray(&design, ray)?)?.margin);
+        let margins: Vec<f64> = rays.par_iter().map(margin).collect::<Result<_>>()?;
+        let tied = margins.iter().filter(|margin| **margin == 0.0).count();
         let ties = accuracy.wrong.iter().filter(|w| w.margin == 0.0).count();
         let modes: Vec<Tracer> = modes(design.mode)
             .into_iter()
@@ -74,7 +82,7 @@ impl HardFigures {
         };
         let differ = (0..rays.len()).into_par_iter().filter_map(first).collect();
         let limit_wrong = if limit { Some(at_the_limit(&design, &pyramid, &rays, &hits)?) } else { None };
-        Ok(Self { design, rays, hits, accuracy, ties, modes: modes.len(), differ, limit_wrong })
+        Ok(Self { design, rays, hits, accuracy, ties, tied, modes: modes.len(), differ, limit_wrong })
     }
 
     /// Whether the design does what its datapath promises: no ray given up or refused, every mode the same. The published one promises

@@ -105,8 +105,9 @@ impl Draw {
         let unit =
             |level: u32, i: u32, j: u32| (self.hash(i >> level, (j >> level) + (level << 16)) % 1024) as f64 / 1023.0;
         self.map(|i, j| {
-            let height: f64 = (0..=n).map(|level| unit(level, i, j) * 0.5f64.powi((n - level) as i32 + 1)).sum();
-            (height * height * top).round().min(top) as u32
+            // Coarse nodes weigh most; the sum of them lies in the middle too often and is spread.
+            let height: f64 = (0..n).map(|level| (unit(level, i, j) - 0.5) * 0.6f64.powi((n - level) as i32)).sum();
+            ((0.45 + 1.3 * height).clamp(0.0, 1.0) * top).round() as u32
         })
     }
 

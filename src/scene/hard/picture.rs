@@ -28,7 +28,7 @@ pub fn footprints(scene: &HardScene, name: &str, seed: u64, ends: &[f64]) -> Pic
     let side = 1usize << scene.design.traverse.levels;
     let zoom = (SIDE / side).max(1);
     let shown = side.min(SIDE) * zoom;
-    let mut picture = Picture::blank(shown + 2 * EDGE, shown + PROFILE + 2 * EDGE + 4 * LINE);
+    let mut picture = Picture::blank(shown + 2 * EDGE, shown + PROFILE + 2 * EDGE + 5 * LINE / 2);
     picture.text(EDGE, EDGE, 2, INK, &format!("{name}, {side} x {side} texels, seed {seed}"));
     let map = EDGE + LINE;
     for y in 0..shown {
