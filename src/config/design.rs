@@ -39,6 +39,15 @@ pub enum DatapathKind {
 impl DatapathKind {
     /// All.
     pub const ALL: [Self; 3] = [Self::Watertight, Self::Published, Self::Fixed];
+
+    /// The word in the TOML file and on the command line.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Watertight => "watertight",
+            Self::Published => "published",
+            Self::Fixed => "fixed",
+        }
+    }
 }
 
 /// Which arithmetic traces the rays, and its widths.

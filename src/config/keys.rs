@@ -88,7 +88,10 @@ pub const SECTIONS: &[(&str, &str)] = &[
     ("format", "Number format of the datapath: 1 sign bit, exp exponent bits, man fraction bits."),
     ("traverse", "Sizes of the traverse unit; each is a Verilog parameter."),
     ("datapath", "Which arithmetic traces the rays."),
-    ("mode", "Choices of the traversal. They change the number of steps, never the hit."),
+    (
+        "mode",
+        "Choices of the traversal. They change the number of steps, never the hit (of the published datapath: now and then).",
+    ),
     ("latency", "Clocks from operand to result of each kind of unit; the pipelines rebalance around them."),
     ("map", "The height map, and how it lies on the quad of 200 x 200 world units."),
     ("view", "The pictures whose pixels give the rays."),

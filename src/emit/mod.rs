@@ -5,7 +5,7 @@ mod manifest;
 
 pub use manifest::manifest;
 
-use crate::config::{Config, Trim};
+use crate::config::{Config, DatapathKind, Trim};
 use crate::error::{Error, Result};
 use crate::ir::Module;
 use crate::verilog::{Style, print_module};
@@ -45,10 +45,20 @@ pub fn config_line(c: &Config) -> String {
         Trim::Always => ", trim always",
     };
     let more = format!("{trim}{}", if m.lod { ", level of detail" } else { "" });
+    let numbers = match c.datapath.kind {
+        DatapathKind::Fixed => {
+            format!("fixed point {}, reciprocal {}", c.datapath.fraction_bits, c.datapath.reciprocal_bits)
+        }
+        DatapathKind::Watertight | DatapathKind::Published => format!("float {}", c.format.float()),
+    };
     let start = if m.start_level { "start level" } else { "from the root" };
+    let path = match c.datapath.kind {
+        DatapathKind::Watertight => "",
+        DatapathKind::Published => "published datapath, ",
+        DatapathKind::Fixed => "fixed datapath, ",
+    };
     format!(
-        "float {}, levels {}, heights {} bits, {start}, {} down, up {}{more}; clocks add {} mul {} div {} compare {} from_int {} to_int {}",
-        c.format.float(),
+        "{path}{numbers}, levels {}, heights {} bits, {start}, {} down, up {}{more}; clocks add {} mul {} div {} compare {} from_int {} to_int {}",
         t.levels,
         t.height_bits,
         m.levels_down,

@@ -1,17 +1,23 @@
 //! One tracer for every datapath: the words that enter, the hits that leave.
+use super::fixed::{self, Fixed};
 use super::float;
+use super::published::Published;
 use super::pyramid::Pyramid;
 use super::record::{Iteration, RayHit};
 use super::setup::RayInput;
 use super::traverse::Golden;
-use crate::config::{DatapathKind, Design};
-use crate::error::Result;
+use crate::config::{DatapathKind, Design, Trim};
+use crate::error::{Error, Result};
 
 /// The golden model of a design's datapath.
 #[derive(Clone, Debug)]
 pub enum Tracer {
     /// `docs/datapath.md`.
     Watertight(Golden),
+    /// `docs/published.md`.
+    Published(Published),
+    /// `docs/fixed.md`.
+    Fixed(Fixed),
 }
 
 impl Tracer {
@@ -20,11 +26,17 @@ impl Tracer {
     /// # Errors
     /// [`crate::error::Error::Input`] if the sizes are outside of the datapath's ranges.
     pub fn new(design: &Design) -> Result<Self> {
+        if design.mode.trim != Trim::None || design.mode.lod {
+            return Err(crate::error::Error::input("the modes trim and lod have no golden model"));
+        }
+        let more = design.mode.trim != Trim::None || design.mode.lod;
+        if more && design.datapath.kind != DatapathKind::Watertight {
+            return Err(Error::input("mode.trim and mode.lod need datapath.kind = \"watertight\""));
+        }
         match design.datapath.kind {
             DatapathKind::Watertight => Golden::new(design).map(Self::Watertight),
-            DatapathKind::Published | DatapathKind::Fixed => {
-                Err(crate::error::Error::input("this datapath has no golden model"))
-            }
+            DatapathKind::Published => Published::new(design).map(Self::Published),
+            DatapathKind::Fixed => Fixed::new(design).map(Self::Fixed),
         }
     }
 
@@ -32,6 +44,8 @@ impl Tracer {
     pub fn design(&self) -> &Design {
         match self {
             Self::Watertight(g) => g.design(),
+            Self::Published(g) => g.design(),
+            Self::Fixed(g) => g.design(),
         }
     }
 
@@ -42,6 +56,8 @@ impl Tracer {
     pub fn trace(&self, pyramid: &Pyramid, ray: &RayInput) -> RayHit {
         match self {
             Self::Watertight(g) => g.trace(pyramid, ray),
+            Self::Published(g) => g.trace(pyramid, ray),
+            Self::Fixed(g) => g.trace(pyramid, ray),
         }
     }
 
@@ -52,6 +68,8 @@ impl Tracer {
     pub fn trace_with(&self, pyramid: &Pyramid, ray: &RayInput, see: impl FnMut(&Iteration)) -> RayHit {
         match self {
             Self::Watertight(g) => g.trace_with(pyramid, ray, see),
+            Self::Published(g) => g.trace_with(pyramid, ray, see),
+            Self::Fixed(g) => g.trace_with(pyramid, ray, see),
         }
     }
 }
@@ -59,6 +77,9 @@ impl Tracer {
 /// The ray whose words in the design's number format are nearest to (u, v, du, dv), in tiles. The map repeats, so the entry point is
 /// wrapped into \[0, 1), also where it rounds up to 1.
 pub fn encode_ray(design: &Design, [u, v, du, dv]: [f64; 4]) -> RayInput {
+    if design.datapath.kind == DatapathKind::Fixed {
+        return fixed::encode(design, [u, v, du, dv]);
+    }
     let f = design.format;
     let one = (f.bias() as u64) << f.man;
     let wrap = |x: u64| if x == one { 0 } else { x };
@@ -66,7 +87,19 @@ pub fn encode_ray(design: &Design, [u, v, du, dv]: [f64; 4]) -> RayInput {
     RayInput { u: wrap(r.u), v: wrap(r.v), ..r }
 }
 
+/// A travel's word of the fixed-point datapath as a number, in 2^-FRACTION_W tiles.
+pub fn decode_travel(design: &Design, word: u64) -> i64 {
+    fixed::travel(design, word)
+}
+
 /// The ray parameter of a word `t`, in height codes, exact where an f64 holds it.
 pub fn decode_time(design: &Design, t: u64) -> f64 {
-    float::to_f64(design.format, t)
+    match design.datapath.kind {
+        DatapathKind::Fixed => fixed::time(design, t),
+        DatapathKind::Watertight => float::to_f64(design.format, t),
+        // 1 is the bottom plane.
+        DatapathKind::Published => {
+            float::to_f64(design.format, t) * f64::from((1u32 << design.traverse.height_bits) - 1)
+        }
+    }
 }

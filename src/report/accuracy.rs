@@ -1,7 +1,7 @@
 //! Hits against the exact texel walk: wrong texels with their witnesses, and the largest error of the parameter.
-use crate::config::Design;
+use crate::config::{DatapathKind, Design};
 use crate::error::{Error, Result};
-use crate::golden::{RayHit, RayInput, decode_time};
+use crate::golden::{RayHit, RayInput, decode_time, decode_travel};
 use crate::oracle::{ExactMap, ExactRay};
 use rayon::prelude::*;
 
@@ -14,7 +14,7 @@ pub struct WrongTexel {
     pub got: (u32, u32),
     /// What the exact walk returns.
     pub exact: (u32, u32),
-    /// Smallest difference of compared parameters in the exact walk, over M: how close the decision was.
+    /// The smallest change of compared parameters that leads the exact walk to another texel, over M: how close the decision was.
     pub margin: f64,
 }
 
@@ -39,6 +39,9 @@ pub struct Accuracy {
 /// Words that are not numbers.
 pub fn exact_ray(d: &Design, r: &RayInput) -> Result<ExactRay> {
     let (p, t) = ([r.u, r.v], [r.du, r.dv]);
+    if d.datapath.kind == DatapathKind::Fixed {
+        return Ok(ExactRay::fixed(d.datapath.fraction_bits, p, t.map(|word| decode_travel(d, word))));
+    }
     ExactRay::float(d.format, p, t).ok_or_else(|| Error::input("an exact ray is made of finite numbers"))
 }
 

@@ -1,10 +1,10 @@
 //! Where a ray goes wrong: the pipeline's signals beside the golden model's, iteration by iteration.
 use super::interp::Pipeline;
-use crate::config::{Design, Trim};
+use crate::config::{DatapathKind, Design, Trim};
 use crate::error::Result;
 use crate::format::FloatFormat;
 use crate::golden::float::to_f64;
-use crate::golden::{Iteration, Pyramid, RayInput, Tracer};
+use crate::golden::{Iteration, Pyramid, RayInput, Tracer, decode_time};
 use crate::interp::{Lanes, Netlist, Slot};
 use crate::ir::Binding;
 use std::sync::Arc;
@@ -37,28 +37,44 @@ impl std::fmt::Display for Divergence {
 #[derive(Clone, Copy)]
 enum Shown {
     Integer,
-    Float,
+    Time,
 }
 
 /// Signals that are compared, in the order in which they are computed, with the model's value if it has one; a design without a trim has no
 /// chord.
 type Probe = (&'static str, Shown, fn(&Iteration) -> Option<u64>);
-const PROBES: [Probe; 15] = [
+const PLANES: [Probe; 15] = [
     ("level", Shown::Integer, |i| Some(u64::from(i.level))),
     ("x", Shown::Integer, |i| Some(i.x as u64)),
     ("y", Shown::Integer, |i| Some(i.y as u64)),
-    ("t", Shown::Float, |i| Some(i.t)),
+    ("t", Shown::Time, |i| Some(i.t)),
     ("x_plane", Shown::Integer, |i| Some(i.b_x as u64)),
     ("y_plane", Shown::Integer, |i| Some(i.b_y as u64)),
     ("x_chord", Shown::Integer, |i| i.chord.map(|c| c.x as u64)),
     ("y_chord", Shown::Integer, |i| i.chord.map(|c| c.y as u64)),
     ("level_read", Shown::Integer, |i| i.chord.map(|c| u64::from(c.level))),
     ("height", Shown::Integer, |i| Some(u64::from(i.height))),
-    ("m", Shown::Float, |i| Some(i.m)),
-    ("t_x", Shown::Float, |i| Some(i.t_x)),
-    ("t_y", Shown::Float, |i| Some(i.t_y)),
+    ("m", Shown::Time, |i| Some(i.m)),
+    ("t_x", Shown::Time, |i| Some(i.t_x)),
+    ("t_y", Shown::Time, |i| Some(i.t_y)),
     ("x_hit", Shown::Integer, |i| Some(i.e_x as u64)),
     ("y_hit", Shown::Integer, |i| Some(i.e_y as u64)),
+];
+const PUBLISHED: [Probe; 14] = [
+    ("level", Shown::Integer, |i| Some(u64::from(i.level))),
+    ("x", Shown::Integer, |i| Some(i.x as u64)),
+    ("y", Shown::Integer, |i| Some(i.y as u64)),
+    ("t", Shown::Time, |i| Some(i.t)),
+    ("x_plane", Shown::Integer, |i| Some(i.b_x as u64)),
+    ("y_plane", Shown::Integer, |i| Some(i.b_y as u64)),
+    ("height", Shown::Integer, |i| Some(u64::from(i.height))),
+    ("m", Shown::Time, |i| Some(i.m)),
+    ("t_x", Shown::Time, |i| Some(i.t_x)),
+    ("t_y", Shown::Time, |i| Some(i.t_y)),
+    ("level_next", Shown::Integer, |i| Some(u64::from(i.next_level))),
+    ("t_after", Shown::Time, |i| Some(i.next_t)),
+    ("x_next", Shown::Integer, |i| Some(i.next_x as u64)),
+    ("y_next", Shown::Integer, |i| Some(i.next_y as u64)),
 ];
 
 /// Probes that exist where the design trims.
@@ -69,14 +85,26 @@ const CHORD: [&str; 3] = ["x_chord", "y_chord", "level_read"];
 /// # Errors
 /// Illegal parameters.
 pub fn diagnose(design: &Design, pyramid: &Pyramid, ray: &RayInput) -> Result<Option<Divergence>> {
+    diagnose_in(&Pipeline::new(design, &Binding::new())?, design, pyramid, ray)
+}
+
+/// As [`diagnose`], in a pipeline that is there already.
+///
+/// # Errors
+/// Illegal parameters.
+pub fn diagnose_in(p: &Pipeline, design: &Design, pyramid: &Pyramid, ray: &RayInput) -> Result<Option<Divergence>> {
     let mut iterations = Vec::new();
     Tracer::new(design)?.trace_with(pyramid, ray, |i| iterations.push(*i));
-    let p = Pipeline::new(design, &Binding::new())?;
+    let published = design.datapath.kind == DatapathKind::Published;
+    let signals: &[Probe] = if published { &PUBLISHED } else { &PLANES };
     let traced = |q: &&Probe| design.mode.trim != Trim::None || !CHORD.contains(&q.0);
-    let list: Vec<&Probe> = PROBES.iter().filter(traced).collect();
+    let list: Vec<&Probe> = signals.iter().filter(traced).collect();
     let probes: Vec<(u32, String, Slot)> = list.iter().map(|q| find(&p.net, q.0)).collect();
-    let clocks = p.depth as usize + iterations.len() * p.slots as usize + 2;
+    // The trip that finds the start level comes first, and is no iteration.
+    let trips = usize::from(published && design.mode.start_level);
+    let clocks = p.depth as usize + (iterations.len() + trips) * p.slots as usize + 2;
     let (log, start) = record(&p.net, &p.inputs, pyramid, ray, clocks, &probes);
+    let start = start + trips * p.slots as usize;
     for (n, it) in iterations.iter().enumerate() {
         for ((name, shown, model), (k, (stage, net, slot))) in list.iter().zip(probes.iter().enumerate()) {
             let width = p.net.widths[*slot as usize];
@@ -85,7 +113,7 @@ pub fn diagnose(design: &Design, pyramid: &Pyramid, ray: &RayInput) -> Result<Op
             let at = start + n * p.slots as usize + *stage as usize;
             let got = log.get(at).map_or(u64::MAX, |row| row[k]);
             if want != got {
-                let show = |v: u64| display(design.format, *shown, v, width);
+                let show = |v: u64| display(design, *shown, v, width);
                 debug_assert!(net.ends_with(name));
                 let (expected, got) = (show(want), show(got));
                 let (clock, signal) = (at as u64 + 1, net.clone());
@@ -137,10 +165,11 @@ fn record(
     (log, start.unwrap_or(0))
 }
 
-fn display(format: FloatFormat, shown: Shown, v: u64, width: u32) -> String {
-    match shown {
-        Shown::Integer => format!("{} (hex {v:x})", crate::bits::signed(v, width)),
-        Shown::Float => decode(format, v),
+fn display(design: &Design, shown: Shown, v: u64, width: u32) -> String {
+    match (shown, design.datapath.kind) {
+        (Shown::Integer, _) => format!("{} (hex {v:x})", crate::bits::signed(v, width)),
+        (Shown::Time, DatapathKind::Fixed) => format!("hex {v:x} ({} height codes)", decode_time(design, v)),
+        (Shown::Time, DatapathKind::Watertight | DatapathKind::Published) => decode(design.format, v),
     }
 }
 

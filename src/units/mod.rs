@@ -21,16 +21,19 @@ pub fn all(d: &Design) -> Vec<Arc<Module>> {
     if d.mode.lod {
         list.extend([traversal::finest_level(t), traversal::node_hit(t)]);
     }
-    list.extend([traversal::height_address(t), traversal::node_planes(t, parity)]);
+    // Where positions are moved, no index is stepped: the published datapath has units of its own for that.
+    let indices = d.datapath.kind != crate::config::DatapathKind::Published;
+    list.push(traversal::height_address(t));
+    list.extend(indices.then(|| traversal::node_planes(t, parity)));
     list.extend((path.steps)(d));
     if trims {
         list.push(traversal::chord_trim(d));
         list.extend((d.mode.level_up != crate::config::LevelUp::None).then(|| traversal::trim_return(d)));
     }
-    list.push(traversal::multi_level_down(t, &d.mode));
+    list.extend(indices.then(|| traversal::multi_level_down(t, &d.mode)));
     list.extend(traversal::level_up(t, d.mode.level_up));
+    list.extend(indices.then(|| traversal::level_decision(d)));
     list.extend([
-        traversal::level_decision(d),
         (path.setup)(d),
         (path.hit)(d),
         traversal::height_memory(2 * t.levels + 1, t.height_bits, ((1 << (2 * t.levels + 2)) - 1) / 3),

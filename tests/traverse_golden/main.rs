@@ -1,6 +1,7 @@
 //! The golden traversal: every mode finds the same texel, and it is the texel that exact arithmetic finds.
 //!
 //! `RELIEFRTL_RAYS` sets the rays per map; `RELIEFRTL_SEED` their seed.
+mod fixed;
 mod scenes;
 
 use reliefrtl::config::{Design, LevelUp, ModeConfig, TraverseConfig, Trim};

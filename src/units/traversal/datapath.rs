@@ -2,8 +2,9 @@
 //!
 //! The loop itself (admission, tags, back-pressure, leaving) is the same for all of them: `traverse.rs`.
 use super::loop_state::{Field, Numbers, Ray, Sizes};
+use super::published;
 use super::traverse::Load;
-use super::watertight;
+use super::{fixed, watertight};
 use crate::config::{DatapathKind, Design};
 use crate::ir::{Builder, Expr, Module, Sig};
 use crate::units::float::FormatParams;
@@ -40,7 +41,8 @@ impl Datapath {
     pub fn of(d: &Design) -> &'static Self {
         match d.datapath.kind {
             DatapathKind::Watertight => &watertight::DATAPATH,
-            DatapathKind::Published | DatapathKind::Fixed => &watertight::DATAPATH,
+            DatapathKind::Published => &published::DATAPATH,
+            DatapathKind::Fixed => &fixed::DATAPATH,
         }
     }
 }

@@ -1,7 +1,9 @@
 //! The traversal's units, one file each, and `traverse` on top. Units of one datapath stand in a folder of its name.
+mod census;
 mod chord_trim;
 mod datapath;
 mod finest_level;
+pub mod fixed;
 mod height_address;
 mod height_memory;
 mod level_decision;
@@ -11,12 +13,15 @@ mod multi_level_down;
 mod node_hit;
 mod node_planes;
 mod params;
+mod plane_iteration;
+pub mod published;
 mod start_level;
 mod stream_delay;
 mod traverse;
 mod trim_return;
 pub mod watertight;
 
+pub use census::{Census, PUBLISHED, census, difference};
 pub use chord_trim::chord_trim;
 pub use datapath::Datapath;
 pub use finest_level::finest_level;

@@ -2,7 +2,6 @@
 mod chord_end;
 mod height_test;
 mod hit_position;
-mod iteration;
 mod node_crossing;
 mod plane_time;
 mod predicted_hit;
@@ -20,6 +19,7 @@ pub use ray_setup::ray_setup;
 use super::datapath::Datapath;
 use super::loop_state::{Field, Numbers, Sizes, Start};
 use super::params::ray_conditions;
+use super::plane_iteration::{PlaneUnits, plane_iteration};
 use crate::config::{Design, Trim};
 use crate::ir::{Expr, Module};
 use crate::units::div_rows::div_rows_module;
@@ -48,7 +48,7 @@ pub(super) static DATAPATH: Datapath = Datapath {
     constants,
     setup: ray_setup,
     setup_clocks: ray_setup::latency,
-    iteration: iteration::iteration,
+    iteration: |b, s, d, ray, load| plane_iteration(b, s, d, ray, load, &UNITS),
     hit: hit_position,
     hit_clocks: |d| hit_position::latency(&d.latency),
     hit_inputs: |ray, axis| {
@@ -57,6 +57,16 @@ pub(super) static DATAPATH: Datapath = Datapath {
         ins.extend(ray.find("lod").map(|lod| ("lod", lod)));
         ins
     },
+};
+
+const UNITS: PlaneUnits = PlaneUnits {
+    plane_time,
+    plane_inputs: &[("p", "p"), ("r", "r"), ("never", "never")],
+    height_test,
+    predicted_hit,
+    predicted_inputs: &[("p_back", "pb"), ("d", "d")],
+    trim: trim::trim,
+    node_crossing,
 };
 
 /// Per axis: entry point, the same biased backwards, direction, reciprocal, and how it runs.

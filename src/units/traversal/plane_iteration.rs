@@ -1,13 +1,40 @@
-//! One iteration of `traverse`: from the slot's ray to the ray that goes back.
+//! One iteration of a datapath that compares plane parameters: from the slot's ray to the ray that goes back.
+use super::loop_state::{Ray, Sizes};
+use super::traverse::Load;
 use super::*;
 use crate::config::{Design, LevelUp, Trim};
-use crate::ir::{Builder, Sig};
-use crate::units::traversal::loop_state::Ray;
-use crate::units::traversal::traverse::Load;
-use crate::units::traversal::*;
+use crate::ir::{Builder, Module, Sig};
+use std::sync::Arc;
+
+/// What such a datapath puts into an iteration. The constants of a ray that a unit reads per axis are named by its port and by the word
+/// that the ray carries, without `_x` or `_y`.
+pub struct PlaneUnits {
+    /// The parameter of a plane; the plane comes beside these constants.
+    pub plane_time: fn(&Design) -> Arc<Module>,
+    /// Constants that `plane_time` reads.
+    pub plane_inputs: &'static [(&'static str, &'static str)],
+    /// The larger of the ray's parameter and that of a height.
+    pub height_test: fn(&Design) -> Arc<Module>,
+    /// The texel reached at a parameter, which comes beside these constants.
+    pub predicted_hit: fn(&Design) -> Arc<Module>,
+    /// Constants that `predicted_hit` reads.
+    pub predicted_inputs: &'static [(&'static str, &'static str)],
+    /// The level to be read instead of the ray's own, where the design trims: given least and greatest texel of a descent and the parameters
+    /// of the exit planes, each u first.
+    pub trim: for<'b> fn(&'b Builder, &Sizes, &Design, &Ray<'b>, [[Sig<'b>; 2]; 2], [Sig<'b>; 2]) -> Sig<'b>,
+    /// Hit or exit.
+    pub node_crossing: fn(&Design) -> Arc<Module>,
+}
 
 /// Builds the iteration; operands meet at the stage at which the latest of them is known.
-pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>, load: &Load<'b>) -> Ray<'b> {
+pub fn plane_iteration<'b>(
+    b: &'b Builder,
+    s: &Sizes,
+    d: &Design,
+    ray: &Ray<'b>,
+    load: &Load<'b>,
+    units: &PlaneUnits,
+) -> Ray<'b> {
     let t = &d.traverse;
     let idx = || [("IDX_W", s.idx.clone())];
 
@@ -21,31 +48,43 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
     };
     let px: Vec<Sig<'b>> = planes("x", ray.get("x"), ray.get("neg_x")).into_iter().map(|i| b.sig(i)).collect();
     let py: Vec<Sig<'b>> = planes("y", ray.get("y"), ray.get("neg_y")).into_iter().map(|i| b.sig(i)).collect();
-    let (height, t_x, t_y, read) = if d.mode.trim == Trim::None {
+    let constants = |axis: &str, names: &[(&'static str, &'static str)]| {
+        let of = |(port, word): &(&'static str, &'static str)| (*port, ray.get(&format!("{word}_{axis}")));
+        names.iter().map(of).collect::<Vec<_>>()
+    };
+    let plane_times = || {
+        b.section("plane parameters", "");
+        let when = |axis: &str, plane: Sig<'b>| {
+            let ins = [vec![("plane", plane)], constants(axis, units.plane_inputs)].concat();
+            b.inst(&(units.plane_time)(d), &format!("u_time_{axis}"), &idx(), &ins)[0].named(&format!("t_{axis}")).id()
+        };
+        [b.sig(when("x", px[2])), b.sig(when("y", py[2]))].map(|t| t.id())
+    };
+    let (height, [t_x, t_y], read) = if d.mode.trim == Trim::None {
         let height = read_height(b, s, d, ray, load, ray.get("level"));
-        let [t_x, t_y] = plane_times(b, s, d, ray, [px[2], py[2]]);
-        (height, t_x, t_y, ray.get("level"))
+        (height, plane_times().map(|t| b.sig(t)), ray.get("level"))
     } else {
-        let [t_x, t_y] = plane_times(b, s, d, ray, [px[2], py[2]]);
-        let read = trim::trim(b, s, d, ray, [[px[0], px[1]], [py[0], py[1]]], [t_x, t_y]);
+        let times = plane_times().map(|t| b.sig(t));
+        let read = (units.trim)(b, s, d, ray, [[px[0], px[1]], [py[0], py[1]]], times);
         b.section("address", "");
-        (read_height(b, s, d, ray, load, read), t_x, t_y, read)
+        (read_height(b, s, d, ray, load, read), times, read)
     };
 
     b.section("height test", "");
-    let o = b.inst(&height_test(d), "u_height_test", &[], &[("height", height), ("t", ray.get("t"))]);
+    let o = b.inst(&(units.height_test)(d), "u_height_test", &[], &[("height", height), ("t", ray.get("t"))]);
     let (m, below) = (o[0].named("m"), o[1].named("below"));
 
     b.section("predicted hit", "");
-    let reach = |axis: &str, p: Sig<'b>, dir: Sig<'b>| {
-        let ins = [("p_back", p), ("d", dir), ("m", m)];
-        b.inst(&predicted_hit(d), &format!("u_predict_{axis}"), &idx(), &ins)[0].named(&format!("{axis}_hit")).id()
+    let reach = |axis: &str| {
+        let ins = [constants(axis, units.predicted_inputs), vec![("m", m)]].concat();
+        let e = b.inst(&(units.predicted_hit)(d), &format!("u_predict_{axis}"), &idx(), &ins)[0];
+        e.named(&format!("{axis}_hit")).id()
     };
-    let hit_x = b.sig(reach("x", ray.get("pb_x"), ray.get("d_x")));
-    let hit_y = b.sig(reach("y", ray.get("pb_y"), ray.get("d_y")));
+    let (hit_x, hit_y) = (b.sig(reach("x")), b.sig(reach("y")));
 
     b.section("node crossing", "");
-    let o = b.inst(&node_crossing(d), "u_crossing", &[], &[("t", ray.get("t")), ("m", m), ("t_x", t_x), ("t_y", t_y)]);
+    let ins = [("t", ray.get("t")), ("m", m), ("t_x", t_x), ("t_y", t_y)];
+    let o = b.inst(&(units.node_crossing)(d), "u_crossing", &[], &ins);
     let (inside, x_first, t_next) = (o[0].named("is_inside"), o[1].named("x_first"), o[2].named("t_next"));
 
     b.section("multi-level down", "");
@@ -134,18 +173,6 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
         ("prev", crossed_now),
         ("descended", descended),
     ])
-}
-
-/// The parameters of the planes by which the ray can leave, u first.
-fn plane_times<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>, planes: [Sig<'b>; 2]) -> [Sig<'b>; 2] {
-    b.section("plane parameters", "");
-    let when = |axis: &str, plane: Sig<'b>| {
-        let of = |word: &str| ray.get(&format!("{word}_{axis}"));
-        let ins = [("plane", plane), ("p", of("p")), ("r", of("r")), ("never", of("never"))];
-        let idx = [("IDX_W", s.idx.clone())];
-        b.inst(&plane_time(d), &format!("u_time_{axis}"), &idx, &ins)[0].named(&format!("t_{axis}")).id()
-    };
-    [b.sig(when("x", planes[0])), b.sig(when("y", planes[1]))]
 }
 
 /// The height of the ray's node of a level.
