@@ -6,6 +6,9 @@ use crate::config::{Design, LevelUp, Trim};
 use crate::ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
+/// Two signals, of u or least first.
+pub type Pair<'b> = [Sig<'b>; 2];
+
 /// What such a datapath puts into an iteration. The constants of a ray that a unit reads per axis are named by its port and by the word
 /// that the ray carries, without `_x` or `_y`.
 pub struct PlaneUnits {
@@ -21,7 +24,7 @@ pub struct PlaneUnits {
     pub predicted_inputs: &'static [(&'static str, &'static str)],
     /// The level to be read instead of the ray's own, where the design trims: given least and greatest texel of a descent and the parameters
     /// of the exit planes, each u first.
-    pub trim: for<'b> fn(&'b Builder, &Sizes, &Design, &Ray<'b>, [[Sig<'b>; 2]; 2], [Sig<'b>; 2]) -> Sig<'b>,
+    pub trim: for<'b> fn(&'b Builder, &Sizes, &Design, &Ray<'b>, [Pair<'b>; 2], Pair<'b>) -> Sig<'b>,
     /// Hit or exit.
     pub node_crossing: fn(&Design) -> Arc<Module>,
 }
