@@ -4,7 +4,7 @@ use super::{answer, modes};
 use rand::seq::IndexedRandom;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use reliefrtl::config::{DatapathConfig, DatapathKind, Design, TraverseConfig};
+use reliefrtl::config::{DatapathConfig, DatapathKind, Design, ModeConfig, TraverseConfig};
 use reliefrtl::golden::fixed::Fixed;
 use reliefrtl::golden::{Pyramid, RayHit, RayInput, Tracer, decode_time, encode_ray};
 use reliefrtl::oracle::ExactMap;
@@ -100,7 +100,10 @@ fn ray(d: &Design, kind: Kind, rng: &mut ChaCha8Rng) -> RayInput {
 fn disagreements(base: Design, kind: usize, count: u64, seed: u64) -> (u64, u64, u64, String) {
     let (n, h) = (base.traverse.levels, base.traverse.height_bits);
     let pyramid = Pyramid::build(n, h, &map(kind, n, h, seed)).unwrap();
-    let tracers: Vec<Fixed> = modes(reliefrtl::format::FloatFormat::new(5, 23)).into_iter().map(|mode| Fixed::new(&Design { mode, ..base }).unwrap()).collect();
+    let tracers: Vec<Fixed> = modes(reliefrtl::format::FloatFormat::new(5, 23))
+        .into_iter()
+        .map(|mode| Fixed::new(&Design { mode: ModeConfig { lod: false, ..mode }, ..base }).unwrap())
+        .collect();
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let (mut wrong, mut limits, mut witness) = (0, 0, String::new());
     for number in 0..count {
