@@ -18,7 +18,7 @@ fn main() {
         modes.clear();
         for level_up in LevelUp::ALL {
             for (start_level, levels_down) in [(false, 1), (true, 2), (true, 4)] {
-                modes.push(ModeConfig { start_level, levels_down, level_up });
+                modes.push(ModeConfig { start_level, levels_down, level_up, ..ModeConfig::default() });
             }
         }
     }

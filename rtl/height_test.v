@@ -1,5 +1,5 @@
 // height_test: parameter at which the ray is in the node and at or below its height
-// Source     src/units/traversal/height_test.rs (emitted: do not edit)
+// Source     src/units/traversal/watertight/height_test.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
 //            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    2 clocks

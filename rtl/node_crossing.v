@@ -1,5 +1,5 @@
 // node_crossing: node crossing test: hit inside the node, or exit plane and parameter
-// Source     src/units/traversal/node_crossing.rs (emitted: do not edit)
+// Source     src/units/traversal/watertight/node_crossing.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
 //            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    1 clock

@@ -1,5 +1,5 @@
 // plane_time: ray parameter at which the ray meets a plane: (plane - p) * r
-// Source     src/units/traversal/plane_time.rs (emitted: do not edit)
+// Source     src/units/traversal/watertight/plane_time.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
 //            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    4 clocks

@@ -1,5 +1,5 @@
 // predicted_hit: texel coordinate reached at parameter m: floor(p_back + d * m)
-// Source     src/units/traversal/predicted_hit.rs (emitted: do not edit)
+// Source     src/units/traversal/watertight/predicted_hit.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
 //            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    4 clocks

@@ -1,5 +1,5 @@
 // ray_setup: a ray's constants, from texture coordinates to texels and height codes
-// Source     src/units/traversal/ray_setup.rs (emitted: do not edit)
+// Source     src/units/traversal/watertight/ray_setup.rs (emitted: do not edit)
 // Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
 //            mul 1 div 2 compare 1 from_int 1 to_int 1
 // Latency    3 clocks
@@ -97,14 +97,14 @@ module ray_setup #(
     if (LEVELS + TILE_W + 2 > 24) begin : gen_illegal_10
       must_hold_LEVELS_plus_TILE_W_plus_2_at_most_24 u_illegal ();
     end
-    if (LEVELS + TILE_W + 8 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_11
-      must_hold_LEVELS_plus_TILE_W_plus_8_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
+    if (LEVELS + TILE_W + 1 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_11
+      must_hold_LEVELS_plus_TILE_W_plus_1_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
     end
     if (HEIGHT_W + 2 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_12
       must_hold_HEIGHT_W_plus_2_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
     end
-    if (MAN_W + 1 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_13
-      must_hold_MAN_W_plus_1_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
+    if (MAN_W > LEVELS + (1 << (EXP_W - 1)) - 1) begin : gen_illegal_13
+      must_hold_MAN_W_at_most_LEVELS_plus_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
     end
   endgenerate
 

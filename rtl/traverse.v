@@ -94,14 +94,14 @@ module traverse #(
     if (LEVELS + TILE_W + 2 > 24) begin : gen_illegal_10
       must_hold_LEVELS_plus_TILE_W_plus_2_at_most_24 u_illegal ();
     end
-    if (LEVELS + TILE_W + 8 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_11
-      must_hold_LEVELS_plus_TILE_W_plus_8_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
+    if (LEVELS + TILE_W + 1 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_11
+      must_hold_LEVELS_plus_TILE_W_plus_1_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
     end
     if (HEIGHT_W + 2 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_12
       must_hold_HEIGHT_W_plus_2_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
     end
-    if (MAN_W + 1 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_13
-      must_hold_MAN_W_plus_1_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
+    if (MAN_W > LEVELS + (1 << (EXP_W - 1)) - 1) begin : gen_illegal_13
+      must_hold_MAN_W_at_most_LEVELS_plus_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
     end
     if (1 > FRAC_W) begin : gen_illegal_14
       must_hold_1_at_most_FRAC_W u_illegal ();
@@ -118,7 +118,6 @@ module traverse #(
   endgenerate
 
   // ---- state that comes back from the last stage, and handshakes
-  reg              s0_back_crossed;
   reg              s0_back_valid;
   reg [TAG_W-1:0]  s0_back_tag;
   reg [FloatW-1:0] s0_back_p_x;
@@ -143,6 +142,7 @@ module traverse #(
   reg [15:0]       s0_back_steps;
   reg [15:0]       s0_back_crossings;
   reg [15:0]       s0_back_ups;
+  reg              s0_back_crossed;
   wire hit_valid;
   wire setup_valid;
 
@@ -1120,7 +1120,6 @@ module traverse #(
 
   // ---- back to stage 0
   always @(posedge clk) begin
-    s0_back_crossed   <= s7_has_crossed | s7_crossed_now;
     s0_back_tag       <= s7_tag;
     s0_back_p_x       <= s7_p_x;
     s0_back_pb_x      <= s7_pb_x;
@@ -1144,6 +1143,7 @@ module traverse #(
     s0_back_steps     <= s7_steps_next;
     s0_back_crossings <= s7_crossings + {15'd0, s7_crossed_now};
     s0_back_ups       <= s7_ups + {15'd0, s7_up_now};
+    s0_back_crossed   <= s7_has_crossed | s7_crossed_now;
   end
   always @(posedge clk) begin
     if (rst) begin

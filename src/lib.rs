@@ -14,6 +14,7 @@ pub mod interp;
 pub mod ir;
 pub mod oracle;
 pub mod project;
+pub mod proofs;
 pub mod report;
 pub mod scene;
 pub mod synth;

@@ -76,3 +76,25 @@ fn engines_write_the_same_bytes() {
     assert_eq!(all[0].lines().count(), 5);
     assert!(all[0].starts_with("ray,i,j,u,v,t,steps,crossings,ups,wall,limit\n"));
 }
+
+#[test]
+fn the_first_mismatch_is_a_waveform() {
+    let small = ["--set", "vectors.arithmetic=100", "--set", "vectors.rays=20", "--set", "view.stride=16"];
+    for (unit, output, told) in
+        [("fp_add", "result", "output result (stage 2): expected hex"), ("traverse", "out_valid", "output out_i")]
+    {
+        let dir = tempfile::tempdir().unwrap();
+        let args = ["check", "--unit", unit, "--canary", "flip", "--wave", "w.vcd"];
+        let out = run(dir.path(), &[&args[..], &small[..]].concat());
+        let text = String::from_utf8_lossy(&out.stderr).into_owned();
+        assert_eq!(out.status.code(), Some(1), "{text}");
+        assert!(text.contains(told), "{text}");
+        let wave = wellen::simple::read(dir.path().join("w.vcd")).unwrap();
+        assert!(wave.time_table().len() > 8, "{unit}: {} changes", wave.time_table().len());
+        let names: Vec<String> = wave.hierarchy().iter_vars().map(|v| v.full_name(wave.hierarchy())).collect();
+        assert!(names.contains(&format!("{unit}.{output}")), "{names:?}");
+    }
+    let dir = tempfile::tempdir().unwrap();
+    let out = run(dir.path(), &["check", "--engine", "icarus", "--wave", "w.vcd"]);
+    assert_eq!(out.status.code(), Some(2));
+}

@@ -146,10 +146,10 @@ fn what_holds_between_keys() {
     );
     with(&["traverse.height_bits=16", "format.man=15"]).validate().unwrap();
     assert_eq!(
-        refused(&["format.exp=5"]),
-        "format.exp = 5 is too small for traverse.levels = 8 and traverse.tile_bits = 4: levels + tile_bits + 8 = 20 may be at most 2^(exp-1) - 1 = 15"
+        refused(&["format.exp=4", "format.man=10", "traverse.height_bits=4"]),
+        "format.exp = 4 is too small for traverse.levels = 8 and traverse.tile_bits = 4: levels + tile_bits + 1 = 13 may be at most 2^(exp-1) - 1 = 7"
     );
-    with(&["format.exp=6"]).validate().unwrap();
+    with(&["format.exp=5"]).validate().unwrap();
     with(&["traverse.levels=12", "traverse.tile_bits=8"]).validate().unwrap();
     assert_eq!(refused(&["map.kind=file"]), "map.kind = \"file\" needs an image: set map.file");
     assert_eq!(

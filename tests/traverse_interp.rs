@@ -1,5 +1,6 @@
 //! The emitted traverse unit in the interpreter, in every mode, equals the golden model ray by ray; all modes hit alike.
 use rand::{Rng, SeedableRng};
+use reliefrtl::catalogue::design_at;
 use reliefrtl::config::{Design, LevelUp, ModeConfig};
 use reliefrtl::golden::{Golden, Pyramid, RayHit, RayInput};
 use reliefrtl::interp::Traffic;
@@ -37,7 +38,7 @@ fn every_mode_equals_golden_and_hits_alike() {
     for level_up in LevelUp::ALL {
         for levels_down in 1..=4 {
             for start_level in [false, true] {
-                d.mode = ModeConfig { start_level, levels_down, level_up };
+                d.mode = ModeConfig { start_level, levels_down, level_up, ..ModeConfig::default() };
                 let g = Golden::new(&d).unwrap();
                 let p = Pipeline::new(&d, &Binding::new()).unwrap();
                 let traffic = Traffic { gaps: 60, stalls: 90, seed: runs };
@@ -89,4 +90,21 @@ fn threads_and_traffic_change_no_result() {
     }
     let nothing = p.run_parallel(&pyramid, &[], 64, 2, Traffic::default()).unwrap();
     assert!(nothing.results.is_empty());
+}
+
+/// The emitted text's own parameters, from a format whose exponents only just hold the map.
+#[test]
+fn other_formats_equal_golden() {
+    let d = Design::default();
+    for (exp, man, levels) in [(5, 10, 8), (5, 16, 10), (6, 7, 4), (8, 23, 9)] {
+        let over: Binding =
+            [("EXP_W", exp), ("MAN_W", man), ("LEVELS", levels)].map(|(n, v)| (n.to_string(), v)).into();
+        let at = design_at(&d, &over);
+        let (pyramid, rays) = hard(&at, 5);
+        let run = Pipeline::new(&d, &over).unwrap().run(&pyramid, &rays, 8, Traffic::default()).unwrap();
+        let g = Golden::new(&at).unwrap();
+        for (k, (got, r)) in run.results.iter().zip(&rays).enumerate() {
+            assert_eq!(hit(got), g.trace(&pyramid, r), "ray {k} at {over:?}");
+        }
+    }
 }

@@ -31,7 +31,7 @@ fn units_equal_their_models_in_every_mode() {
     for level_up in LevelUp::ALL {
         for levels_down in 1..=4 {
             let mut d = Design {
-                mode: ModeConfig { start_level: levels_down % 2 == 0, levels_down, level_up },
+                mode: ModeConfig { start_level: levels_down % 2 == 0, levels_down, level_up, ..ModeConfig::default() },
                 ..Design::default()
             };
             d.latency.add = levels_down;

@@ -53,6 +53,8 @@ pub fn bench_files(units: &[Arc<Module>], traverse: &Module, warm_up: u32, prefi
     let named = |names: &[&str]| ports(names.iter().map(|n| traverse.port(n).expect("traverse has its ports").1));
     let value = context! {
         unit => "traverse", dut => format!("{prefix}traverse"), params => params(traverse), warm_up,
+        // The published datapath has rays that never end by themselves.
+        lingers => traverse.params.iter().any(|p| p.name == "NUDGE_W"),
         inputs => named(&crate::trace::INPUTS), outputs => named(&crate::trace::OUTPUTS),
     };
     files.insert("testbench/tb_traverse.v".into(), render("traverse", value.clone()));

@@ -1,7 +1,9 @@
 //! Rows as a traced ray brings them to the units of the traversal. Free combinations of words hardly ever are: most are no ray at all,
 //! or a texel that the ray never sees, and a unit that clamps or refuses them hides what it computes.
+mod published;
+
 use crate::bits::mask;
-use crate::config::Design;
+use crate::config::{DatapathKind, Design};
 use crate::golden::float as gf;
 use crate::golden::{Axis, Golden, RayInput};
 use rand::seq::IndexedRandom;
@@ -11,6 +13,9 @@ use rand_chacha::ChaCha8Rng;
 /// Puts into `rows` of `unit` what rays bring; ports that no ray decides keep their word. False, and nothing is changed, if the unit is
 /// no part of the traversal or no datapath exists at `d` (a format too small for the map).
 pub fn meet(unit: &str, ports: &[&str], d: &Design, idx: u32, seed: u64, rows: &mut [Vec<u64>]) -> bool {
+    if d.datapath.kind == DatapathKind::Published {
+        return published::meet(unit, ports, d, idx, seed, rows);
+    }
     let Some(word) = words(unit) else { return false };
     let Ok(golden) = Golden::new(d) else { return false };
     let mut rng = ChaCha8Rng::seed_from_u64(seed);

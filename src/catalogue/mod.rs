@@ -1,6 +1,7 @@
 //! One entry a unit: its hardware, its model, its vectors. Here alone hardware and golden model meet.
 mod check;
 mod met;
+mod met_fixed;
 mod models;
 mod rays;
 
@@ -8,7 +9,7 @@ pub use check::{CheckReport, Mismatch, check_interp, check_netlist, compare, fit
 pub use models::model;
 pub use rays::{RaySet, ray_columns, ray_set};
 
-use crate::config::Design;
+use crate::config::{DatapathKind, Design};
 use crate::error::{Error, Result};
 use crate::format::FloatFormat;
 use crate::ir::{Binding, Module};
@@ -50,6 +51,9 @@ pub fn design_at(d: &Design, b: &Binding) -> Design {
     set("TILE_W", &mut d.traverse.tile_bits);
     set("FRAC_W", &mut d.traverse.frac_bits);
     set("STEP_LIMIT", &mut d.traverse.step_limit);
+    set("NUDGE_W", &mut d.datapath.nudge_bits);
+    set("FRACTION_W", &mut d.datapath.fraction_bits);
+    set("RECIP_W", &mut d.datapath.reciprocal_bits);
     d
 }
 
@@ -72,7 +76,8 @@ pub fn vector_set(d: &Design, m: &Module, over: &Binding, plan: Plan) -> VectorS
         let idx = b.get("IDX_W").map_or(at.traverse.idx_bits(), |v| *v as u32);
         let (free, kept) = plan_rows(&kinds, Plan { rows: plan.rows - plan.rows / 2, ..plan });
         let mut met = free[..plan.rows / 2].to_vec();
-        if met::meet(&m.name, &names, &at, idx, plan.seed, &mut met) {
+        let meet = if at.datapath.kind == DatapathKind::Fixed { met_fixed::meet } else { met::meet };
+        if meet(&m.name, &names, &at, idx, plan.seed, &mut met) {
             counts = Counts { rays: met.len(), ..kept };
             rows = [free, met].concat();
         }
@@ -90,6 +95,11 @@ pub fn bindings(m: &Module) -> Vec<Binding> {
     if has("EXP_W") {
         out.extend([(5, 10), (8, 23), (4, 3)].map(|(e, f)| of(&[("EXP_W", e), ("MAN_W", f)])));
     }
+    if has("FRACTION_W") {
+        let of =
+            |f, w| if has("RECIP_W") { of(&[("FRACTION_W", f), ("RECIP_W", w)]) } else { of(&[("FRACTION_W", f)]) };
+        out.extend([of(20, 18), of(12, 10), of(28, 31)]);
+    }
     if has("LEVELS") {
         out.extend(
             [2, 5, 12]
@@ -98,6 +108,9 @@ pub fn bindings(m: &Module) -> Vec<Binding> {
     }
     if has("HEIGHT_W") {
         out.push(of(&[("HEIGHT_W", 16)]));
+    }
+    if has("NUDGE_W") {
+        out.extend([0, 1, 12, 16].map(|n| of(&[("NUDGE_W", n)])));
     }
     if has("W") && m.name != "div_rows" {
         out.extend([1, 2, 3, 7, 17, 32].map(|w| of(&[("W", w)])));

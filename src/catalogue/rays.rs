@@ -1,7 +1,7 @@
 //! Vector sets of `traverse`: rays, a height pyramid, expected hits, and every iteration on the way.
 use crate::config::Design;
 use crate::error::Result;
-use crate::golden::{Golden, Pyramid, RayInput};
+use crate::golden::{Pyramid, RayInput, Tracer};
 use crate::ir::Module;
 use crate::trace::{INPUTS, OUTPUTS};
 use crate::vectors::{Column, Counts, VectorSet};
@@ -32,7 +32,7 @@ pub fn ray_columns(m: &Module) -> (Vec<Column>, Vec<Column>) {
 /// # Errors
 /// An illegal design.
 pub fn ray_set(d: &Design, m: &Module, pyramid: &Pyramid, rays: &[RayInput], seed: u64) -> Result<RaySet> {
-    let g = Golden::new(d)?;
+    let g = Tracer::new(d)?;
     let mut trace = "ray,step,level,x,y,height,t,decision\n".to_string();
     let mut expected = Vec::with_capacity(rays.len());
     for (k, r) in rays.iter().enumerate() {

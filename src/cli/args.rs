@@ -1,4 +1,5 @@
 //! What can be typed.
+use crate::config::View;
 use crate::project::Canary;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -35,6 +36,8 @@ pub enum Verb {
     Vectors(BuildArgs),
     /// Replays golden vectors in an engine.
     Check(CheckArgs),
+    /// Proves the emitted units with SymbiYosys: for every input, not only for the vectors.
+    Prove(ProveArgs),
     /// Traces rays from a CSV file.
     Trace(TraceArgs),
     /// Renders the map through the datapath.
@@ -43,6 +46,12 @@ pub enum Verb {
     Steps(StepsArgs),
     /// Compares the datapath with the exact oracle: wrong texels with their witnesses.
     Accuracy(MapArgs),
+    /// Measures steps and error of every design and writes a page, JSON and CSV about them.
+    Report(ReportArgs),
+    /// Finds the smallest design that keeps an error budget on a scene, says why, and writes its configuration.
+    Fit(FitArgs),
+    /// Runs the hard cases: maps and rays on which a traversal is most likely to go wrong.
+    Hard(HardArgs),
     /// Measures rays per second of the engines on the same rays, in one run.
     Bench(BenchArgs),
     /// Measures areas and clocks of units with Yosys and nextpnr; exit code 3 where they are not installed.
@@ -95,6 +104,23 @@ pub struct CheckArgs {
     /// Spoils the vectors on purpose: the check must fail, each fault with its own exit code.
     #[arg(long)]
     pub canary: Option<Canary>,
+    /// Where the first mismatch goes as a waveform of the interpreter: the clocks around it, undefined values as x.
+    #[arg(long, value_name = "W.fst|W.vcd")]
+    pub wave: Option<PathBuf>,
+}
+
+/// Options of `prove`.
+#[derive(Args, Debug)]
+pub struct ProveArgs {
+    /// Only this proof.
+    #[arg(long, value_name = "NAME")]
+    pub unit: Option<String>,
+    /// A tree that `build` wrote with the same configuration; without it a fresh one is made and thrown away.
+    #[arg(long, value_name = "DIR")]
+    pub dir: Option<PathBuf>,
+    /// Lists the proofs and what they claim, and runs none.
+    #[arg(long)]
+    pub list: bool,
 }
 
 /// Options of `config`.
@@ -168,6 +194,63 @@ pub struct StepsArgs {
     /// Directory with rocks.png, stones.png, four.png, saints.png: prints them beside the published means.
     #[arg(long, value_name = "DIR")]
     pub scenes: Option<PathBuf>,
+}
+
+/// Options of `report`.
+#[derive(Args, Debug)]
+pub struct ReportArgs {
+    /// Directory to write to; measurements already in it are taken over, so that a run can be stopped and resumed.
+    #[arg(long, default_value = "report", value_name = "DIR")]
+    pub out: PathBuf,
+    /// Directory with rocks.png, stones.png, four.png, saints.png: measures them too, beside the published tables.
+    #[arg(long, value_name = "DIR")]
+    pub scenes: Option<PathBuf>,
+    /// Every width and every mode, not a selection.
+    #[arg(long)]
+    pub full: bool,
+}
+
+/// Options of `fit`.
+#[derive(Args, Debug)]
+pub struct FitArgs {
+    /// The height map.
+    #[command(flatten)]
+    pub map: MapArgs,
+    /// Views whose rays count; without it the configured ones.
+    #[arg(long, value_delimiter = ',', value_name = "VIEW,...")]
+    pub views: Vec<View>,
+    /// Budget: the share of rays that may end in another texel than the ray as given, 0 to 1.
+    #[arg(long, value_name = "SHARE", allow_negative_numbers = true, conflicts_with = "max_uv_error")]
+    pub max_wrong_texel: Option<f64>,
+    /// Budget: how far 99 % of the hits may lie from the exact ones, in texels.
+    #[arg(long, value_name = "TEXELS", allow_negative_numbers = true)]
+    pub max_uv_error: Option<f64>,
+    /// The map itself may become coarser: fewer levels, fewer bits a height.
+    #[arg(long)]
+    pub allow_resample: bool,
+    /// Where the configuration of the design goes.
+    #[arg(long, value_name = "FILE.toml")]
+    pub out: Option<PathBuf>,
+}
+
+/// Options of `hard`.
+#[derive(Args, Debug)]
+pub struct HardArgs {
+    /// Lists the cases and what they aim at, and runs none.
+    #[arg(long)]
+    pub list: bool,
+    /// Only this case.
+    #[arg(long, value_name = "NAME")]
+    pub case: Option<String>,
+    /// Rays of each case.
+    #[arg(long, default_value_t = 200)]
+    pub rays: usize,
+    /// Seed of maps and rays.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Writes a picture of each case into this directory.
+    #[arg(long, value_name = "DIR")]
+    pub pictures: Option<PathBuf>,
 }
 
 /// Options of `bench`.

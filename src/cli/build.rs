@@ -24,7 +24,7 @@ pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
     dir.add("preview.png", &picture)?;
     dir.commit()?;
     bar.set_message("checking every vector in the interpreter");
-    let checked = check_tree(&c, &a.out, None, None, None, &|_| ())?;
+    let checked = check_tree(&c, &a.out, None, None, None, None, &|_| ())?;
     let mut views = Vec::new();
     for view in &c.view.names {
         bar.set_message(format!("tracing the {view} view"));

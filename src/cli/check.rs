@@ -13,6 +13,9 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
             "check --engine golden would compare the golden model with itself: use interp, icarus or verilator",
         ));
     }
+    if a.wave.is_some() && a.engine != Engine::Interp {
+        return Err(Error::input("check --wave records the interpreter: leave out --engine, or set it to interp"));
+    }
     let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
     let dir: PathBuf = match &a.dir {
         Some(dir) => dir.clone(),
@@ -24,7 +27,7 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
     };
     let bar = spinner(cli, "checking");
     let seen = |x: &Checked| bar.set_message(format!("{} done", x.unit));
-    let done = check_tree(&c, &dir, a.engine.simulator(), a.unit.as_deref(), a.canary, &seen);
+    let done = check_tree(&c, &dir, a.engine.simulator(), a.unit.as_deref(), a.canary, a.wave.as_deref(), &seen);
     bar.finish_and_clear();
     let done = done?;
     print(cli, &done);

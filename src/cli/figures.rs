@@ -134,7 +134,7 @@ pub fn bench(cli: &Cli, a: &BenchArgs) -> Result<()> {
         Ok(start.elapsed())
     };
     let none = Duration::ZERO;
-    let golden = crate::golden::Golden::new(&d)?;
+    let golden = crate::golden::Tracer::new(&d)?;
     let mut sink = 0;
     let t = time(&mut || {
         rays.iter().for_each(|r| sink += golden.trace(&scene.pyramid, r).steps);

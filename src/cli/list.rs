@@ -1,8 +1,10 @@
 //! `reliefrtl list`: the units with their parameters and latency.
 use super::args::Cli;
 use super::output::table;
+use crate::config::{DatapathKind, Design};
 use crate::error::Result;
 use crate::units;
+use crate::units::traversal::{PUBLISHED, Traverse, census, difference, traverse};
 use serde_json::json;
 
 /// Runs `list`.
@@ -10,6 +12,7 @@ pub fn run(cli: &Cli) -> Result<()> {
     let c = super::config::load(cli)?;
     let design = c.design();
     let modules = units::all(&design);
+    let t = traverse(&design);
     if cli.json {
         let rows: Vec<_> = modules
             .iter()
@@ -19,10 +22,10 @@ pub fn run(cli: &Cli) -> Result<()> {
                 json!({"unit": m.name, "summary": m.summary, "latency": m.latency, "parameters": params})
             })
             .collect();
+        let rows = json!({"units": rows, "loop": in_loop(&design, &t)});
         println!("{}", serde_json::to_string_pretty(&rows).expect("plain data"));
         return Ok(());
     }
-    let t = units::traversal::traverse(&design);
     let rows: Vec<Vec<String>> = modules
         .iter()
         .map(|m| {
@@ -40,5 +43,29 @@ pub fn run(cli: &Cli) -> Result<()> {
         "\ntraverse: {} clocks of setup, {} for each of n iterations, {} to the result.",
         t.setup, t.slots, t.finish
     );
+    if design.datapath.kind == DatapathKind::Published && design.mode.start_level {
+        println!(
+            "A ray's first trip round the loop finds its start level and is no iteration: {} clocks more.",
+            t.slots
+        );
+    }
+    let text = |v: &serde_json::Value| v.as_str().map_or_else(|| v.to_string(), str::to_string);
+    let line = |r: &serde_json::Value| ["what", "here", "published", "why"].map(|k| text(&r[k])).to_vec();
+    let rows: Vec<Vec<String>> = in_loop(&design, &t).iter().map(line).collect();
+    println!(
+        "\nin the loop of the {} datapath, beside the published one (PIDM-HW table 1, figure 7):",
+        c.datapath.kind.word()
+    );
+    print!("{}", table(&["what", "here", "published", "why"], &rows));
     Ok(())
+}
+
+/// Floating-point units and stages of the loop beside the published ones, with the reason where they differ.
+fn in_loop(d: &Design, t: &Traverse) -> Vec<serde_json::Value> {
+    let rows = census(d, t).rows().into_iter().zip(PUBLISHED.rows());
+    rows.map(|((what, here), (_, published))| {
+        let why = if here == published { "" } else { difference(d.datapath.kind, what) };
+        json!({"what": what, "here": here, "published": published, "why": why})
+    })
+    .collect()
 }

@@ -5,9 +5,13 @@ mod check;
 mod config;
 mod emit;
 mod figures;
+mod fit;
+mod hard;
 mod list;
 mod output;
+mod prove;
 mod render;
+mod report;
 mod synth;
 mod trace;
 
@@ -43,10 +47,14 @@ fn run(cli: &Cli) -> Result<()> {
         Verb::Emit(a) => emit::run(cli, a),
         Verb::Vectors(a) => build::vectors(cli, a),
         Verb::Check(a) => check::run(cli, a),
+        Verb::Prove(a) => prove::run(cli, a),
         Verb::Trace(a) => trace::run(cli, a),
         Verb::Render(a) => render::run(cli, a),
         Verb::Steps(a) => figures::steps(cli, a),
         Verb::Accuracy(a) => figures::accuracy(cli, a),
+        Verb::Report(a) => report::run(cli, a),
+        Verb::Fit(a) => fit::run(cli, a),
+        Verb::Hard(a) => hard::run(cli, a),
         Verb::Bench(a) => figures::bench(cli, a),
         Verb::Synth(a) => synth::run(cli, a),
         Verb::List => list::run(cli),

@@ -3,7 +3,7 @@ use super::args::{Cli, Engine, RenderArgs};
 use crate::config::{Config, View};
 use crate::error::{Error, Result};
 use crate::golden::RayHit;
-use crate::golden::float::to_f64;
+use crate::golden::decode_time;
 use crate::project::{Scene, encode};
 use crate::scene::{Camera, Picture, ShadePoint, Shader, ViewRay};
 
@@ -77,7 +77,7 @@ pub fn picture(
         |i: u32, f: u32| (f64::from(i) + f64::from(f) / 2f64.powi(t.frac_bits as i32)) / 2f64.powi(t.levels as i32);
     let mut pixels = vec![None; w * h];
     for (r, x) in rays.iter().zip(hits) {
-        let t = to_f64(c.format.float(), x.t) / full;
+        let t = decode_time(&c.design(), x.t) / full;
         pixels[at(r)] = Some(ShadePoint { u: unit(x.i, x.fu), v: unit(x.j, x.fv), t, wall: x.wall });
     }
     let shader = Shader::new(&scene.texels, t.levels, t.height_bits, c.map.scale, c.map.repeat, scene.kind);

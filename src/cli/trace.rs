@@ -35,6 +35,18 @@ pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
         println!("{}", serde_json::json!({"rays": hits.len(), "out": a.out}));
     } else {
         println!("{} rays traced into {}", hits.len(), a.out.display());
+        let refused = hits.iter().filter(|h| h.limit && h.steps == 0).count();
+        let given_up = hits.iter().filter(|h| h.limit && h.steps > 0).count();
+        if refused > 0 {
+            println!(
+                "{refused} of {} can't be traced by this design: they travel 2^tile_bits = {} tiles or more",
+                hits.len(),
+                1u32 << c.traverse.tile_bits
+            );
+        }
+        if given_up > 0 {
+            println!("{given_up} of {} were given up after {} iterations", hits.len(), c.traverse.step_limit);
+        }
     }
     Ok(())
 }

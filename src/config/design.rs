@@ -23,6 +23,71 @@ impl LevelUp {
     pub const ALL: [Self; 5] = [Self::None, Self::Tevs, Self::Selective, Self::Coherent, Self::Always];
 }
 
+/// How hits are found (`docs/datapath.md`, `docs/published.md`, `docs/fixed.md`).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum DatapathKind {
+    /// Parameters of integer planes are compared in floating point; no position is moved.
+    #[default]
+    Watertight,
+    /// Positions are moved in floating point, boundaries found by division in the loop (PIDM-HW section 4.2).
+    Published,
+    /// The watertight comparison in fixed point, with a reciprocal of chosen width.
+    Fixed,
+}
+
+impl DatapathKind {
+    /// All.
+    pub const ALL: [Self; 3] = [Self::Watertight, Self::Published, Self::Fixed];
+
+    /// The word in the TOML file and on the command line.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Watertight => "watertight",
+            Self::Published => "published",
+            Self::Fixed => "fixed",
+        }
+    }
+}
+
+/// Which arithmetic traces the rays, and its widths.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct DatapathConfig {
+    /// How hits are found.
+    pub kind: DatapathKind,
+    /// `published`: a crossing lands 2^-nudge_bits texels behind its plane; 0 is no nudge.
+    pub nudge_bits: u32,
+    /// `fixed`: fraction bits of entry point, travel (tiles) and ray parameter.
+    pub fraction_bits: u32,
+    /// `fixed`: significant bits of the reciprocal of the travel.
+    pub reciprocal_bits: u32,
+}
+
+impl Default for DatapathConfig {
+    fn default() -> Self {
+        Self { kind: DatapathKind::Watertight, nudge_bits: 7, fraction_bits: 24, reciprocal_bits: 24 }
+    }
+}
+
+/// Whether a node is exchanged for the smallest one that holds the rest of the ray inside of it, before its height is read.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Trim {
+    /// Never.
+    #[default]
+    None,
+    /// After a descent.
+    Descent,
+    /// Always; a crossing returns to the untrimmed level where its plane allows.
+    Always,
+}
+
+impl Trim {
+    /// All.
+    pub const ALL: [Self; 3] = [Self::None, Self::Descent, Self::Always];
+}
+
 /// Independent choices of the traversal; only what is chosen is emitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields, default)]
@@ -33,11 +98,15 @@ pub struct ModeConfig {
     pub levels_down: u32,
     /// Level-up rule.
     pub level_up: LevelUp,
+    /// Chord trim.
+    pub trim: Trim,
+    /// The finest level is an input of each ray (PDM section 3.4).
+    pub lod: bool,
 }
 
 impl Default for ModeConfig {
     fn default() -> Self {
-        Self { start_level: true, levels_down: 2, level_up: LevelUp::Selective }
+        Self { start_level: true, levels_down: 2, level_up: LevelUp::Selective, trim: Trim::None, lod: false }
     }
 }
 
@@ -109,6 +178,8 @@ pub struct Design {
     pub mode: ModeConfig,
     /// Latencies.
     pub latency: LatencyConfig,
+    /// Arithmetic of the traversal.
+    pub datapath: DatapathConfig,
 }
 
 impl Default for Design {
@@ -118,6 +189,7 @@ impl Default for Design {
             traverse: TraverseConfig::default(),
             mode: ModeConfig::default(),
             latency: LatencyConfig::default(),
+            datapath: DatapathConfig::default(),
         }
     }
 }

@@ -87,7 +87,11 @@ const fn key(path: &'static str, about: &'static str, legal: Legal) -> Key {
 pub const SECTIONS: &[(&str, &str)] = &[
     ("format", "Number format of the datapath: 1 sign bit, exp exponent bits, man fraction bits."),
     ("traverse", "Sizes of the traverse unit; each is a Verilog parameter."),
-    ("mode", "Choices of the traversal. They change the number of steps, never the hit."),
+    ("datapath", "Which arithmetic traces the rays."),
+    (
+        "mode",
+        "Choices of the traversal. They change the number of steps, never the hit (of the published datapath: now and then).",
+    ),
     ("latency", "Clocks from operand to result of each kind of unit; the pipelines rebalance around them."),
     ("map", "The height map, and how it lies on the quad of 200 x 200 world units."),
     ("view", "The pictures whose pixels give the rays."),
@@ -115,6 +119,18 @@ pub const KEYS: &[Key] = &[
     key("traverse.frac_bits", "FRAC_W: fraction bits of the hit position inside its texel", Legal::Whole(1, 16)),
     key("traverse.tag_bits", "TAG_W: bits of a ray's tag", Legal::Whole(1, 32)),
     key("traverse.step_limit", "STEP_LIMIT: iterations after which a ray is given up", Legal::Whole(1, 65535)),
+    key(
+        "datapath.kind",
+        "plane parameters in floating point; moved positions as published; plane parameters in fixed point",
+        Legal::Word(&["watertight", "published", "fixed"]),
+    ),
+    key(
+        "datapath.nudge_bits",
+        "published: a crossing lands 2^-nudge_bits texels behind its plane; 0 is no nudge",
+        Legal::Whole(0, 16),
+    ),
+    key("datapath.fraction_bits", "fixed: fraction bits of entry point, travel and ray parameter", Legal::Whole(8, 28)),
+    key("datapath.reciprocal_bits", "fixed: significant bits of the travel's reciprocal", Legal::Whole(8, 32)),
     key("mode.start_level", "start at the lowest level whose node holds the whole ray, not at the root", Legal::Flag),
     key("mode.levels_down", "levels per descent until the first crossing", Legal::Whole(1, 4)),
     key(
@@ -122,6 +138,12 @@ pub const KEYS: &[Key] = &[
         "when a crossing goes one level up",
         Legal::Word(&["none", "tevs", "selective", "coherent", "always"]),
     ),
+    key(
+        "mode.trim",
+        "exchange a node for the smallest one that holds the ray's way through it, before its height is read",
+        Legal::Word(&["none", "descent", "always"]),
+    ),
+    key("mode.lod", "the finest level is an input of each ray", Legal::Flag),
     key("latency.add", "fp_add, in clocks", CLOCKS),
     key("latency.mul", "fp_mul, in clocks", CLOCKS),
     key("latency.div", "fp_div, in clocks", Legal::Whole(0, 32)),

@@ -12,7 +12,7 @@ pub(crate) mod lines;
 mod source;
 pub(crate) mod validate;
 
-pub use design::{Design, LatencyConfig, LevelUp, ModeConfig, TraverseConfig};
+pub use design::{DatapathConfig, DatapathKind, Design, LatencyConfig, LevelUp, ModeConfig, TraverseConfig, Trim};
 pub use input::{
     EmitConfig, FormatConfig, Generator, MapConfig, MapKind, NanRule, Rounding, Subnormals, VectorsConfig, View,
     ViewConfig,
@@ -28,6 +28,8 @@ pub struct Config {
     pub format: FormatConfig,
     /// Sizes of the traverse unit.
     pub traverse: TraverseConfig,
+    /// Arithmetic of the traversal.
+    pub datapath: DatapathConfig,
     /// Choices of the traversal.
     pub mode: ModeConfig,
     /// Clocks of each kind of unit.
@@ -45,7 +47,13 @@ pub struct Config {
 impl Config {
     /// What shapes the hardware; maps, views and vectors left out.
     pub fn design(&self) -> Design {
-        Design { format: self.format.float(), traverse: self.traverse, mode: self.mode, latency: self.latency }
+        Design {
+            format: self.format.float(),
+            traverse: self.traverse,
+            mode: self.mode,
+            latency: self.latency,
+            datapath: self.datapath,
+        }
     }
 
     /// Twelve hex digits that name this configuration: blake3 of its canonical JSON.

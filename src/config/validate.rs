@@ -1,6 +1,6 @@
 //! What must hold of a whole configuration.
 use super::keys::KEYS;
-use super::{Config, MapKind, check};
+use super::{Config, DatapathKind, MapKind, Trim, check};
 use crate::error::{Error, Result};
 
 impl Config {
@@ -13,6 +13,7 @@ impl Config {
         // A sum of numbers that are out of range themselves tells nothing new.
         if problems.is_empty() {
             self.width_problems(&mut problems);
+            self.published_problems(&mut problems);
             self.map_problems(&mut problems);
         }
         report(problems)
@@ -37,6 +38,9 @@ impl Config {
 
     /// The bounds that keep every intermediate result of the datapath inside its width (`docs/datapath.md`, Parameters).
     fn width_problems(&self, problems: &mut Vec<String>) {
+        if self.datapath.kind == DatapathKind::Fixed {
+            return self.fixed_problems(problems);
+        }
         let (exp, man) = (self.format.exp, self.format.man);
         let (levels, height, tiles) = (self.traverse.levels, self.traverse.height_bits, self.traverse.tile_bits);
         let bias = (1u32 << (exp - 1)) - 1;
@@ -55,10 +59,16 @@ impl Config {
                 "traverse.levels = {levels} and traverse.tile_bits = {tiles} make a texel coordinate of {index} bits: levels + tile_bits + 2 may be at most 24"
             ));
         }
-        if levels + tiles + 8 > bias {
+        if levels + tiles + 1 > bias {
             problems.push(format!(
-                "format.exp = {exp} is too small for traverse.levels = {levels} and traverse.tile_bits = {tiles}: levels + tile_bits + 8 = {} may be at most 2^(exp-1) - 1 = {bias}",
-                levels + tiles + 8
+                "format.exp = {exp} is too small for traverse.levels = {levels} and traverse.tile_bits = {tiles}: levels + tile_bits + 1 = {} may be at most 2^(exp-1) - 1 = {bias}",
+                levels + tiles + 1
+            ));
+        }
+        if man > bias + levels {
+            problems.push(format!(
+                "format.man = {man} is too large for format.exp = {exp} and traverse.levels = {levels}: at most 2^(exp-1) - 1 + levels = {} is legal",
+                bias + levels
             ));
         }
         if height + 2 > bias {
@@ -67,6 +77,41 @@ impl Config {
                 height + 2
             ));
         }
+    }
+
+    /// What the published datapath asks for besides (`docs/published.md`, Parameters).
+    fn published_problems(&self, problems: &mut Vec<String>) {
+        if self.datapath.kind != DatapathKind::Published {
+            return;
+        }
+        let (index, nudge, man) = (self.traverse.idx_bits(), self.datapath.nudge_bits, self.format.man);
+        if index + nudge + man > 60 {
+            problems.push(format!(
+                "datapath.nudge_bits = {nudge} is too large for a texel coordinate of {index} bits and format.man = {man}: levels + tile_bits + 2 + nudge_bits + man = {} may be at most 60",
+                index + nudge + man
+            ));
+        }
+        if self.mode.trim != Trim::None {
+            problems.push("mode.trim needs integer nodes: datapath.kind = \"published\" has no chord trim".to_owned());
+        }
+    }
+
+    /// As [`Config::width_problems`], of the fixed-point datapath (`docs/fixed.md`, Parameters).
+    fn fixed_problems(&self, problems: &mut Vec<String>) {
+        let (f, w) = (self.datapath.fraction_bits, self.datapath.reciprocal_bits);
+        let (levels, height, tiles) = (self.traverse.levels, self.traverse.height_bits, self.traverse.tile_bits);
+        let mut most = |what: &str, value: u32, why: &str, limit: u32| {
+            if value > limit {
+                problems.push(format!("{what} = {value} is too large: {why} may be at most {limit}"));
+            }
+        };
+        most("traverse.levels", levels, "with datapath.fraction_bits a texel's corner is exact, so it", f);
+        most("traverse.height_bits", height, "with datapath.fraction_bits a height code is exact, so it", f);
+        let index = self.traverse.idx_bits();
+        most("traverse.levels + traverse.tile_bits + 2", index, "a texel coordinate", 24);
+        most("datapath.fraction_bits + traverse.tile_bits", f + tiles, "a travel's magnitude", 32);
+        let product = f + tiles + w;
+        most("datapath.fraction_bits + traverse.tile_bits + datapath.reciprocal_bits", product, "their sum", 63);
     }
 
     fn map_problems(&self, problems: &mut Vec<String>) {

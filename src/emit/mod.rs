@@ -5,7 +5,7 @@ mod manifest;
 
 pub use manifest::manifest;
 
-use crate::config::Config;
+use crate::config::{Config, DatapathKind};
 use crate::error::{Error, Result};
 use crate::ir::Module;
 use crate::verilog::{Style, print_module};
@@ -39,10 +39,20 @@ pub fn modules(tops: &[Arc<Module>]) -> Result<Vec<Arc<Module>>> {
 /// The line of each banner that names the configuration.
 pub fn config_line(c: &Config) -> String {
     let (t, m, l) = (&c.traverse, &c.mode, &c.latency);
+    let numbers = match c.datapath.kind {
+        DatapathKind::Fixed => {
+            format!("fixed point {}, reciprocal {}", c.datapath.fraction_bits, c.datapath.reciprocal_bits)
+        }
+        DatapathKind::Watertight | DatapathKind::Published => format!("float {}", c.format.float()),
+    };
     let start = if m.start_level { "start level" } else { "from the root" };
+    let path = match c.datapath.kind {
+        DatapathKind::Watertight => "",
+        DatapathKind::Published => "published datapath, ",
+        DatapathKind::Fixed => "fixed datapath, ",
+    };
     format!(
-        "float {}, levels {}, heights {} bits, {start}, {} down, up {}; clocks add {} mul {} div {} compare {} from_int {} to_int {}",
-        c.format.float(),
+        "{path}{numbers}, levels {}, heights {} bits, {start}, {} down, up {}; clocks add {} mul {} div {} compare {} from_int {} to_int {}",
         t.levels,
         t.height_bits,
         m.levels_down,

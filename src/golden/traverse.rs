@@ -43,10 +43,11 @@ impl Golden {
             && h <= fmt.man + 1
             && (1..=8).contains(&tile)
             && size.idx_bits() <= 24
-            && n + tile + 8 <= bias
+            // The plane behind the farthest texel is a finite number.
+            && n + tile < bias
             && h + 2 <= bias
             // The position estimate is biased by 2^(n + 1 - man) at least, which must stand clear of underflow.
-            && fmt.man < bias
+            && fmt.man <= bias + n
             && (1..=16).contains(&size.frac_bits)
             && (1..=4).contains(&design.mode.levels_down)
             && (1..=65535).contains(&size.step_limit);

@@ -31,8 +31,8 @@ pub struct StreamRun {
     pub busy: u64,
 }
 
-/// Clocks without any result after which outstanding items count as lost.
-const PATIENCE: u64 = 400_000;
+/// Clocks without any result after which outstanding items count as lost: more than the longest path, 65535 iterations, takes.
+const PATIENCE: u64 = 65_600;
 
 /// A stream design: ports `in_valid`, `in_ready`, `in_tag`, `out_valid`, `out_ready`, `out_tag`, `slot_busy`, `rst`.
 pub struct Stream {
@@ -154,7 +154,7 @@ impl Stream {
                     quiet = 0;
                 }
             }
-            if quiet > PATIENCE {
+            if quiet > PATIENCE * self.warm_up.max(4) {
                 let lost = lane.iter().flat_map(|s| s.tags.iter().flatten()).min().copied().unwrap_or(0);
                 return Err(Error::Dropped(format!(
                     "ray {lost} went in and never came out ({left} of {} missing)",

@@ -3,10 +3,10 @@ use crate::bench::{Simulator, run_bench};
 use crate::catalogue::{CheckReport, check_interp, compare, fits, units};
 use crate::config::{Config, Design};
 use crate::error::{Error, Result};
-use crate::golden::RayInput;
-use crate::interp::{Stream, Traffic};
+use crate::golden::{Pyramid, RayInput, address};
+use crate::interp::{Stream, Traffic, Wave, elaborate};
 use crate::ir::{Binding, Module};
-use crate::trace::{INPUTS, OUTPUTS, Pipeline, diagnose_image};
+use crate::trace::{INPUTS, OUTPUTS, Pipeline, diagnose, record_mismatch, record_ray, record_rows};
 use crate::units::traversal::traverse;
 use crate::vectors::{VectorSet, read_set, set_files};
 use rayon::prelude::*;
@@ -57,7 +57,7 @@ impl Canary {
 }
 
 /// Checks the tree at `dir` (as `build` writes it): all units, or `only` one. `sim` is a simulator, or the interpreter.
-/// `seen` is called after each unit.
+/// `wave` is where the clocks around the first mismatch are recorded. `seen` is called after each unit.
 ///
 /// # Errors
 /// The first unit that fails, by order of the units.
@@ -67,6 +67,7 @@ pub fn check_tree(
     sim: Option<Simulator>,
     only: Option<&str>,
     canary: Option<Canary>,
+    wave: Option<&Path>,
     seen: &(dyn Fn(&Checked) + Sync),
 ) -> Result<Vec<Checked>> {
     let d = c.design();
@@ -87,7 +88,62 @@ pub fn check_tree(
         r
     };
     let all: Vec<Result<Checked>> = list.par_iter().map(one).collect();
+    let failed = all.iter().position(|r| matches!(r, Err(Error::Mismatch(_))));
+    if let Some((m, path)) = failed.map(|k| &list[k]).zip(wave) {
+        mismatch_wave(&d, dir, m, canary)?.save(path, &m.name)?;
+    }
     all.into_iter().collect()
+}
+
+/// Clocks around the first mismatch of a unit, from power-up.
+fn mismatch_wave(d: &Design, dir: &Path, m: &Arc<Module>, canary: Option<Canary>) -> Result<Wave> {
+    const MARGIN: usize = 8;
+    let place = dir.join("golden").join(&m.name);
+    let mut set = read_set(&place)?.0;
+    if let Some(canary) = canary {
+        canary.spoil(&mut set);
+    }
+    let nothing = || Error::NothingRan(format!("{}: the mismatch did not come again", m.name));
+    if let Some(latency) = m.latency {
+        let first = check_interp(m, &set)?.first.ok_or_else(nothing)?;
+        let net = elaborate(m, &set.params)?;
+        let ports: Vec<&str> = set.inputs.iter().map(|c| c.name.as_str()).collect();
+        return Ok(record_rows(&net, latency as usize, &ports, &set.stimulus, first.vector, MARGIN));
+    }
+    let (p, image) = (Pipeline::new(d, &Binding::new())?, memory(&place)?);
+    let stream = Stream::new(&p.net, &INPUTS, &OUTPUTS, u64::from(p.depth));
+    let run = stream.run(&set.stimulus, &Arc::new(image.clone()), 1, Traffic::default())?;
+    let first = compare(&set, "interp", &run.results)?.first.ok_or_else(nothing)?;
+    let ray = ray_of(&set.stimulus[first.vector]);
+    let pyramid = pyramid_of(d, &image)?;
+    match record_mismatch(d, &pyramid, &ray, MARGIN, MARGIN)? {
+        Some((_, wave)) => Ok(wave),
+        // The pipeline is right and the expected row is not: the clocks in which the hit comes out.
+        None => Ok(record_ray(&p, d, &pyramid, &ray, Wave::new(&p.net).window(MARGIN), None)?.1),
+    }
+}
+
+/// The pyramid of a memory image.
+fn pyramid_of(d: &Design, image: &[u64]) -> Result<Pyramid> {
+    let n = d.traverse.levels;
+    let side = 1u32 << n;
+    let texel = |k: u32| image[address(n, 0, k % side, k / side)] as u32;
+    Pyramid::build(n, d.traverse.height_bits, &(0..side * side).map(texel).collect::<Vec<u32>>())
+}
+
+/// The words of a ray.
+fn ray_of(row: &[u64]) -> RayInput {
+    RayInput { u: row[0], v: row[1], du: row[2], dv: row[3] }
+}
+
+/// The words of a pyramid's image.
+fn memory(place: &Path) -> Result<Vec<u64>> {
+    let path = place.join("memory.hex");
+    let text = std::fs::read_to_string(&path).map_err(|e| Error::file("read", &path, e))?;
+    let bad = || Error::input(format!("{} is not a pyramid image", path.display()));
+    let words = text.lines().map(|l| l.split("//").next().unwrap_or("").trim()).filter(|l| !l.is_empty());
+    let words = words.map(|w| u64::from_str_radix(w, 16).map_err(|_| bad())).collect::<Result<Vec<u64>>>()?;
+    Ok(words.get(1..).ok_or_else(bad)?.to_vec())
 }
 
 fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary: Option<Canary>) -> Result<Checked> {
@@ -140,17 +196,12 @@ fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary:
 
 /// The traverse unit in the interpreter.
 fn rays(d: &Design, place: &Path, m: &Module, set: &VectorSet) -> Result<Checked> {
-    let path = place.join("memory.hex");
-    let text = std::fs::read_to_string(&path).map_err(|e| Error::file("read", &path, e))?;
-    let bad = || Error::input(format!("{} is not a pyramid image", path.display()));
-    let words = text.lines().map(|l| l.split("//").next().unwrap_or("").trim()).filter(|l| !l.is_empty());
-    let words = words.map(|w| u64::from_str_radix(w, 16).map_err(|_| bad())).collect::<Result<Vec<u64>>>()?;
-    let image = Arc::new(words.get(1..).ok_or_else(bad)?.to_vec());
+    let image = Arc::new(memory(place)?);
     let p = Pipeline::new(d, &Binding::new())?;
     if image.len() != p.net.mems[0].depth {
         return Err(Error::input(format!(
-            "{} has {} words, the pyramid has {}",
-            path.display(),
+            "{}/memory.hex has {} words, the pyramid has {}",
+            place.display(),
             image.len(),
             p.net.mems[0].depth
         )));
@@ -159,9 +210,7 @@ fn rays(d: &Design, place: &Path, m: &Module, set: &VectorSet) -> Result<Checked
     let run = stream.run(&set.stimulus, &image, 1, Traffic::default())?;
     let r: CheckReport = compare(set, "interp", &run.results)?;
     if let Some(x) = &r.first {
-        let s = &set.stimulus[x.vector];
-        let ray = RayInput { u: s[0], v: s[1], du: s[2], dv: s[3] };
-        let told = match diagnose_image(d, &image, &ray)? {
+        let told = match diagnose(d, &pyramid_of(d, &image)?, &ray_of(&set.stimulus[x.vector]))? {
             Some(divergence) => divergence.to_string(),
             None => {
                 "interpreter and golden model agree in every iteration of this ray: the expected row is what differs"

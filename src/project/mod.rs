@@ -11,6 +11,7 @@ use crate::config::Config;
 use crate::emit::{self, Files};
 use crate::error::Result;
 use crate::ir::{Binding, Module};
+use crate::proofs::proof_files;
 use crate::units::all;
 use crate::units::traversal::{Traverse, traverse};
 use crate::vectors::{Plan, set_files};
@@ -69,6 +70,9 @@ pub fn project(c: &Config, scene: &Scene) -> Result<Project> {
     let d = c.design();
     let depth = p.traverse.setup + p.traverse.slots + p.traverse.finish;
     p.files.extend(bench_files(&units(&d), &p.traverse.module, depth, &c.emit.prefix));
+    let names: Vec<String> = p.files.keys().filter_map(|f| f.strip_prefix("rtl/")).map(str::to_string).collect();
+    let names: Vec<String> = names.into_iter().filter(|f| f.ends_with(".v")).collect();
+    p.files.extend(proof_files(&d, &all(&d), &p.traverse, &c.emit.prefix, &names));
     p.files.extend(vectors(c, scene)?);
     Ok(p)
 }

@@ -1,7 +1,7 @@
 //! The scene of a configuration: height codes, pyramid, and the rays of its views.
 use crate::config::{Config, MapKind, View};
 use crate::error::{Error, Result};
-use crate::golden::{Pyramid, RayInput};
+use crate::golden::{Pyramid, RayInput, encode_ray};
 use crate::scene::{Camera, ViewRay, load, procedural, to_codes};
 use std::path::Path;
 
@@ -57,12 +57,7 @@ pub fn encode(c: &Config, r: &ViewRay) -> RayInput {
     ray(c, [r.u, r.v, r.du, r.dv])
 }
 
-/// A ray (u, v, du, dv, in tiles) in the configured format. The map repeats, so the entry point is wrapped into \[0, 1),
-/// also where it rounds up to 1.
-pub fn ray(c: &Config, [u, v, du, dv]: [f64; 4]) -> RayInput {
-    let f = c.format.float();
-    let one = (f.bias() as u64) << f.man;
-    let wrap = |x: u64| if x == one { 0 } else { x };
-    let r = RayInput::from_f64(f, u.rem_euclid(1.0), v.rem_euclid(1.0), du, dv);
-    RayInput { u: wrap(r.u), v: wrap(r.v), ..r }
+/// A ray (u, v, du, dv, in tiles) in the configured format, its entry point wrapped into \[0, 1).
+pub fn ray(c: &Config, ray: [f64; 4]) -> RayInput {
+    encode_ray(&c.design(), ray)
 }

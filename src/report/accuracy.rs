@@ -1,8 +1,7 @@
 //! Hits against the exact texel walk: wrong texels with their witnesses, and the largest error of the parameter.
-use crate::config::Design;
-use crate::error::Result;
-use crate::golden::float::to_f64;
-use crate::golden::{RayHit, RayInput};
+use crate::config::{DatapathKind, Design};
+use crate::error::{Error, Result};
+use crate::golden::{RayHit, RayInput, decode_time, decode_travel};
 use crate::oracle::{ExactMap, ExactRay};
 use rayon::prelude::*;
 
@@ -15,7 +14,7 @@ pub struct WrongTexel {
     pub got: (u32, u32),
     /// What the exact walk returns.
     pub exact: (u32, u32),
-    /// Smallest difference of compared parameters in the exact walk, over M: how close the decision was.
+    /// The smallest change of compared parameters that leads the exact walk to another texel, over M: how close the decision was.
     pub margin: f64,
 }
 
@@ -34,6 +33,18 @@ pub struct Accuracy {
     pub worst_t: (f64, usize),
 }
 
+/// The exact values of a ray's words.
+///
+/// # Errors
+/// Words that are not numbers.
+pub fn exact_ray(d: &Design, r: &RayInput) -> Result<ExactRay> {
+    let (p, t) = ([r.u, r.v], [r.du, r.dv]);
+    if d.datapath.kind == DatapathKind::Fixed {
+        return Ok(ExactRay::fixed(d.datapath.fraction_bits, p, t.map(|word| decode_travel(d, word))));
+    }
+    ExactRay::float(d.format, p, t).ok_or_else(|| Error::input("an exact ray is made of finite numbers"))
+}
+
 /// Compares `hits` with the exact walk of the same encoded rays over `texels`.
 ///
 /// # Errors
@@ -45,13 +56,7 @@ pub fn accuracy(d: &Design, texels: &[u32], rays: &[RayInput], hits: &[RayHit]) 
     let exact: Vec<_> = rays
         .par_iter()
         .zip(hits)
-        .map(|(r, h)| {
-            if h.limit {
-                Ok(None)
-            } else {
-                map.trace(&ExactRay { format: d.format, p: [r.u, r.v], d: [r.du, r.dv] }).map(Some)
-            }
-        })
+        .map(|(r, h)| if h.limit { Ok(None) } else { map.trace(&exact_ray(d, r)?).map(Some) })
         .collect::<Result<_>>()?;
     let mut a = Accuracy { rays: rays.len(), ..Accuracy::default() };
     for (ray, (h, e)) in hits.iter().zip(&exact).enumerate() {
@@ -64,7 +69,7 @@ pub fn accuracy(d: &Design, texels: &[u32], rays: &[RayInput], hits: &[RayHit]) 
             continue;
         }
         a.wrong_wall += usize::from(h.wall != e.wall);
-        let error = (to_f64(d.format, h.t) - e.t_f64).abs() / full;
+        let error = (decode_time(d, h.t) - e.t_f64).abs() / full;
         if error > a.worst_t.0 {
             a.worst_t = (error, ray);
         }

@@ -1,6 +1,12 @@
 //! Figures: steps, error against the exact oracle, speed of the engines. Each with its count and its worst case.
 mod accuracy;
+mod cost;
+mod fit;
+pub mod hard;
+pub mod page;
 mod steps;
 
-pub use accuracy::{Accuracy, WrongTexel, accuracy};
+pub use accuracy::{Accuracy, WrongTexel, accuracy, exact_ray};
+pub use cost::Cost;
+pub use fit::{Budget, Fit, Limits, Rejected, Trial, Truth, fit};
 pub use steps::{PUBLISHED, Published, ROWS, Steps, steps};

@@ -1,5 +1,5 @@
 //! Iterations per ray, beside the published table (PIDM-HW table 4).
-use crate::config::{LevelUp, ModeConfig};
+use crate::config::{LevelUp, ModeConfig, Trim};
 use crate::golden::RayHit;
 
 /// Mean and largest number of iterations.
@@ -37,7 +37,7 @@ pub fn steps(hits: &[RayHit]) -> Steps {
 }
 
 const fn mode(start_level: bool, levels_down: u32, level_up: LevelUp) -> ModeConfig {
-    ModeConfig { start_level, levels_down, level_up }
+    ModeConfig { start_level, levels_down, level_up, trim: Trim::None, lod: false }
 }
 
 /// Rows of the published table: name and modes.

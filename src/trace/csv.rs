@@ -1,7 +1,6 @@
 //! The table of hits: identical bytes whatever engine traced the rays.
 use crate::config::Design;
-use crate::golden::RayHit;
-use crate::golden::float::to_f64;
+use crate::golden::{RayHit, decode_time};
 use std::fmt::Write;
 
 /// Columns of the table.
@@ -17,7 +16,7 @@ pub fn hits_csv(design: &Design, hits: &[RayHit]) -> String {
     let full = f64::from((1u32 << t.height_bits) - 1);
     let mut out = format!("{HEADER}\n");
     for (k, h) in hits.iter().enumerate() {
-        let (u, v, s) = (unit(h.i, h.fu), unit(h.j, h.fv), to_f64(design.format, h.t) / full);
+        let (u, v, s) = (unit(h.i, h.fu), unit(h.j, h.fv), decode_time(design, h.t) / full);
         let flags = (u8::from(h.wall), u8::from(h.limit));
         writeln!(out, "{k},{},{},{u},{v},{s},{},{},{},{},{}", h.i, h.j, h.steps, h.crossings, h.ups, flags.0, flags.1)
             .expect("writing to a string can't fail");

@@ -1,10 +1,10 @@
 //! Where a ray goes wrong: the pipeline's signals beside the golden model's, iteration by iteration.
 use super::interp::Pipeline;
-use crate::config::Design;
+use crate::config::{DatapathKind, Design};
 use crate::error::Result;
 use crate::format::FloatFormat;
 use crate::golden::float::to_f64;
-use crate::golden::{Golden, Iteration, Pyramid, RayInput};
+use crate::golden::{Iteration, Pyramid, RayInput, Tracer, decode_time};
 use crate::interp::{Lanes, Netlist, Slot};
 use crate::ir::Binding;
 use std::sync::Arc;
@@ -37,57 +37,73 @@ impl std::fmt::Display for Divergence {
 #[derive(Clone, Copy)]
 enum Shown {
     Integer,
-    Float,
+    Time,
 }
 
 /// Signals that are compared, in the order in which they are computed, with the model's value.
 type Probe = (&'static str, Shown, fn(&Iteration) -> u64);
-const PROBES: [Probe; 12] = [
+const WATERTIGHT: [Probe; 12] = [
     ("level", Shown::Integer, |i| u64::from(i.level)),
     ("x", Shown::Integer, |i| i.x as u64),
     ("y", Shown::Integer, |i| i.y as u64),
-    ("t", Shown::Float, |i| i.t),
+    ("t", Shown::Time, |i| i.t),
     ("x_plane", Shown::Integer, |i| i.b_x as u64),
     ("y_plane", Shown::Integer, |i| i.b_y as u64),
     ("height", Shown::Integer, |i| u64::from(i.height)),
-    ("m", Shown::Float, |i| i.m),
-    ("t_x", Shown::Float, |i| i.t_x),
-    ("t_y", Shown::Float, |i| i.t_y),
+    ("m", Shown::Time, |i| i.m),
+    ("t_x", Shown::Time, |i| i.t_x),
+    ("t_y", Shown::Time, |i| i.t_y),
     ("x_hit", Shown::Integer, |i| i.e_x as u64),
     ("y_hit", Shown::Integer, |i| i.e_y as u64),
 ];
-
-/// As [`diagnose`], over a memory image (level 0 first, in Morton order).
-///
-/// # Errors
-/// Illegal parameters, or an image whose upper levels are not the maxima of the lower ones.
-pub fn diagnose_image(design: &Design, image: &[u64], ray: &RayInput) -> Result<Option<Divergence>> {
-    let n = design.traverse.levels;
-    let side = 1u32 << n;
-    let texel = |k: u32| image[crate::golden::address(n, 0, k % side, k / side)] as u32;
-    let texels: Vec<u32> = (0..side * side).map(texel).collect();
-    diagnose(design, &Pyramid::build(n, design.traverse.height_bits, &texels)?, ray)
-}
+const PUBLISHED: [Probe; 14] = [
+    ("level", Shown::Integer, |i| u64::from(i.level)),
+    ("x", Shown::Integer, |i| i.x as u64),
+    ("y", Shown::Integer, |i| i.y as u64),
+    ("t", Shown::Time, |i| i.t),
+    ("x_plane", Shown::Integer, |i| i.b_x as u64),
+    ("y_plane", Shown::Integer, |i| i.b_y as u64),
+    ("height", Shown::Integer, |i| u64::from(i.height)),
+    ("m", Shown::Time, |i| i.m),
+    ("t_x", Shown::Time, |i| i.t_x),
+    ("t_y", Shown::Time, |i| i.t_y),
+    ("level_next", Shown::Integer, |i| u64::from(i.next_level)),
+    ("t_after", Shown::Time, |i| i.next_t),
+    ("x_next", Shown::Integer, |i| i.next_x as u64),
+    ("y_next", Shown::Integer, |i| i.next_y as u64),
+];
 
 /// Traces one ray in both and returns the first difference; `None` if pipeline and model agree all the way.
 ///
 /// # Errors
 /// Illegal parameters.
 pub fn diagnose(design: &Design, pyramid: &Pyramid, ray: &RayInput) -> Result<Option<Divergence>> {
+    diagnose_in(&Pipeline::new(design, &Binding::new())?, design, pyramid, ray)
+}
+
+/// As [`diagnose`], in a pipeline that is there already.
+///
+/// # Errors
+/// Illegal parameters.
+pub fn diagnose_in(p: &Pipeline, design: &Design, pyramid: &Pyramid, ray: &RayInput) -> Result<Option<Divergence>> {
     let mut iterations = Vec::new();
-    Golden::new(design)?.trace_with(pyramid, ray, |i| iterations.push(*i));
-    let p = Pipeline::new(design, &Binding::new())?;
-    let probes: Vec<(u32, String, Slot)> = PROBES.iter().map(|(name, ..)| find(&p.net, name)).collect();
-    let clocks = p.depth as usize + iterations.len() * p.slots as usize + 2;
+    Tracer::new(design)?.trace_with(pyramid, ray, |i| iterations.push(*i));
+    let published = design.datapath.kind == DatapathKind::Published;
+    let signals: &[Probe] = if published { &PUBLISHED } else { &WATERTIGHT };
+    let probes: Vec<(u32, String, Slot)> = signals.iter().map(|(name, ..)| find(&p.net, name)).collect();
+    // The trip that finds the start level comes first, and is no iteration.
+    let trips = usize::from(published && design.mode.start_level);
+    let clocks = p.depth as usize + (iterations.len() + trips) * p.slots as usize + 2;
     let (log, start) = record(&p.net, pyramid, ray, clocks, &probes);
+    let start = start + trips * p.slots as usize;
     for (n, it) in iterations.iter().enumerate() {
-        for ((name, shown, model), (k, (stage, net, slot))) in PROBES.iter().zip(probes.iter().enumerate()) {
+        for ((name, shown, model), (k, (stage, net, slot))) in signals.iter().zip(probes.iter().enumerate()) {
             let width = p.net.widths[*slot as usize];
             let want = model(it) & crate::bits::mask(width);
             let at = start + n * p.slots as usize + *stage as usize;
             let got = log.get(at).map_or(u64::MAX, |row| row[k]);
             if want != got {
-                let show = |v: u64| display(design.format, *shown, v, width);
+                let show = |v: u64| display(design, *shown, v, width);
                 debug_assert!(net.ends_with(name));
                 let (expected, got) = (show(want), show(got));
                 let (clock, signal) = (at as u64 + 1, net.clone());
@@ -138,10 +154,11 @@ fn record(
     (log, start.unwrap_or(0))
 }
 
-fn display(format: FloatFormat, shown: Shown, v: u64, width: u32) -> String {
-    match shown {
-        Shown::Integer => format!("{} (hex {v:x})", crate::bits::signed(v, width)),
-        Shown::Float => decode(format, v),
+fn display(design: &Design, shown: Shown, v: u64, width: u32) -> String {
+    match (shown, design.datapath.kind) {
+        (Shown::Integer, _) => format!("{} (hex {v:x})", crate::bits::signed(v, width)),
+        (Shown::Time, DatapathKind::Fixed) => format!("hex {v:x} ({} height codes)", decode_time(design, v)),
+        (Shown::Time, DatapathKind::Watertight | DatapathKind::Published) => decode(design.format, v),
     }
 }
 

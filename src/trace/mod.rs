@@ -5,13 +5,13 @@ mod interp;
 mod wave;
 
 pub use csv::{HEADER, hits_csv};
-pub use diagnose::{Divergence, decode, diagnose, diagnose_image};
+pub use diagnose::{Divergence, decode, diagnose, diagnose_in};
 pub use interp::{INPUTS, OUTPUTS, Pipeline, hit, trace_interp};
-pub use wave::{Window, record, record_mismatch, record_ray};
+pub use wave::{Window, record, record_mismatch, record_ray, record_rows};
 
 use crate::config::Design;
 use crate::error::Result;
-use crate::golden::{Golden, Pyramid, RayHit, RayInput};
+use crate::golden::{Pyramid, RayHit, RayInput, Tracer};
 use rayon::prelude::*;
 
 /// Traces rays with the golden model, on all threads; hits come in the order of the rays.
@@ -19,6 +19,6 @@ use rayon::prelude::*;
 /// # Errors
 /// If the design is not a legal one.
 pub fn trace_golden(design: &Design, pyramid: &Pyramid, rays: &[RayInput]) -> Result<Vec<RayHit>> {
-    let golden = Golden::new(design)?;
+    let golden = Tracer::new(design)?;
     Ok(rays.par_iter().map(|r| golden.trace(pyramid, r)).collect())
 }

@@ -83,6 +83,35 @@ pub fn record_ray(
     Err(Error::Dropped(format!("{limit} clocks were not enough for the ray")))
 }
 
+/// Replays `rows` (words of the inputs named in `ports`) in a unit of fixed latency, a row a clock from power-up, and records the clocks
+/// around the one in which row `at` comes out: as many as the unit has stages, and `margin` on both sides.
+pub fn record_rows(net: &Netlist, latency: usize, ports: &[&str], rows: &[Vec<u64>], at: usize, margin: usize) -> Wave {
+    let mut wave = Wave::new(net).window(latency + margin + 1);
+    let mut sim = Tracked::new(net);
+    if let Some(ce) = net.inputs.iter().find(|p| p.name == "ce") {
+        sim.set(ce.slot, 1);
+    }
+    let slots: Vec<_> = ports.iter().map(|n| net.input(n)).collect();
+    // Rows long before have left the pipeline.
+    let first = at.saturating_sub(latency + margin + 1);
+    for clock in 0.. {
+        let row = rows.get(first + clock);
+        for (k, s) in slots.iter().enumerate() {
+            sim.set_bits(*s, row.map_or((0, mask(net.widths[*s as usize])), |r| (r[k], 0)));
+        }
+        sim.eval();
+        wave.sample(&sim);
+        if clock == at - first + latency {
+            wave.trigger(margin);
+        }
+        if wave.is_complete() {
+            break;
+        }
+        sim.clock();
+    }
+    wave
+}
+
 /// The hit that stands at the output.
 fn result(net: &Netlist, sim: &Tracked<'_>, clock: u64) -> Result<Option<RayHit>> {
     if clock == 0 {

@@ -1,6 +1,7 @@
 //! The golden traversal: every mode finds the same texel, and it is the texel that exact arithmetic finds.
 //!
 //! `RELIEFRTL_RAYS` sets the rays per map; `RELIEFRTL_SEED` their seed.
+mod fixed;
 mod scenes;
 
 use reliefrtl::config::{Design, LevelUp, ModeConfig, TraverseConfig};
@@ -14,7 +15,12 @@ fn modes() -> Vec<ModeConfig> {
     let mut all = Vec::new();
     for start_level in [false, true] {
         for levels_down in 1..=4 {
-            all.extend(LevelUp::ALL.map(|level_up| ModeConfig { start_level, levels_down, level_up }));
+            all.extend(LevelUp::ALL.map(|level_up| ModeConfig {
+                start_level,
+                levels_down,
+                level_up,
+                ..ModeConfig::default()
+            }));
         }
     }
     all
@@ -99,10 +105,17 @@ fn every_mode_returns_the_same_hit_in_other_formats() {
     all_modes_agree(&formats, &[2, 5], &[2, 8], &[1, 2], env("RELIEFRTL_RAYS", 27));
 }
 
+/// The least exponent range at which a map of 256 texels is legal: small travels underflow, their reciprocals overflow.
+#[test]
+fn every_mode_returns_the_same_hit_at_the_edge_of_the_exponents() {
+    let formats = [FloatFormat::new(5, 7), FloatFormat::new(5, 16), FloatFormat::new(5, 23)];
+    all_modes_agree(&formats, &[8, 10], &[2, 8], &[4], env("RELIEFRTL_RAYS", 27));
+}
+
 /// The exact answer to a ray.
 fn exact(d: &Design, texels: &[u32], ray: &RayInput) -> reliefrtl::oracle::ExactHit {
     let map = ExactMap { levels: d.traverse.levels, height_bits: d.traverse.height_bits, texels };
-    map.trace(&ExactRay { format: d.format, p: [ray.u, ray.v], d: [ray.du, ray.dv] }).unwrap()
+    map.trace(&ExactRay::float(d.format, [ray.u, ray.v], [ray.du, ray.dv]).unwrap()).unwrap()
 }
 
 #[test]

@@ -275,6 +275,10 @@ module tb_traverse #(
           end
         end
         if (accepted || !in_valid) begin
+{%- if lingers %}
+          // A ray that goes round until its limit keeps its tag; the others go on.
+          for (k = 0; k < Tags && tag_used[next_tag]; k = k + 1) next_tag = next_tag + 1'b1;
+{%- endif %}
           if (stim_left > 0 && !tag_used[next_tag] && !(gaps && lfsr[9])) begin
 {%- for p in inputs %}
             got = $fscanf(stim_fd, "%h", word);

@@ -1,6 +1,6 @@
 //! `level_decision`: hit, descend or cross; the node, level and parameter of the next iteration (PIDM-HW section 4.2).
 use super::params::{LevelParams, bindings, index_width};
-use crate::config::Design;
+use crate::config::{DatapathKind, Design};
 use crate::ir::{Builder, Module};
 use crate::units::float::FormatParams;
 use std::sync::Arc;
@@ -9,7 +9,12 @@ use std::sync::Arc;
 pub fn level_decision(d: &Design) -> Arc<Module> {
     let t = &d.traverse;
     let b = Builder::new("level_decision", file!(), "hit, descend or cross: the next node, level and parameter");
-    let f = FormatParams::declare(&b, d.format);
+    let (time_w, time_unit) = match d.datapath.kind {
+        DatapathKind::Fixed => super::fixed::time(&b, d),
+        DatapathKind::Watertight | DatapathKind::Published => {
+            (FormatParams::declare(&b, d.format).width, "float, height codes")
+        }
+    };
     let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
     let idx = index_width(&b, t, Some(&levels));
     let inside = b.input("is_inside", 1, "bit", "the node's height is met before the ray leaves");
@@ -17,8 +22,8 @@ pub fn level_decision(d: &Design) -> Arc<Module> {
     let up = b.input("up", 1, "bit", "a crossing goes one level up");
     let level = b.input("level", &level_w, "levels", "level of this node");
     let level_down = b.input("level_down", &level_w, "levels", "level of a descent");
-    let m = b.input("m", &f.width, "float, height codes", "parameter of a hit or a descent");
-    let t_next = b.input("t_next", &f.width, "float, height codes", "parameter of a crossing");
+    let m = b.input("m", &time_w, time_unit, "parameter of a hit or a descent");
+    let t_next = b.input("t_next", &time_w, time_unit, "parameter of a crossing");
     let mut axes = Vec::new();
     for axis in ["x", "y"] {
         let at = b.input(&format!("{axis}_at"), &idx, "texels", "a texel of this node");
@@ -31,7 +36,7 @@ pub fn level_decision(d: &Design) -> Arc<Module> {
     let o_level = b.output("level_next", &level_w, "levels", "level of the next iteration");
     let o_x = b.output("x_next", &idx, "texels", "texel of the next node");
     let o_y = b.output("y_next", &idx, "texels", "texel of the next node");
-    let o_t = b.output("t_out", &f.width, "float, height codes", "parameter of the next iteration, or of the hit");
+    let o_t = b.output("t_out", &time_w, time_unit, "parameter of the next iteration, or of the hit");
 
     let hit = (inside & level.none()).named("is_hit");
     let risen = (level + up.zext(&level_w)).named("risen");
@@ -46,6 +51,8 @@ pub fn level_decision(d: &Design) -> Arc<Module> {
     b.drive(o_y, y, None);
     b.drive(o_t, inside.mux(m, t_next), None);
     let mut at = bindings();
-    at.extend(crate::units::float::bindings());
+    if d.datapath.kind != DatapathKind::Fixed {
+        at.extend(crate::units::float::bindings());
+    }
     b.finish(Some(0), &at)
 }

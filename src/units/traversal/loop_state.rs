@@ -1,18 +1,21 @@
 //! What a ray carries round the loop.
+use super::datapath::Datapath;
 use crate::config::{Design, LevelUp};
 use crate::ir::{Builder, Expr, Sig};
 use crate::units::float::FormatParams;
 
 /// Parameters of `traverse`.
 pub struct Sizes {
-    /// Number format.
-    pub f: FormatParams,
+    /// Widths of the datapath's numbers.
+    pub numbers: Numbers,
     /// LEVELS.
     pub levels: Expr,
     /// Bits of a level number.
     pub level_w: Expr,
     /// HEIGHT_W.
     pub height: Expr,
+    /// TILE_W.
+    pub tile: Expr,
     /// FRAC_W.
     pub frac: Expr,
     /// TAG_W.
@@ -23,11 +26,24 @@ pub struct Sizes {
     pub idx: Expr,
 }
 
+/// What the words at the ports of `traverse` are.
+pub struct Numbers {
+    /// Width and unit of an entry point, in tiles.
+    pub entry: (Expr, &'static str),
+    /// Width and unit of a travel, in tiles.
+    pub travel: (Expr, &'static str),
+    /// Width and unit of the ray parameter.
+    pub time: (Expr, &'static str),
+    /// The number format, where the numbers are floating-point ones.
+    pub float: Option<FormatParams>,
+}
+
 impl Sizes {
     /// Declares them, with what they may be.
-    pub fn declare(b: &Builder, d: &Design) -> Self {
+    pub fn declare(b: &Builder, d: &Design, path: &Datapath) -> Self {
         let t = &d.traverse;
-        let f = FormatParams::declare(b, d.format);
+        // The format's parameters come first.
+        let declared = (path.declare)(b, d);
         let levels = b.param("LEVELS", t.levels, "the map has 2^LEVELS x 2^LEVELS texels");
         let height = b.param("HEIGHT_W", t.height_bits, "bits of a height code");
         let tile = b.param("TILE_W", t.tile_bits, "a ray travels less than 2^TILE_W tiles along each axis");
@@ -36,167 +52,137 @@ impl Sizes {
         let step_limit = b.param("STEP_LIMIT", t.step_limit, "iterations after which a ray is given up");
         b.require(2, &levels);
         b.require(&levels, 12);
-        super::params::ray_conditions(b, &f, &levels, &height, &tile);
+        let numbers = (path.numbers)(b, declared, &levels, &height, &tile);
         b.require(1, &frac);
         b.require(1, &tag);
         b.require(1, &step_limit);
         b.require(&step_limit, 65535);
         let level_w = b.local("LevelW", (&levels + 1).clog2());
         let idx = b.local("IdxW", &levels + &tile + 2);
-        Self { f, levels, level_w, height, frac, tag, step_limit, idx }
+        Self { numbers, levels, level_w, height, tile, frac, tag, step_limit, idx }
     }
 }
 
-macro_rules! ray {
-    ($($(#[$doc:meta])* $field:ident: $width:expr;)*) => {
-        /// A ray in the loop: constants of the ray, then its state.
-        #[derive(Clone, Copy)]
-        pub struct Ray<'b> {
-            /// The slot holds a ray.
-            pub valid: Sig<'b>,
-            $($(#[$doc])* pub $field: Sig<'b>,)*
-            /// A node boundary was crossed already (only with several levels down).
-            pub crossed: Option<Sig<'b>>,
-            /// The iteration before was a crossing (only for coherent level-up).
-            pub prev: Option<Sig<'b>>,
-        }
-
-        impl<'b> Ray<'b> {
-            /// The loop's registers.
-            pub fn registers(b: &'b Builder, s: &Sizes, d: &Design) -> Self {
-                let flag = |on: bool, name: &str| on.then(|| b.loop_reg(name, 1, false).id());
-                let (crossed, prev) = (flag(d.mode.levels_down > 1, "back_crossed"), flag(d.mode.level_up == LevelUp::Coherent, "back_prev"));
-                Ray {
-                    valid: b.loop_reg("back_valid", 1, true),
-                    $($field: b.loop_reg(concat!("back_", stringify!($field)), ($width)(s), false),)*
-                    crossed: crossed.map(|id| b.sig(id)),
-                    prev: prev.map(|id| b.sig(id)),
-                }
-            }
-
-            /// `new` where `admits`, else what came back; `valid` as given.
-            pub fn or_new(&self, admits: Sig<'b>, new: &Self, valid: Sig<'b>) -> Self {
-                let pick = |a: Sig<'b>, o: Sig<'b>, name: &str| admits.mux(a, o).named(name).id();
-                let b = admits.builder();
-                let flag = |n: Option<Sig<'b>>, o: Option<Sig<'b>>, name: &str| n.zip(o).map(|(n, o)| b.sig(pick(n, o, name)));
-                Ray {
-                    valid: valid.named("valid").valid(),
-                    $($field: b.sig(pick(new.$field, self.$field, stringify!($field))),)*
-                    crossed: flag(new.crossed, self.crossed, "has_crossed"),
-                    prev: flag(new.prev, self.prev, "just_crossed"),
-                }
-            }
-
-            /// Registers and what they take at the end of the loop.
-            pub fn pairs(&self, next: &Self) -> Vec<(Sig<'b>, Sig<'b>)> {
-                let mut v = vec![(self.valid, next.valid), $((self.$field, next.$field),)*];
-                v.extend(self.crossed.zip(next.crossed));
-                v.extend(self.prev.zip(next.prev));
-                v
-            }
-        }
-    };
+/// How a word of the loop starts.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Start {
+    /// As the output of that name of the datapath's setup says.
+    Setup(&'static str),
+    /// The ray's tag.
+    Tag,
+    /// Zero.
+    Zero,
+    /// One.
+    One,
+    /// 1 for what is not a ray.
+    Refused,
 }
 
-fn float(s: &Sizes) -> Expr {
-    s.f.width.clone()
-}
-fn index(s: &Sizes) -> Expr {
-    s.idx.clone()
-}
-fn bit(_: &Sizes) -> Expr {
-    Expr::from(1)
-}
-fn counter(_: &Sizes) -> Expr {
-    Expr::from(16)
+/// A word that a ray carries.
+pub struct Field {
+    /// Its name; `back_<name>` is its register.
+    pub name: &'static str,
+    /// Its net in the slot.
+    pub net: &'static str,
+    /// Bits.
+    pub width: Expr,
+    /// Its value for a new ray.
+    pub start: Start,
 }
 
-ray! {
-    /// Tag.
-    tag: |s: &Sizes| s.tag.clone();
-    /// Entry point, texels.
-    p_x: float;
-    /// Entry point, biased backwards.
-    pb_x: float;
-    /// Direction, texels per height code.
-    d_x: float;
-    /// Reciprocal direction.
-    r_x: float;
-    /// Does not move along u.
-    never_x: bit;
-    /// Runs toward smaller u.
-    neg_x: bit;
-    /// Entry point, texels.
-    p_y: float;
-    /// Entry point, biased backwards.
-    pb_y: float;
-    /// Direction, texels per height code.
-    d_y: float;
-    /// Reciprocal direction.
-    r_y: float;
-    /// Does not move along v.
-    never_y: bit;
-    /// Runs toward smaller v.
-    neg_y: bit;
-    /// Level of the node.
-    level: |s: &Sizes| s.level_w.clone();
-    /// A texel of the node, unwrapped.
-    x: index;
-    /// A texel of the node, unwrapped.
-    y: index;
-    /// Parameter so far, height codes.
-    t: float;
-    /// The ray has ended and waits to leave.
-    done: bit;
-    /// It hit a wall.
-    wall: bit;
-    /// It was given up.
-    limit: bit;
-    /// Iterations so far.
-    steps: counter;
-    /// Crossings so far.
-    crossings: counter;
-    /// Levels gone up so far.
-    ups: counter;
+impl Field {
+    /// A field whose net has its name.
+    pub fn new(name: &'static str, width: &Expr, start: Start) -> Self {
+        Self { name, net: name, width: width.clone(), start }
+    }
+}
+
+/// All that a ray carries: the datapath's constants of the ray, then the state that every datapath has.
+pub fn fields(s: &Sizes, d: &Design, path: &Datapath) -> Vec<Field> {
+    let bit = Expr::from(1);
+    let counter = Expr::from(16);
+    let mut list = vec![Field::new("tag", &s.tag, Start::Tag)];
+    list.extend((path.constants)(s, d));
+    list.extend([
+        Field::new("level", &s.level_w, Start::Setup("level")),
+        Field::new("x", &s.idx, Start::Setup("first_x")),
+        Field::new("y", &s.idx, Start::Setup("first_y")),
+        Field::new("t", &s.numbers.time.0, Start::Zero),
+        Field::new("done", &bit, Start::Refused),
+        Field::new("wall", &bit, Start::Zero),
+        Field::new("limit", &bit, Start::Refused),
+        Field::new("steps", &counter, Start::Zero),
+        Field::new("crossings", &counter, Start::Zero),
+        Field::new("ups", &counter, Start::Zero),
+    ]);
+    // A node boundary was crossed already: only several levels down ask. The iteration before was a crossing: only coherent level-up asks.
+    let flags = [
+        (d.mode.levels_down > 1, "crossed", "has_crossed"),
+        (d.mode.level_up == LevelUp::Coherent, "prev", "just_crossed"),
+    ];
+    list.extend(flags.iter().filter(|f| f.0).map(|f| Field { net: f.2, ..Field::new(f.1, &bit, Start::Zero) }));
+    list
+}
+
+/// A ray in the loop, word by word.
+#[derive(Clone)]
+pub struct Ray<'b> {
+    /// The slot holds a ray.
+    pub valid: Sig<'b>,
+    words: Vec<(&'static str, Sig<'b>)>,
 }
 
 impl<'b> Ray<'b> {
-    /// A ray as setup delivers it (outputs of `ray_setup` in port order).
-    pub fn fresh(b: &'b Builder, s: &Sizes, d: &Design, setup: &[Sig<'b>], tag: Sig<'b>) -> Self {
-        let [ok, level, p_x, pb_x, d_x, r_x, never_x, neg_x, x, p_y, pb_y, d_y, r_y, never_y, neg_y, y] = setup else {
-            panic!("ray_setup has 16 outputs, not {}", setup.len())
+    /// The loop's registers.
+    pub fn registers(b: &'b Builder, fields: &[Field]) -> Self {
+        let word = |f: &Field| (f.name, b.loop_reg(&format!("back_{}", f.name), f.width.clone(), false));
+        Ray { valid: b.loop_reg("back_valid", 1, true), words: fields.iter().map(word).collect() }
+    }
+
+    /// A new ray; `setup` gives the outputs of the datapath's setup by name. Whether the slot is filled is for [`Ray::or_new`] to say.
+    pub fn fresh(b: &'b Builder, fields: &[Field], setup: impl Fn(&str) -> Sig<'b>, tag: Sig<'b>) -> Self {
+        let refused = (!setup("ok")).named("new_refused");
+        let word = |f: &Field| {
+            let v = match f.start {
+                Start::Setup(port) => setup(port),
+                Start::Tag => tag,
+                Start::Zero => b.zeros(f.width.clone()),
+                Start::One => b.lit(1, f.width.clone()),
+                Start::Refused => refused,
+            };
+            (f.name, v)
         };
-        let zero = b.zeros(1);
-        let refused = (!*ok).named("new_refused");
-        let (p_x, pb_x, d_x, r_x, never_x, neg_x) = (*p_x, *pb_x, *d_x, *r_x, *never_x, *neg_x);
-        let (p_y, pb_y, d_y, r_y, never_y, neg_y) = (*p_y, *pb_y, *d_y, *r_y, *never_y, *neg_y);
-        Ray {
-            valid: zero,
-            tag,
-            p_x,
-            pb_x,
-            d_x,
-            r_x,
-            never_x,
-            neg_x,
-            p_y,
-            pb_y,
-            d_y,
-            r_y,
-            never_y,
-            neg_y,
-            level: *level,
-            x: *x,
-            y: *y,
-            t: b.zeros(&s.f.width),
-            done: refused,
-            wall: zero,
-            limit: refused,
-            steps: b.zeros(16),
-            crossings: b.zeros(16),
-            ups: b.zeros(16),
-            crossed: (d.mode.levels_down > 1).then_some(zero),
-            prev: (d.mode.level_up == LevelUp::Coherent).then_some(zero),
-        }
+        Ray { valid: refused, words: fields.iter().map(word).collect() }
+    }
+
+    /// A word by its name, if the design has it.
+    pub fn find(&self, name: &str) -> Option<Sig<'b>> {
+        self.words.iter().find(|w| w.0 == name).map(|w| w.1)
+    }
+
+    /// A word by its name.
+    ///
+    /// # Panics
+    /// If the design has no such word.
+    pub fn get(&self, name: &str) -> Sig<'b> {
+        self.find(name).unwrap_or_else(|| panic!("a ray carries no {name}"))
+    }
+
+    /// The same ray with other values in some words; names that the design does not have are passed over.
+    pub fn with(&self, changes: &[(&str, Sig<'b>)]) -> Self {
+        let new = |w: &(&'static str, Sig<'b>)| changes.iter().find(|c| c.0 == w.0).map_or(w.1, |c| c.1);
+        Ray { valid: self.valid, words: self.words.iter().map(|w| (w.0, new(w))).collect() }
+    }
+
+    /// `new` where `admits`, else what came back; `valid` as given.
+    pub fn or_new(&self, fields: &[Field], admits: Sig<'b>, new: &Self, valid: Sig<'b>) -> Self {
+        let pick = |f: &Field| (f.name, admits.mux(new.get(f.name), self.get(f.name)).named(f.net));
+        Ray { valid: valid.named("valid").valid(), words: fields.iter().map(pick).collect() }
+    }
+
+    /// Registers and what they take at the end of the loop.
+    pub fn pairs(&self, next: &Self) -> Vec<(Sig<'b>, Sig<'b>)> {
+        let words = self.words.iter().map(|w| (w.1, next.get(w.0)));
+        std::iter::once((self.valid, next.valid)).chain(words).collect()
     }
 }

@@ -1,35 +1,30 @@
-//! The traversal's units, one file each, and `traverse` on top.
+//! The traversal's units, one file each, and `traverse` on top. Units of one datapath stand in a folder of its name.
+mod census;
+mod datapath;
+pub mod fixed;
 mod height_address;
 mod height_memory;
-mod height_test;
-mod hit_position;
-mod iteration;
 mod level_decision;
 mod level_up;
 mod loop_state;
 mod multi_level_down;
-mod node_crossing;
 mod node_planes;
 mod params;
-mod plane_time;
-mod predicted_hit;
-mod ray_setup;
+mod plane_iteration;
+pub mod published;
 mod start_level;
 mod stream_delay;
 mod traverse;
+pub mod watertight;
 
+pub use census::{Census, PUBLISHED, census, difference};
+pub use datapath::Datapath;
 pub use height_address::height_address;
 pub use height_memory::{height_memory, pyramid_words};
-pub use height_test::height_test;
-pub use hit_position::hit_position;
 pub use level_decision::level_decision;
 pub use level_up::level_up;
 pub use multi_level_down::multi_level_down;
-pub use node_crossing::node_crossing;
 pub use node_planes::node_planes;
-pub use plane_time::plane_time;
-pub use predicted_hit::predicted_hit;
-pub use ray_setup::ray_setup;
 pub use start_level::start_level;
 pub use stream_delay::stream_delay;
 pub use traverse::{Traverse, traverse};

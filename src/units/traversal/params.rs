@@ -30,9 +30,9 @@ pub fn ray_conditions(b: &Builder, f: &FormatParams, levels: &Expr, height: &Exp
     b.require(7, &f.man);
     b.require(1, tile);
     b.require(levels + tile + 2, 24);
-    b.require(levels + tile + 8, f.bias());
+    b.require(levels + tile + 1, f.bias());
     b.require(height + 2, f.bias());
-    b.require(&f.man + 1, f.bias());
+    b.require(&f.man, f.bias() + levels);
 }
 
 /// Declares IDX_W, the width of a signed, unwrapped texel coordinate.

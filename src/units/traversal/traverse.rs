@@ -3,9 +3,9 @@
 //! A ray is set up once, then goes round the loop, one node an iteration, one iteration a clock. A slot that is free, or
 //! whose ray has just left, takes the next ray. A ray that is done goes round unchanged until it can leave, so
 //! back-pressure stops neither the others nor loses anything. The number of stages follows from the latencies.
-use super::loop_state::{Ray, Sizes};
+use super::datapath::Datapath;
+use super::loop_state::{Ray, Sizes, fields};
 use super::stream_delay::{stream_delay, valid_delay, word_delay};
-use super::*;
 use crate::config::Design;
 use crate::ir::{Binding, Builder, Module, Sig};
 use std::sync::Arc;
@@ -27,7 +27,8 @@ pub fn traverse(d: &Design) -> Traverse {
     let b =
         Builder::new("traverse", file!(), "traces rays against a height field: a looping pipeline, one node a clock");
     b.throughput("one iteration (one node) per clock; a ray takes as many iterations as its path needs");
-    let s = Sizes::declare(&b, d);
+    let path = Datapath::of(d);
+    let s = Sizes::declare(&b, d, path);
     b.clock();
     b.reset();
     let load = Load {
@@ -38,36 +39,40 @@ pub fn traverse(d: &Design) -> Traverse {
     let in_valid = b.input("in_valid", 1, "bit", "a ray is offered");
     let o_in_ready = b.output("in_ready", 1, "bit", "it is taken at the next edge");
     let in_tag = b.input("in_tag", &s.tag, "bits", "comes back with the result");
-    let u = b.input("in_u", &s.f.width, "float, tiles", "entry point at the top plane, 0 <= u < 1");
-    let v = b.input("in_v", &s.f.width, "float, tiles", "entry point at the top plane, 0 <= v < 1");
-    let du = b.input("in_du", &s.f.width, "float, tiles", "u travelled while the height falls from 1 to 0");
-    let dv = b.input("in_dv", &s.f.width, "float, tiles", "v travelled while the height falls from 1 to 0");
+    let (entry, travel) = (&s.numbers.entry, &s.numbers.travel);
+    let u = b.input("in_u", &entry.0, entry.1, "entry point at the top plane, 0 <= u < 1");
+    let v = b.input("in_v", &entry.0, entry.1, "entry point at the top plane, 0 <= v < 1");
+    let du = b.input("in_du", &travel.0, travel.1, "u travelled while the height falls from 1 to 0");
+    let dv = b.input("in_dv", &travel.0, travel.1, "v travelled while the height falls from 1 to 0");
     let o_valid = b.output("out_valid", 1, "bit", "a result is offered");
     let out_ready = b.input_static("out_ready", 1, "bit", "it is taken at the next edge");
     let o = Outputs::declare(&b, &s);
     let o_busy = b.output("slot_busy", 1, "bit", "the slot that starts now holds a ray: counts the loop's load");
 
     // The state registers are declared first; what they hold is decided at the end of the loop.
-    let back = Ray::registers(&b, &s, d);
-    let clocks_setup = super::ray_setup::latency(d);
-    let clocks_hit = super::hit_position::latency(&d.latency);
+    let fields = fields(&s, d, path);
+    let back = Ray::registers(&b, &fields);
+    let (clocks_setup, clocks_hit) = ((path.setup_clocks)(d), (path.hit_clocks)(d));
 
     b.section("leave", "A ray that is done leaves when the output pipeline moves.");
     let hit_valid = b.wire("hit_valid", 1);
     let hit_ce = (!hit_valid | out_ready).unstaged().named("hit_ce");
-    let leaves = (back.valid & back.done & hit_ce).named("leaves");
+    let leaves = (back.valid & back.get("done") & hit_ce).named("leaves");
     let is_free = (!back.valid | leaves).named("is_free");
 
     b.section("set up", "The setup pipeline holds while its ray finds no free slot.");
     let setup_valid = b.wire("setup_valid", 1);
     let setup_ce = (!setup_valid | is_free).unstaged().named("setup_ce");
-    let module = ray_setup(d);
+    let module = (path.setup)(d);
     let ins = [("u", u), ("v", v), ("du", du), ("dv", dv), ("ce", setup_ce)];
-    let setup = b.inst(&module, "u_setup", &[], &ins);
-    let names = ["ok", "level", "p_x", "pb_x", "d_x", "r_x", "never_x", "neg_x", "first_x"].into_iter();
-    let names = names.chain(["p_y", "pb_y", "d_y", "r_y", "never_y", "neg_y", "first_y"]);
-    let setup: Vec<Sig<'_>> =
-        setup.into_iter().zip(names).map(|(x, n)| x.restage(0).named(&format!("new_{n}"))).collect();
+    let outs = b.inst(&module, "u_setup", &[], &ins);
+    let names: Vec<&str> = module.data_outputs().map(|(_, p)| p.name.as_str()).collect();
+    let outs: Vec<Sig<'_>> =
+        outs.into_iter().zip(&names).map(|(x, n)| x.restage(0).named(&format!("new_{n}"))).collect();
+    let setup = |name: &str| {
+        let at = names.iter().position(|n| *n == name);
+        outs[at.unwrap_or_else(|| panic!("{} has no output {name}", module.name))]
+    };
     let track = stream_delay("setup_delay", clocks_setup, d.traverse.tag_bits);
     let ins = [("in_valid", in_valid), ("in_data", in_tag), ("ce", setup_ce)];
     let o_track = b.inst(&track, "u_setup_delay", &[("W", s.tag.clone())], &ins);
@@ -77,23 +82,26 @@ pub fn traverse(d: &Design) -> Traverse {
     let admits = (setup_valid & is_free).named("admits");
 
     b.section("slot", "The new ray, or the one that comes back.");
-    let new = Ray::fresh(&b, &s, d, &setup, new_tag);
-    let ray = back.or_new(admits, &new, (back.valid & !leaves) | admits);
+    let new = Ray::fresh(&b, &fields, setup, new_tag);
+    let ray = back.or_new(&fields, admits, &new, (back.valid & !leaves) | admits);
     b.drive(o_busy, ray.valid, None);
 
-    let next = super::iteration::iteration(&b, &s, d, &ray, &load);
+    let next = (path.iteration)(&b, &s, d, &ray, &load);
     let slots = b.close(&back.pairs(&next));
 
     b.section("result", "The ray that leaves, from the state registers.");
-    let hit = hit_position(d);
+    let hit = (path.hit)(d);
     let mut fractions = Vec::new();
-    for (axis, p, dir, at) in [("u", back.p_x, back.d_x, back.x), ("v", back.p_y, back.d_y, back.y)] {
-        let ins = [("p", p), ("d", dir), ("t", back.t), ("x", at), ("ce", hit_ce)];
-        let f = b.inst(&hit, &format!("u_hit_{axis}"), &[("IDX_W", s.idx.clone())], &ins)[0];
-        fractions.push(f.unstaged().named(&format!("hit_f{axis}")));
+    for (name, axis) in [("u", "x"), ("v", "y")] {
+        let mut ins = (path.hit_inputs)(&back, axis);
+        ins.push(("ce", hit_ce));
+        let f = b.inst(&hit, &format!("u_hit_{name}"), &[("IDX_W", s.idx.clone())], &ins)[0];
+        fractions.push(f.unstaged().named(&format!("hit_f{name}")));
     }
-    let (i, j) = (back.x.slice(0, &s.levels), back.y.slice(0, &s.levels));
-    let parts = [back.tag, i, j, back.t, back.wall, back.limit, back.steps, back.crossings, back.ups];
+    let (i, j) = (back.get("x").slice(0, &s.levels), back.get("y").slice(0, &s.levels));
+    let word = |name: &str| back.get(name);
+    let parts =
+        [word("tag"), i, j, word("t"), word("wall"), word("limit"), word("steps"), word("crossings"), word("ups")];
     let mut outs = Vec::new();
     for (part, name) in parts.iter().zip(Outputs::CARRIED) {
         let delay = word_delay("hit_delay", clocks_hit, 1);
@@ -111,10 +119,13 @@ pub fn traverse(d: &Design) -> Traverse {
     Traverse { module, slots, setup: clocks_setup, finish: clocks_hit }
 }
 
-/// The load port.
-pub(super) struct Load<'b> {
+/// The load port of the pyramid.
+pub struct Load<'b> {
+    /// Write enable.
     pub en: Sig<'b>,
+    /// Address, in words.
     pub addr: Sig<'b>,
+    /// Height code.
     pub data: Sig<'b>,
 }
 
@@ -133,7 +144,7 @@ impl Outputs {
         let j = b.output("out_j", &s.levels, "texels", "hit texel, row (v)");
         let fu = b.output("out_fu", &s.frac, "1/2^FRAC_W texel", "position in the texel along u");
         let fv = b.output("out_fv", &s.frac, "1/2^FRAC_W texel", "position in the texel along v");
-        let t = b.output("out_t", &s.f.width, "float, height codes", "ray parameter: 0 at the top plane");
+        let t = b.output("out_t", &s.numbers.time.0, s.numbers.time.1, "ray parameter: 0 at the top plane");
         let wall = b.output("out_wall", 1, "bit", "the hit is on the side of a texel");
         let limit = b.output("out_limit", 1, "bit", "given up: STEP_LIMIT reached, or not a ray (steps 0)");
         let steps = b.output("out_steps", 16, "iterations", "nodes visited");

@@ -1,8 +1,8 @@
 //! `hit_position`: where in its texel a ray hit, along one axis, as a fraction that never leaves the texel.
-use super::params::index_width;
 use crate::config::{Design, LatencyConfig};
 use crate::ir::{Binding, Builder, Module};
 use crate::units::float::{FormatParams, fp_add, fp_mul, fp_to_fixed};
+use crate::units::traversal::params::index_width;
 use std::sync::Arc;
 
 /// Clocks through `hit_position`; at least one, as the valid bit beside it decides whether the pipeline moves.

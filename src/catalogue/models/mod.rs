@@ -1,8 +1,11 @@
-//! The golden model of each unit, in the order of its ports.
+//! The golden model of each unit, in the order of its ports: those of every datapath here, the others in a file a datapath.
+mod fixed;
+mod published;
+mod watertight;
+
 use crate::bits::{mask, signed};
-use crate::config::Design;
-use crate::golden::float as gf;
-use crate::golden::{Crossing, Golden, RayInput, address, descend_levels, level_up, start_level};
+use crate::config::{DatapathKind, Design};
+use crate::golden::{Crossing, address, descend_levels, level_up, start_level};
 use crate::ir::Binding;
 
 /// Expected outputs of `unit` for one row of inputs, at design `d` and parameter values `b`.
@@ -10,7 +13,6 @@ use crate::ir::Binding;
 /// # Panics
 /// If the unit has no model: the catalogue and the units went apart.
 pub fn model(unit: &str, d: &Design, b: &Binding, x: &[u64]) -> Vec<u64> {
-    let f = d.format;
     let p = |name: &str| b[name] as u32;
     let idx = b.get("IDX_W").map_or(d.traverse.idx_bits(), |v| *v as u32);
     let s = |v: u64| signed(v, idx);
@@ -27,14 +29,6 @@ pub fn model(unit: &str, d: &Design, b: &Binding, x: &[u64]) -> Vec<u64> {
             let (q, r) = (n / u128::from(x[1]), n % u128::from(x[1]));
             vec![(r << 1) as u64 & mask(w + 1), q as u64 & mask(rows)]
         }
-        "fp_add" => vec![gf::add(f, x[0], x[1])],
-        "fp_mul" => vec![gf::mul(f, x[0], x[1])],
-        "fp_div" => vec![gf::div(f, x[0], x[1])],
-        "fp_lt" => vec![u64::from(gf::lt(f, x[0], x[1]))],
-        "fp_from_int" => vec![gf::from_int(f, signed(x[0], p("INT_W")))],
-        "fp_from_fixed" => vec![gf::from_fixed(f, signed(x[0], p("INT_W")), p("FRAC_W"))],
-        "fp_to_int" => vec![gf::to_int(f, x[0], p("INT_W")) as u64 & mask(p("INT_W"))],
-        "fp_to_fixed" => vec![gf::to_fixed(f, x[0], p("INT_W"), p("FRAC_W")) as u64 & mask(p("INT_W"))],
         "start_level" => vec![u64::from(start_level(d.traverse.levels, idx, s(x[0]), s(x[1]), s(x[2]), s(x[3])))],
         "height_address" => {
             let k = x[0] as u32;
@@ -55,22 +49,6 @@ pub fn model(unit: &str, d: &Design, b: &Binding, x: &[u64]) -> Vec<u64> {
                 out.push(if index(plane) == plane as u64 & mask(idx) { u64::from(wrapped) } else { even });
             }
             out
-        }
-        "plane_time" => {
-            let dist = gf::add(f, gf::from_int(f, s(x[0])), gf::neg(f, x[1]));
-            vec![if x[3] == 1 { f.infinity() } else { gf::mul(f, dist, x[2]) }]
-        }
-        "height_test" => {
-            let t_v = gf::from_int(f, ((1 << p("HEIGHT_W")) - 1 - x[0]) as i64);
-            vec![if gf::lt(f, x[1], t_v) { t_v } else { x[1] }, u64::from(gf::lt(f, t_v, x[1]))]
-        }
-        "predicted_hit" => vec![index(gf::to_int(f, gf::add(f, x[0], gf::mul(f, x[1], x[2])), idx))],
-        "node_crossing" => {
-            let (t, m, t_x, t_y) = (x[0], x[1], x[2], x[3]);
-            let x_first = !gf::lt(f, t_y, t_x);
-            let exit = if x_first { t_x } else { t_y };
-            let inside = gf::lt(f, m, t_x) && gf::lt(f, m, t_y);
-            vec![u64::from(inside), u64::from(x_first), if gf::lt(f, t, exit) { exit } else { t }]
         }
         "multi_level_down" => {
             let many = d.mode.levels_down;
@@ -96,21 +74,11 @@ pub fn model(unit: &str, d: &Design, b: &Binding, x: &[u64]) -> Vec<u64> {
             let t = if inside == 1 { m } else { t_next };
             vec![u64::from(hit), 1 - inside, level_next, pick(7, x_first == 1), pick(10, x_first == 0), t]
         }
-        "ray_setup" => {
-            let g = Golden::new(d).expect("the set's parameters are legal");
-            let o = g.setup(&RayInput { u: x[0], v: x[1], du: x[2], dv: x[3] });
-            let mut out = vec![u64::from(o.valid), u64::from(o.level)];
-            for a in [o.u, o.v] {
-                out.extend([a.p, a.pb, a.dt, a.r, u64::from(a.never), u64::from(a.neg), index(a.x)]);
-            }
-            out
-        }
-        "hit_position" => {
-            let frac = p("FRAC_W");
-            let at = gf::to_fixed(f, gf::add(f, x[0], gf::mul(f, x[1], x[2])), idx + frac, frac);
-            vec![(at - (s(x[3]) << frac)).clamp(0, (1 << frac) - 1) as u64]
-        }
-        other => panic!("{other} has no golden model"),
+        _ => match d.datapath.kind {
+            DatapathKind::Fixed => fixed::model(unit, d, b, x),
+            DatapathKind::Published => published::model(unit, d, b, x),
+            DatapathKind::Watertight => watertight::model(unit, d, b, x),
+        },
     }
 }
 
@@ -137,7 +105,9 @@ fn up(d: &Design, x: &[u64], s: impl Fn(u64) -> i64) -> bool {
 pub fn legal(unit: &str, d: &Design, b: &Binding, mut x: Vec<u64>) -> Vec<u64> {
     let n = u64::from(d.traverse.levels);
     match unit {
-        "height_address" | "node_planes" => x[0] %= n + 1,
+        "height_address" | "node_planes" | "exit_plane" => x[0] %= n + 1,
+        "descent_level" => x[0] = x[0] % n + 1,
+        "level_choice" => x[if d.mode.start_level { 3 } else { 2 }] %= n + 1,
         "level_up" => {
             // Coordinates keep a bit of headroom: IDX_W holds any sum of an entry point and a travel.
             let idx = b.get("IDX_W").map_or(d.traverse.idx_bits(), |v| *v as u32);
@@ -149,6 +119,14 @@ pub fn legal(unit: &str, d: &Design, b: &Binding, mut x: Vec<u64>) -> Vec<u64> {
             order_bounds(d, b, &mut x);
         }
         "level_decision" => x[3] %= n + 1,
+        // A distance is moved by at most as much as loses its last bit.
+        "plane_time" if d.datapath.kind == DatapathKind::Fixed => {
+            x[4] = x[4].min(u64::from(d.datapath.fraction_bits + d.traverse.tile_bits + 1));
+        }
+        // A ray's way stays below 2^TILE_W tiles.
+        "hit_position" if d.datapath.kind == DatapathKind::Fixed => {
+            x[1] &= mask(d.datapath.fraction_bits + d.traverse.tile_bits);
+        }
         "div_rows" => {
             let w = b["W"] as u32;
             x[1] |= 1 << (w - 1);

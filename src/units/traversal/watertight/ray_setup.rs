@@ -2,10 +2,10 @@
 //!
 //! Per axis: entry point in texels, the same biased backwards, direction per height code, reciprocal slope, sign, and
 //! first texel; for both: the start level. What each is, to the bit: `docs/datapath.md`, "Once per ray".
-use super::start_level::start_level;
 use crate::config::{Design, LatencyConfig};
 use crate::ir::{Binding, Builder, Expr, Module, Sig};
 use crate::units::float::{Fields, FormatParams, fp_add, fp_div, fp_mul, fp_to_int};
+use crate::units::traversal::start_level;
 use std::sync::Arc;
 
 /// Clocks through `ray_setup`; at least one, so that a ready never follows from a valid in the same clock.
@@ -45,10 +45,10 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
         Builder::new("ray_setup", file!(), "a ray's constants, from texture coordinates to texels and height codes");
     b.note("A ray that can't be traced (see ok) has all other outputs 0.");
     let f = FormatParams::declare(&b, d.format);
-    let levels = super::params::LevelParams::declare(&b, t);
+    let levels = crate::units::traversal::params::LevelParams::declare(&b, t);
     let height = b.param("HEIGHT_W", t.height_bits, "bits of a height code");
     let tile = b.param("TILE_W", t.tile_bits, "a ray travels less than 2^TILE_W tiles along each axis");
-    super::params::ray_conditions(&b, &f, &levels.levels, &height, &tile);
+    crate::units::traversal::params::ray_conditions(&b, &f, &levels.levels, &height, &tile);
     let idx = b.local("IdxW", &levels.levels + &tile + 2);
     let s = Sizes { f, levels: levels.levels.clone(), height, tile, idx };
     b.clock();

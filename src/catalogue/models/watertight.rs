@@ -1,0 +1,56 @@
+//! The golden model of each unit that computes in floating point.
+use crate::bits::{mask, signed};
+use crate::config::Design;
+use crate::golden::float as gf;
+use crate::golden::{Golden, RayInput};
+use crate::ir::Binding;
+
+/// Expected outputs of `unit` for one row of inputs, as [`super::model`].
+pub(super) fn model(unit: &str, d: &Design, b: &Binding, x: &[u64]) -> Vec<u64> {
+    let f = d.format;
+    let p = |name: &str| b[name] as u32;
+    let idx = b.get("IDX_W").map_or(d.traverse.idx_bits(), |v| *v as u32);
+    let s = |v: u64| signed(v, idx);
+    let index = |v: i64| v as u64 & mask(idx);
+    match unit {
+        "fp_add" => vec![gf::add(f, x[0], x[1])],
+        "fp_mul" => vec![gf::mul(f, x[0], x[1])],
+        "fp_div" => vec![gf::div(f, x[0], x[1])],
+        "fp_lt" => vec![u64::from(gf::lt(f, x[0], x[1]))],
+        "fp_from_int" => vec![gf::from_int(f, signed(x[0], p("INT_W")))],
+        "fp_from_fixed" => vec![gf::from_fixed(f, signed(x[0], p("INT_W")), p("FRAC_W"))],
+        "fp_to_int" => vec![gf::to_int(f, x[0], p("INT_W")) as u64 & mask(p("INT_W"))],
+        "fp_to_fixed" => vec![gf::to_fixed(f, x[0], p("INT_W"), p("FRAC_W")) as u64 & mask(p("INT_W"))],
+        "plane_time" => {
+            let dist = gf::add(f, gf::from_int(f, s(x[0])), gf::neg(f, x[1]));
+            vec![if x[3] == 1 { f.infinity() } else { gf::mul(f, dist, x[2]) }]
+        }
+        "height_test" => {
+            let t_v = gf::from_int(f, ((1 << p("HEIGHT_W")) - 1 - x[0]) as i64);
+            vec![if gf::lt(f, x[1], t_v) { t_v } else { x[1] }, u64::from(gf::lt(f, t_v, x[1]))]
+        }
+        "predicted_hit" => vec![index(gf::to_int(f, gf::add(f, x[0], gf::mul(f, x[1], x[2])), idx))],
+        "node_crossing" => {
+            let (t, m, t_x, t_y) = (x[0], x[1], x[2], x[3]);
+            let x_first = !gf::lt(f, t_y, t_x);
+            let exit = if x_first { t_x } else { t_y };
+            let inside = gf::lt(f, m, t_x) && gf::lt(f, m, t_y);
+            vec![u64::from(inside), u64::from(x_first), if gf::lt(f, t, exit) { exit } else { t }]
+        }
+        "ray_setup" => {
+            let g = Golden::new(d).expect("the set's parameters are legal");
+            let o = g.setup(&RayInput { u: x[0], v: x[1], du: x[2], dv: x[3] });
+            let mut out = vec![u64::from(o.valid), u64::from(o.level)];
+            for a in [o.u, o.v] {
+                out.extend([a.p, a.pb, a.dt, a.r, u64::from(a.never), u64::from(a.neg), index(a.x)]);
+            }
+            out
+        }
+        "hit_position" => {
+            let frac = p("FRAC_W");
+            let at = gf::to_fixed(f, gf::add(f, x[0], gf::mul(f, x[1], x[2])), idx + frac, frac);
+            vec![(at - (s(x[3]) << frac)).clamp(0, (1 << frac) - 1) as u64]
+        }
+        other => panic!("{other} has no golden model"),
+    }
+}

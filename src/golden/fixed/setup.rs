@@ -1,0 +1,109 @@
+//! What is computed once per ray.
+use super::super::level::start_level;
+use super::super::setup::RayInput;
+use super::{Fixed, GUARD, travel};
+
+/// One axis of a ray after setup. Lengths count in 2^-FRACTION_W tiles.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FixedAxis {
+    /// P: entry point.
+    pub p: u64,
+    /// A: how far the ray travels while its parameter runs from 0 to M, either way.
+    pub a: u64,
+    /// The ray runs toward lower indices.
+    pub neg: bool,
+    /// R: reciprocal of A times M, RECIP_W significant bits; 0 if A is.
+    pub r: u64,
+    /// Z: distances are shifted left by this before they are multiplied with R. Of A = 0 so far that any distance is lost.
+    pub z: u32,
+    /// S: travel per height code in 2^-(FRACTION_W + HEIGHT_W) tiles, rounded down.
+    pub s: u64,
+    /// X: texel of the entry point.
+    pub x: i64,
+    /// Xa: texel of the point where the ray meets the bottom plane.
+    pub xa: i64,
+}
+
+/// All that setup computes for a ray. Of an invalid ray only `valid` means anything; the rest is 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FixedSetup {
+    /// The ray may be traced.
+    pub valid: bool,
+    /// Along u.
+    pub u: FixedAxis,
+    /// Along v.
+    pub v: FixedAxis,
+    /// The level to start on.
+    pub level: u32,
+}
+
+impl Fixed {
+    /// Setup of one ray.
+    pub fn setup(&self, ray: &RayInput) -> FixedSetup {
+        let d = &self.design;
+        let (du, dv) = (travel(d, ray.du), travel(d, ray.dv));
+        let far = 1u64 << self.reach;
+        // The most negative word alone has a magnitude that its positive counterpart does not have.
+        if du.unsigned_abs() == far || dv.unsigned_abs() == far {
+            return FixedSetup::default();
+        }
+        let (u, v) = (self.axis(ray.u, du), self.axis(ray.v, dv));
+        let n = d.traverse.levels;
+        let level = if d.mode.start_level { start_level(n, d.traverse.idx_bits(), u.x, v.x, u.xa, v.xa) } else { n };
+        FixedSetup { valid: true, u, v, level }
+    }
+
+    fn axis(&self, p: u64, d: i64) -> FixedAxis {
+        let p = p % (1 << self.fraction);
+        let a = d.unsigned_abs();
+        let (r, z) = self.reciprocal(a);
+        let x = self.texel(i128::from(p));
+        let xa = self.texel(i128::from(p) + i128::from(d));
+        FixedAxis { p, a, neg: d < 0, r, z, s: self.per_code(a), x, xa }
+    }
+
+    /// The texel at a coordinate.
+    pub(super) fn texel(&self, at: i128) -> i64 {
+        (at >> (self.fraction - self.design.traverse.levels)) as i64
+    }
+
+    /// R and Z: `distance * 2^Z * R / 2^(RECIP_W + TILE_W - GUARD)` is about `distance * M * 2^G / A`.
+    pub fn reciprocal(&self, a: u64) -> (u64, u32) {
+        if a == 0 {
+            return (0, self.reach + 1);
+        }
+        let (w, h) = (self.reciprocal, self.design.traverse.height_bits);
+        // a < 2^reach; moved up until its top bit is the topmost of `reach` bits, and M alike.
+        let lead = self.reach - (64 - a.leading_zeros());
+        let (norm, m) = (i128::from(a) << lead, i128::from(self.bottom) << (self.reach - h));
+        // Their quotient lies between 3/4 and 2.
+        let over = m >= norm;
+        let bits = if over { w - 1 } else { w };
+        // To the nearest integer, a half upward; what would take a bit more than W is the largest of W bits instead.
+        let nearest = ((m << (bits + 1)) / norm + 1) >> 1;
+        let r = nearest.min((1 << w) - 1);
+        (r as u64, lead + u32::from(over))
+    }
+
+    /// S, from 1/M = 2^-h (1 + 2^-h) (1 + 2^-2h) (1 + 2^-4h) ..., cut off after every factor and after four of them.
+    pub fn per_code(&self, a: u64) -> u64 {
+        let h = self.design.traverse.height_bits;
+        (0..4).fold(i128::from(a), |s, k| s + s / (1 << (h << k).min(120))) as u64
+    }
+
+    /// t of a plane at a distance ahead of the entry point (2^-FRACTION_W tiles): all ones if it is never met.
+    pub fn plane_time(&self, distance: u64, r: u64, z: u32) -> u64 {
+        let moved = i128::from(distance) << z;
+        if moved >> (self.reach + 1) != 0 {
+            return self.never;
+        }
+        let w = self.reciprocal;
+        let t = (moved * i128::from(r)) >> (w + self.design.traverse.tile_bits - GUARD);
+        t.min(i128::from(self.never)) as u64
+    }
+
+    /// How far a ray has come at `t`, in 2^-FRACTION_W tiles, rounded down.
+    pub fn way(&self, s: u64, t: u64) -> u64 {
+        ((i128::from(s) * i128::from(t)) >> (self.fraction + GUARD)) as u64
+    }
+}

@@ -1,0 +1,9 @@
+//! Proofs of the emitted units: harnesses and scripts for SymbiYosys, and running them.
+//!
+//! A proof holds for every input at the parameter values of the configuration, which no vector set can say. Integer units are proved at
+//! full width against their definition; arithmetic only where a solver ends (`docs/proofs.md`).
+mod run;
+mod text;
+
+pub use run::{Proved, prove};
+pub use text::{Proof, proof_files, proofs};

@@ -1,0 +1,23 @@
+// Proof harness: {{ claim }}.
+`default_nettype none
+module fv_multi_level_down;
+  localparam integer LEVELS = {{ value("multi_level_down", "LEVELS") }};
+  localparam integer MANY = {{ levels_down }};
+{{ instance("multi_level_down", "") }}
+{%- if levels_down == 1 %}
+  wire crossed = 1'b0;
+{%- endif %}
+  always @* begin
+    assume (level >= 1 && level <= LEVELS);
+    assume ($signed(x_low) <= $signed(x_high) && $signed(y_low) <= $signed(y_high));
+    assert (level_down == level - ((!crossed && level >= MANY) ? MANY : 1));
+    assert (level_down < level);
+    assert ($signed(x_low) <= $signed(x_down) && $signed(x_down) <= $signed(x_high));
+    assert ($signed(y_low) <= $signed(y_down) && $signed(y_down) <= $signed(y_high));
+    if ($signed(x_low) <= $signed(x_hit) && $signed(x_hit) <= $signed(x_high)) assert (x_down == x_hit);
+    if ($signed(y_low) <= $signed(y_hit) && $signed(y_hit) <= $signed(y_high)) assert (y_down == y_hit);
+    if ($signed(x_hit) < $signed(x_low)) assert (x_down == x_low);
+    if ($signed(y_hit) > $signed(y_high)) assert (y_down == y_high);
+  end
+endmodule
+`default_nettype wire

@@ -1,0 +1,53 @@
+//! The size of a design before synthesis, counted on its elaborated netlist: simple, the same everywhere, and good enough to rank.
+use crate::config::Design;
+use crate::error::Result;
+use crate::interp::{Kind, elaborate};
+use crate::ir::Binding;
+use crate::units::traversal::traverse;
+
+/// Bits of hardware. Wiring (slices, joins, extensions) is free.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Cost {
+    /// Result bits of additions, comparisons, selections, shifts (times their depth) and gates.
+    pub logic: u64,
+    /// Products of the operand widths of multiplications, and of rows and width of divisions.
+    pub products: u64,
+    /// Register bits.
+    pub registers: u64,
+    /// Bits of the height pyramid.
+    pub memory: u64,
+}
+
+impl Cost {
+    /// Counts `traverse` of a design.
+    ///
+    /// # Errors
+    /// A design that its own modules refuse.
+    pub fn of(d: &Design) -> Result<Self> {
+        let net = elaborate(&traverse(d).module, &Binding::new())?;
+        let width = |s: u32| u64::from(net.widths[s as usize]);
+        let mut c = Self::default();
+        for op in &net.ops {
+            let (w, a) = (u64::from(op.width), u64::from(op.arg_width));
+            match op.kind {
+                Kind::Copy | Kind::Join | Kind::Slice | Kind::Sext | Kind::Rep | Kind::Interleave => {}
+                Kind::Mul => c.products += a * width(op.args[1]),
+                // Quotient and remainder are one circuit.
+                Kind::DivQuot => c.products += w * width(op.args[1]),
+                Kind::DivRem => {}
+                Kind::Shl | Kind::Shr | Kind::Sar => c.logic += w * u64::from(w.next_power_of_two().ilog2()),
+                Kind::RedOr | Kind::RedAnd | Kind::Eq | Kind::Ult | Kind::Slt | Kind::Lzc => c.logic += a,
+                Kind::Not => {}
+                Kind::And | Kind::Or | Kind::Xor | Kind::Add | Kind::Sub | Kind::Mux => c.logic += w,
+            }
+        }
+        c.registers = net.regs.iter().map(|r| width(r.q)).sum();
+        c.memory = net.mems.iter().map(|m| m.depth as u64 * width(m.read_data)).sum();
+        Ok(c)
+    }
+
+    /// Logic, products and registers together: what competes for area besides the memory.
+    pub const fn bits(&self) -> u64 {
+        self.logic + self.products + self.registers
+    }
+}

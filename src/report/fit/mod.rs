@@ -1,0 +1,9 @@
+//! The smallest design that meets an error budget on one scene: which numbers, which modes, how much map.
+//!
+//! The truth is the exact walk of the rays as they were given, over the map as it was given; a design answers for all that it changes: it rounds
+//! the ray to its input format, computes in that format, and may hold a coarser map.
+mod search;
+mod trial;
+
+pub use search::{Fit, Limits, Rejected, fit};
+pub use trial::{Budget, Trial, Truth};

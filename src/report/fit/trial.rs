@@ -1,0 +1,166 @@
+//! One design on one scene, against the truth.
+use crate::config::Design;
+use crate::error::Result;
+use crate::golden::{Pyramid, RayHit, RayInput, encode_ray};
+use crate::oracle::{ExactHit, ExactMap, ExactRay};
+use crate::report::{Cost, Steps, exact_ray, steps};
+use crate::trace::trace_golden;
+use rayon::prelude::*;
+
+/// What may go wrong at most.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Budget {
+    /// Share of rays whose texel is not that of the ray as given, 0 to 1.
+    WrongTexel(f64),
+    /// 99 % of the hits lie no farther than this from the exact one, in texels of the given map.
+    UvError(f64),
+}
+
+/// A scene: map, rays, and where they hit.
+pub struct Truth {
+    /// log2 of the map's side.
+    pub levels: u32,
+    /// Bits of a height code.
+    pub height_bits: u32,
+    /// Height codes, row by row.
+    pub texels: Vec<u32>,
+    /// Rays (u, v, du, dv), in tiles.
+    pub rays: Vec<[f64; 4]>,
+    /// For each ray the texel and the position, in texels of the map.
+    hits: Vec<(u32, u32, [f64; 2])>,
+}
+
+/// Fraction bits to which the given rays are taken as exact.
+const GIVEN_BITS: u32 = 36;
+
+impl Truth {
+    /// Walks the rays over the map.
+    ///
+    /// # Errors
+    /// Rays outside of the oracle's domain.
+    pub fn new(levels: u32, height_bits: u32, texels: Vec<u32>, rays: Vec<[f64; 4]>) -> Result<Self> {
+        let map = ExactMap { levels, height_bits, texels: &texels };
+        let one = 2f64.powi(GIVEN_BITS as i32);
+        let word = |x: f64| (x * one).round() as i64;
+        let full = f64::from((1u32 << height_bits) - 1);
+        let walk = |r: &[f64; 4]| {
+            let wrap = |x: f64| word(x.rem_euclid(1.0)).rem_euclid(1 << GIVEN_BITS) as u64;
+            let ray = ExactRay::fixed(GIVEN_BITS, [wrap(r[0]), wrap(r[1])], [word(r[2]), word(r[3])]);
+            let e = map.trace(&ray)?;
+            let at = |p: f64, d: f64| (p.rem_euclid(1.0) + d * (e.t_f64 / full)) * 2f64.powi(levels as i32);
+            Ok((e.i, e.j, [at(r[0], r[2]), at(r[1], r[3])]))
+        };
+        let hits = rays.par_iter().map(walk).collect::<Result<_>>()?;
+        Ok(Self { levels, height_bits, texels, rays, hits })
+    }
+
+    /// The map with fewer levels (the mean of each block, rounded) and fewer bits a code (rounded).
+    pub fn reduced(&self, levels: u32, height_bits: u32) -> Vec<u32> {
+        let (side, block) = (1usize << levels, 1usize << (self.levels - levels));
+        let (from, to) = (f64::from((1u32 << self.height_bits) - 1), f64::from((1u32 << height_bits) - 1));
+        let mean = |i: usize, j: usize| {
+            let row = |y: usize| (0..block).map(move |x| (y, x));
+            let sum: u64 = (0..block)
+                .flat_map(row)
+                .map(|(y, x)| u64::from(self.texels[(j * block + y) * side * block + i * block + x]))
+                .sum();
+            (sum as f64 / (block * block) as f64 / from * to).round() as u32
+        };
+        (0..side * side).map(|k| mean(k % side, k / side)).collect()
+    }
+}
+
+/// What a design does on a scene.
+#[derive(Clone, Debug)]
+pub struct Trial {
+    /// The design.
+    pub design: Design,
+    /// Its size.
+    pub cost: Cost,
+    /// Rays.
+    pub rays: usize,
+    /// Rays whose texel is not the given ray's, and the first of them.
+    pub wrong: usize,
+    /// The first of them.
+    pub witness: Option<usize>,
+    /// Rays whose texel is not that of the ray as the design reads it: what its arithmetic alone does.
+    pub wrong_own: usize,
+    /// Distance to the exact hit, in texels of the given map: the 99th percentile.
+    pub uv_p99: f64,
+    /// The largest, and its ray.
+    pub uv_max: (f64, usize),
+    /// Iterations.
+    pub steps: Steps,
+}
+
+impl Trial {
+    /// Traces the scene with a design, whose levels and height bits may be fewer than the map's.
+    ///
+    /// # Errors
+    /// An illegal design.
+    pub fn run(d: &Design, truth: &Truth) -> Result<Self> {
+        let (n, h) = (d.traverse.levels, d.traverse.height_bits);
+        let codes = truth.reduced(n, h);
+        let pyramid = Pyramid::build(n, h, &codes)?;
+        let rays: Vec<RayInput> = truth.rays.iter().map(|r| encode_ray(d, *r)).collect();
+        let hits = trace_golden(d, &pyramid, &rays)?;
+        let map = ExactMap { levels: n, height_bits: h, texels: &codes };
+        let own: Vec<ExactHit> = rays.par_iter().map(|r| map.trace(&exact_ray(d, r)?)).collect::<Result<_>>()?;
+        let wrong_own = hits.iter().zip(&own).filter(|(h, e)| h.limit || (h.i, h.j) != (e.i, e.j)).count();
+        let coarse = truth.levels - n;
+        let bad = |h: &RayHit, t: &(u32, u32, [f64; 2])| h.limit || (h.i, h.j) != (t.0 >> coarse, t.1 >> coarse);
+        let wrong: Vec<usize> = (0..hits.len()).filter(|k| bad(&hits[*k], &truth.hits[*k])).collect();
+        let mut far: Vec<(f64, usize)> =
+            hits.iter().zip(&truth.hits).map(|(h, t)| distance(d, truth.levels, h, t.2)).zip(0..).collect();
+        far.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
+        let at =
+            |share: f64| far.get(((far.len() as f64 * share).ceil() as usize).saturating_sub(1)).map_or(0.0, |x| x.0);
+        Ok(Self {
+            design: *d,
+            cost: Cost::of(d)?,
+            rays: hits.len(),
+            wrong: wrong.len(),
+            witness: wrong.first().copied(),
+            wrong_own,
+            uv_p99: at(0.99),
+            uv_max: far.last().copied().unwrap_or_default(),
+            steps: steps(&hits),
+        })
+    }
+
+    /// True if the budget is kept; a ray that is given up never keeps it.
+    pub fn keeps(&self, budget: Budget) -> bool {
+        self.steps.limits == 0
+            && match budget {
+                Budget::WrongTexel(share) => self.wrong as f64 <= share * self.rays as f64,
+                Budget::UvError(texels) => self.uv_p99 <= texels,
+            }
+    }
+
+    /// The figure that the budget is about, in words.
+    pub fn figure(&self, budget: Budget) -> String {
+        let limits = match self.steps.limits {
+            0 => String::new(),
+            n => format!(", {n} given up"),
+        };
+        match budget {
+            Budget::WrongTexel(_) => {
+                let share = self.wrong as f64 / self.rays.max(1) as f64 * 100.0;
+                format!("{} of {} wrong texels ({share:.3} %){limits}", self.wrong, self.rays)
+            }
+            Budget::UvError(_) => format!("uv error p99 {:.4} texels, max {:.3}{limits}", self.uv_p99, self.uv_max.0),
+        }
+    }
+}
+
+/// Distance between a returned hit and the exact position, in texels of the given map, the shorter way round the torus.
+fn distance(d: &Design, levels: u32, h: &RayHit, exact: [f64; 2]) -> f64 {
+    let side = 2f64.powi(levels as i32);
+    let unit = side / 2f64.powi((d.traverse.levels + d.traverse.frac_bits) as i32);
+    let one = |texel: u32, fraction: u32, e: f64| {
+        let at = ((u64::from(texel) << d.traverse.frac_bits) + u64::from(fraction)) as f64 * unit;
+        let gap = (at - e).rem_euclid(side);
+        gap.min(side - gap)
+    };
+    one(h.i, h.fu, exact[0]).max(one(h.j, h.fv, exact[1]))
+}

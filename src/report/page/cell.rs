@@ -1,0 +1,272 @@
+//! One cell: a map, a view and a design, measured on the view's rays.
+use super::plan::{DesignSpec, MapSpec, Plan, Site};
+use super::stats::Spread;
+use crate::config::{Design, View};
+use crate::error::{Error, Result};
+use crate::golden::{RayHit, RayInput, decode_time, encode_ray};
+use crate::oracle::{ExactHit, ExactMap, ExactRay};
+use crate::report::{exact_ray, steps};
+use crate::scene::ViewRay;
+use crate::trace::trace_golden;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+/// What a cell measures; its canonical JSON names the cell.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CellSpec {
+    /// Version of the crate.
+    pub version: String,
+    /// Map.
+    pub map: MapSpec,
+    /// View.
+    pub view: View,
+    /// Pixels of the picture.
+    pub picture: [u32; 2],
+    /// Every n-th pixel is traced.
+    pub stride: u32,
+    /// Design and mode.
+    pub design: DesignSpec,
+}
+
+/// A ray that shows something.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Witness {
+    /// Index in the view's rays.
+    pub ray: usize,
+    /// Column and row of its pixel.
+    pub pixel: [u32; 2],
+    /// Entry point and travel, before rounding.
+    pub numbers: [f64; 4],
+    /// The words that were traced, in hex.
+    pub words: [String; 4],
+    /// The texel that came out.
+    pub got: [u32; 2],
+    /// The exact texel; `None` where the exact walk was not possible.
+    pub exact: Option<[u32; 2]>,
+    /// The smallest difference of compared parameters in the exact walk, over the height range.
+    pub margin: f64,
+}
+
+/// A measured cell.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Cell {
+    /// What it is.
+    pub spec: CellSpec,
+    /// Digest of the hits of some of the rays: a stored cell whose model has changed since is not used.
+    pub probe: String,
+    /// Rays.
+    pub rays: u64,
+    /// Rays whose numbers are too far apart for the exact walk, left out of all errors.
+    pub unjudged: u64,
+    /// Rays given up.
+    pub limits: u64,
+    /// Rays with another texel than the exact one.
+    pub wrong: u64,
+    /// Rays with the right texel and the wrong wall flag.
+    pub wrong_walls: u64,
+    /// Mean iterations of the rays that ended.
+    pub steps_mean: f64,
+    /// Largest number of iterations.
+    pub steps_max: u32,
+    /// Mean crossings of the rays that ended.
+    pub crossings_mean: f64,
+    /// Largest error of the ray parameter over the height range, right texels.
+    pub t_max: f64,
+    /// Position error, right texels.
+    pub uv_right: Spread,
+    /// Position error, all rays that ended.
+    pub uv_all: Spread,
+    /// Rays that end in another texel than the ray before its rounding to words.
+    pub unrounded_wrong: u64,
+    /// Position error against the ray before rounding.
+    pub uv_unrounded: Spread,
+    /// Rays by what the datapath says (top, wall, given up) and what the oracle says (top, wall), right and wrong texel.
+    pub matrix: [[[u64; 2]; 2]; 3],
+    /// The ray of the largest position error.
+    pub worst_uv: Option<Witness>,
+    /// The ray of the most iterations.
+    pub worst_steps: Option<Witness>,
+    /// The ray of the largest parameter error.
+    pub worst_t: Option<Witness>,
+    /// The first wrong texel.
+    pub first_wrong: Option<Witness>,
+    /// The first ray that was given up.
+    pub first_limit: Option<Witness>,
+}
+
+/// Rays that a stored cell is probed with.
+const PROBES: usize = 48;
+/// Fraction bits of the ray before rounding: beyond, 128-bit integers no longer hold the exact walk.
+const REFERENCE_BITS: u32 = 40;
+
+/// A view's rays and where they hit before any rounding; all designs of a map share it.
+pub struct Reference {
+    /// The rays.
+    pub rays: Vec<ViewRay>,
+    /// Hit and place in texels.
+    exact: Vec<Option<(ExactHit, [f64; 2])>>,
+}
+
+fn exact_map(site: &Site) -> ExactMap<'_> {
+    ExactMap { levels: site.spec.levels, height_bits: site.spec.height_bits, texels: &site.texels }
+}
+
+/// The exact hit, and its place in texels; `None` if the walk is too wide.
+pub(super) fn walk(site: &Site, ray: &ExactRay) -> Option<(ExactHit, [f64; 2])> {
+    let hit = exact_map(site).trace(ray).ok()?;
+    let side = 2f64.powi(site.spec.levels as i32);
+    let bottom = f64::from((1u32 << site.spec.height_bits) - 1);
+    Some((hit, ray.place(&hit, bottom).map(|tiles| tiles * side)))
+}
+
+impl Reference {
+    /// The rays of a view on a map.
+    pub fn new(plan: &Plan, site: &Site, view: View) -> Self {
+        let rays = site.rays(&plan.config, view, plan.stride(view));
+        let one = 2f64.powi(REFERENCE_BITS as i32);
+        let exact = |r: &ViewRay| {
+            let entry = [r.u, r.v].map(|x| (x * one).round() as u64 % (1 << REFERENCE_BITS));
+            let travel = [r.du, r.dv].map(|x| (x * one).round() as i64);
+            walk(site, &ExactRay::fixed(REFERENCE_BITS, entry, travel))
+        };
+        let exact = rays.par_iter().map(exact).collect();
+        Self { rays, exact }
+    }
+}
+
+/// Distance of a returned hit and an exact place, in texels, the shorter way round the tile.
+pub(super) fn distance(d: &Design, h: &RayHit, place: [f64; 2]) -> f64 {
+    let side = 2f64.powi(d.traverse.levels as i32);
+    let unit = 2f64.powi(-(d.traverse.frac_bits as i32));
+    let away = |texel: u32, part: u32, exact: f64| {
+        let far = f64::from(texel) + f64::from(part) * unit - exact;
+        far - (far / side).round() * side
+    };
+    let (u, v) = (away(h.i, h.fu, place[0]), away(h.j, h.fv, place[1]));
+    (u * u + v * v).sqrt()
+}
+
+/// The design's words of the rays, and their digest of a few hits.
+///
+/// # Errors
+/// A design that is not legal.
+pub fn probe(design: &Design, site: &Site, rays: &[ViewRay]) -> Result<(Vec<RayInput>, String)> {
+    let words: Vec<RayInput> = rays.par_iter().map(|r| encode_ray(design, [r.u, r.v, r.du, r.dv])).collect();
+    let few: Vec<RayInput> = words.iter().step_by((words.len() / PROBES).max(1)).copied().collect();
+    let hits = trace_golden(design, &site.pyramid, &few)?;
+    let digest = blake3::hash(format!("{few:?} {hits:?}").as_bytes()).to_hex()[..16].to_owned();
+    Ok((words, digest))
+}
+
+impl Cell {
+    /// Measures a cell.
+    ///
+    /// # Errors
+    /// A design that is not legal.
+    pub fn measure(plan: &Plan, site: &Site, spec: CellSpec, reference: &Reference) -> Result<Self> {
+        let design = spec.design.design(&plan.config, site.spec.levels)?;
+        let (words, probe) = probe(&design, site, &reference.rays)?;
+        let hits = trace_golden(&design, &site.pyramid, &words)?;
+        let exact: Vec<Option<(ExactHit, [f64; 2])>> =
+            words.par_iter().map(|r| Ok(walk(site, &exact_ray(&design, r)?))).collect::<Result<_>>()?;
+        let bottom = f64::from((1u32 << site.spec.height_bits) - 1);
+        let (mut right, mut all, mut unrounded, mut times) = (Vec::new(), Vec::new(), Vec::new(), (0.0, None));
+        let (mut wrong, mut wrong_walls, mut limits, mut unjudged, mut unrounded_wrong) = (0, 0, 0, 0, 0);
+        let (mut matrix, mut first_wrong, mut first_limit) = ([[[0; 2]; 2]; 3], None, None);
+        let mut crossings = 0u64;
+        for (ray, (hit, exact)) in hits.iter().zip(&exact).enumerate() {
+            crossings += if hit.limit { 0 } else { u64::from(hit.crossings) };
+            let Some((truth, place)) = exact else {
+                unjudged += 1;
+                continue;
+            };
+            let bad = (hit.i, hit.j) != (truth.i, truth.j);
+            let verdict = if hit.limit { 2 } else { usize::from(hit.wall) };
+            matrix[verdict][usize::from(truth.wall)][usize::from(bad)] += 1;
+            if hit.limit {
+                limits += 1;
+                first_limit = first_limit.or(Some(ray));
+                continue;
+            }
+            let error = distance(&design, hit, *place);
+            all.push((error, ray));
+            if let Some((truth, place)) = &reference.exact[ray] {
+                unrounded.push((distance(&design, hit, *place), ray));
+                unrounded_wrong += u64::from((hit.i, hit.j) != (truth.i, truth.j));
+            }
+            if bad {
+                wrong += 1;
+                first_wrong = first_wrong.or(Some(ray));
+                continue;
+            }
+            right.push((error, ray));
+            wrong_walls += u64::from(hit.wall != truth.wall);
+            let late = (decode_time(&design, hit.t) - truth.t_f64).abs() / bottom;
+            if late > times.0 {
+                times = (late, Some(ray));
+            }
+        }
+        let count = steps(&hits);
+        let witness = |ray: usize| {
+            let (r, w) = (&reference.rays[ray], &words[ray]);
+            let words = [w.u, w.v, w.du, w.dv].map(|x| format!("{x:x}"));
+            let truth = exact[ray].as_ref().map(|x| &x.0);
+            Witness {
+                ray,
+                pixel: [r.px, r.py],
+                numbers: [r.u, r.v, r.du, r.dv],
+                words,
+                got: [hits[ray].i, hits[ray].j],
+                exact: truth.map(|x| [x.i, x.j]),
+                margin: truth.map_or(0.0, |x| x.margin),
+            }
+        };
+        let (uv_right, uv_all) = (Spread::of(right), Spread::of(all));
+        Ok(Self {
+            probe,
+            rays: hits.len() as u64,
+            unjudged,
+            limits,
+            wrong,
+            wrong_walls,
+            steps_mean: count.mean,
+            steps_max: count.max,
+            crossings_mean: crossings as f64 / count.rays.max(1) as f64,
+            t_max: times.0,
+            unrounded_wrong,
+            uv_unrounded: Spread::of(unrounded),
+            matrix,
+            worst_uv: (uv_all.rays > 0).then(|| witness(uv_all.max_ray)),
+            worst_steps: (count.rays > 0).then(|| witness(count.witness)),
+            worst_t: times.1.map(witness),
+            first_wrong: first_wrong.map(witness),
+            first_limit: first_limit.map(witness),
+            uv_right,
+            uv_all,
+            spec,
+        })
+    }
+
+    /// Rays whose hit was compared with the exact one, given up ones included.
+    pub fn judged(&self) -> u64 {
+        self.rays - self.unjudged
+    }
+
+    /// Rays with a wrong texel or none at all.
+    pub fn failed(&self) -> u64 {
+        self.wrong + self.limits
+    }
+
+    /// Cycles a ray, in a loop whose slots are all busy.
+    pub fn cycles(&self) -> f64 {
+        self.steps_mean + f64::from(self.spec.design.start_trips())
+    }
+}
+
+/// The canonical text of a cell or its description.
+///
+/// # Errors
+/// Never: it is plain data.
+pub fn canonical<T: Serialize>(value: &T) -> Result<String> {
+    serde_json::to_string(value).map_err(|e| Error::input(e.to_string()))
+}

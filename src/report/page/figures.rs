@@ -1,0 +1,245 @@
+//! Cells put together: a dot a design, and how errors and steps go with angle, map size and width.
+use super::cell::Cell;
+use super::plan::{BEST, DesignSpec, Plan, mode_label};
+use super::stats::{BINS, bound};
+use crate::config::{DatapathConfig, DatapathKind, View};
+use crate::report::Cost;
+use rayon::prelude::*;
+
+/// Cells of one design, put together.
+#[derive(Clone, Debug)]
+pub struct Pool<'a> {
+    /// The cells.
+    pub cells: Vec<&'a Cell>,
+}
+
+impl<'a> Pool<'a> {
+    /// The cells that `take` takes.
+    pub fn new(cells: &'a [Cell], take: impl Fn(&Cell) -> bool) -> Self {
+        Self { cells: cells.iter().filter(|c| take(c)).collect() }
+    }
+
+    fn sum(&self, f: impl Fn(&Cell) -> u64) -> u64 {
+        self.cells.iter().map(|c| f(c)).sum()
+    }
+
+    /// Rays compared.
+    pub fn rays(&self) -> u64 {
+        self.sum(Cell::judged)
+    }
+
+    /// Wrong texels.
+    pub fn wrong(&self) -> u64 {
+        self.sum(|c| c.wrong)
+    }
+
+    /// Rays given up.
+    pub fn limits(&self) -> u64 {
+        self.sum(|c| c.limits)
+    }
+
+    /// Part of the rays with a wrong texel or none.
+    pub fn rate(&self) -> f64 {
+        self.sum(Cell::failed) as f64 / self.rays().max(1) as f64
+    }
+
+    /// [`Pool::rate`], or where it is 0, below what it is with 95 % confidence.
+    pub fn rate_or_bound(&self) -> (f64, bool) {
+        if self.rate() > 0.0 { (self.rate(), false) } else { (bound(self.rays()), true) }
+    }
+
+    /// Cycles per ray: the mean over the cells, so that each view counts alike.
+    pub fn cycles(&self) -> f64 {
+        self.cells.iter().map(|c| c.cycles()).sum::<f64>() / self.cells.len().max(1) as f64
+    }
+
+    /// The cell with the largest value.
+    pub fn worst(&self, f: impl Fn(&Cell) -> f64) -> Option<&'a Cell> {
+        let mut worst: Option<&Cell> = None;
+        for c in &self.cells {
+            if worst.is_none_or(|w| f(c) > f(w)) {
+                worst = Some(c);
+            }
+        }
+        worst
+    }
+
+    /// The largest value of a cell.
+    pub fn largest(&self, f: impl Fn(&Cell) -> f64) -> f64 {
+        self.worst(&f).map_or(0.0, f)
+    }
+
+    /// Rays by octave of their position error: all that ended, or those with the right texel.
+    pub fn bins(&self, all: bool) -> Vec<u64> {
+        let mut sum = vec![0; BINS];
+        for c in &self.cells {
+            let s = if all { &c.uv_all } else { &c.uv_right };
+            sum.iter_mut().zip(&s.bins).for_each(|(a, b)| *a += b);
+        }
+        sum
+    }
+
+    /// The decision matrices, added.
+    pub fn matrix(&self) -> [[[u64; 2]; 2]; 3] {
+        let mut sum = [[[0; 2]; 2]; 3];
+        for c in &self.cells {
+            for (at, n) in
+                sum.as_flattened_mut().as_flattened_mut().iter_mut().zip(c.matrix.as_flattened().as_flattened())
+            {
+                *at += n;
+            }
+        }
+        sum
+    }
+}
+
+/// A design on all maps of the usual size.
+#[derive(Clone, Debug)]
+pub struct Dot<'a> {
+    /// The design.
+    pub design: &'a DesignSpec,
+    /// Its cells.
+    pub pool: Pool<'a>,
+    /// Counted bits of its hardware without the memory; `None` if there is no hardware for it yet.
+    pub size: Option<u64>,
+    /// No other design is cheaper and at least as often right, or as cheap and more often right.
+    pub front_rate: bool,
+    /// As `front_rate`, for the 99th percentile of the position error.
+    pub front_uv: bool,
+}
+
+impl Dot<'_> {
+    /// Design and mode.
+    pub fn label(&self) -> String {
+        format!("{}, {}", self.design.label(), mode_label(&self.design.mode))
+    }
+
+    /// Largest 99th percentile of a map and view.
+    pub fn uv_p99(&self) -> f64 {
+        self.pool.largest(|c| c.uv_all.p99)
+    }
+}
+
+/// A dot for every design that was measured, with the frontiers.
+pub fn dots<'a>(plan: &'a Plan, cells: &'a [Cell]) -> Vec<Dot<'a>> {
+    let levels = plan.config.traverse.levels;
+    let pool = |d: &DesignSpec| Pool::new(cells, |c| c.spec.design == *d && c.spec.map.levels == levels);
+    let mut out: Vec<Dot<'a>> = plan
+        .designs
+        .par_iter()
+        .map(|design| (design, pool(design)))
+        .filter(|(_, pool)| !pool.cells.is_empty())
+        .map(|(design, pool)| {
+            let hardware = design.design(&plan.config, levels).and_then(|d| Cost::of(&d));
+            let size = hardware.ok().map(|c| c.bits());
+            Dot { design, pool, size, front_rate: false, front_uv: false }
+        })
+        .collect();
+    let front = |error: &dyn Fn(&Dot<'a>) -> f64| -> Vec<bool> {
+        let at: Vec<(f64, f64)> = out.iter().map(|d| (d.pool.cycles(), error(d))).collect();
+        let beaten = |a: &(f64, f64)| at.iter().any(|b| b.0 <= a.0 && b.1 <= a.1 && (b.0 < a.0 || b.1 < a.1));
+        at.iter().map(|a| !beaten(a)).collect()
+    };
+    let (rate, uv) = (front(&|d| d.pool.rate_or_bound().0), front(&Dot::uv_p99));
+    for (d, (rate, uv)) in out.iter_mut().zip(rate.into_iter().zip(uv)) {
+        (d.front_rate, d.front_uv) = (rate, uv);
+    }
+    out
+}
+
+/// A design that the page always names.
+#[derive(Clone, Debug)]
+pub struct Headline {
+    /// What it is called.
+    pub name: &'static str,
+    /// The design.
+    pub design: DesignSpec,
+}
+
+/// The designs that the page always names, whether they are legal or not.
+pub fn headlines(plan: &Plan) -> Vec<Headline> {
+    let usual = DatapathConfig::default();
+    let find = |kind: DatapathKind, nudge: u32| {
+        plan.designs.iter().find(|d| {
+            let published = kind != DatapathKind::Published || d.nudge_bits == Some(nudge);
+            let float = kind == DatapathKind::Fixed || (d.exp, d.man) == (Some(7), Some(16));
+            let fixed = kind != DatapathKind::Fixed || d.fraction_bits == Some(usual.fraction_bits);
+            d.kind == kind && d.mode == BEST && published && float && fixed
+        })
+    };
+    [
+        ("watertight", DatapathKind::Watertight, 0),
+        ("fixed", DatapathKind::Fixed, 0),
+        ("published", DatapathKind::Published, usual.nudge_bits),
+        ("published, no nudge", DatapathKind::Published, 0),
+    ]
+    .into_iter()
+    .filter_map(|(name, kind, nudge)| Some(Headline { name, design: find(kind, nudge)?.clone() }))
+    .collect()
+}
+
+/// A point of a series.
+#[derive(Clone, Debug)]
+pub struct At<'a> {
+    /// Place along the axis.
+    pub x: f64,
+    /// Cells.
+    pub pool: Pool<'a>,
+}
+
+/// One line of a chart.
+#[derive(Clone, Debug)]
+pub struct Series<'a> {
+    /// What varies: `angle`, `size` or `bits`.
+    pub by: &'static str,
+    /// Design.
+    pub name: String,
+    /// Points, in the order of the axis.
+    pub points: Vec<At<'a>>,
+}
+
+/// The lines of all charts.
+pub fn series<'a>(plan: &'a Plan, cells: &'a [Cell]) -> Vec<Series<'a>> {
+    let levels = plan.config.traverse.levels;
+    let narrow = |d: &&DesignSpec| d.kind == DatapathKind::Watertight && d.exp == Some(7) && d.man == Some(10);
+    let mut shown: Vec<DesignSpec> = headlines(plan).into_iter().map(|h| h.design).collect();
+    shown.extend(plan.designs.iter().find(narrow).cloned());
+    let mut out = Vec::new();
+    for d in &shown {
+        let angle = |(v, view): (usize, &View)| At {
+            x: v as f64,
+            pool: Pool::new(cells, |c| c.spec.design == *d && c.spec.map.levels == levels && c.spec.view == *view),
+        };
+        out.push(Series { by: "angle", name: d.label(), points: View::ALL.iter().enumerate().map(angle).collect() });
+        // Only a map that is there in several sizes tells what the size does.
+        let wide = plan.sites.iter().find(|s| s.spec.levels != levels);
+        let sizes = wide.map_or(Vec::new(), |w| vec![levels, w.spec.levels]);
+        let name = wide.map_or(String::new(), |w| w.spec.name.clone());
+        let size = |n: &u32| At {
+            x: f64::from(*n),
+            pool: Pool::new(cells, |c| c.spec.design == *d && c.spec.map.levels == *n && c.spec.map.name == name),
+        };
+        out.push(Series { by: "size", name: d.label(), points: sizes.iter().map(size).collect() });
+    }
+    let widths = |kind: DatapathKind, exp: Option<u32>| -> Vec<At<'a>> {
+        let same = |d: &&DesignSpec| d.kind == kind && d.exp == exp && d.mode == BEST;
+        plan.designs
+            .iter()
+            .filter(same)
+            .map(|d| At {
+                x: f64::from(d.man.or(d.fraction_bits).unwrap_or(0)),
+                pool: Pool::new(cells, |c| c.spec.design == *d && c.spec.map.levels == levels),
+            })
+            .collect()
+    };
+    for exp in [5, 6, 7, 8] {
+        let name = format!("watertight EXP_W {exp}");
+        out.push(Series { by: "bits", name, points: widths(DatapathKind::Watertight, Some(exp)) });
+    }
+    out.push(Series { by: "bits", name: "fixed".to_owned(), points: widths(DatapathKind::Fixed, None) });
+    for s in &mut out {
+        s.points.retain(|p| !p.pool.cells.is_empty());
+    }
+    out.retain(|s| !s.points.is_empty());
+    out
+}

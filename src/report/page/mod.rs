@@ -1,0 +1,19 @@
+//! The report: speed against error of every design, as one page, JSON and CSV with the same numbers.
+mod cell;
+mod charts;
+mod figures;
+mod pictures;
+mod plan;
+mod published;
+mod replay;
+mod sections;
+mod stats;
+mod store;
+mod svg;
+mod table;
+mod write;
+
+pub use cell::{Cell, CellSpec, Witness};
+pub use plan::{Extent, Plan};
+pub use store::{Work, cells};
+pub use write::{Output, files, write};

@@ -1,0 +1,142 @@
+//! Pictures: a view rendered by the datapath's hits, by the exact ones, and where they differ; the worst pixel enlarged.
+use super::cell::{distance, walk};
+use super::plan::{DesignSpec, Plan, Site};
+use crate::config::View;
+use crate::error::Result;
+use crate::golden::{decode_time, encode_ray};
+use crate::oracle::ExactHit;
+use crate::report::exact_ray;
+use crate::scene::{Camera, Picture, ShadePoint, Shader};
+use crate::trace::trace_golden;
+use rayon::prelude::*;
+
+/// Pixels of a picture.
+const SIZE: (u32, u32) = (360, 270);
+/// Pixels of the enlarged neighbourhood.
+const NEAR: (usize, usize) = (24, 18);
+/// Same texel: from no error to half a texel; another texel; given up; no ray.
+const NONE: [u8; 3] = [243, 243, 240];
+const OTHER: [u8; 3] = [213, 94, 0];
+const LIMIT: [u8; 3] = [90, 20, 110];
+const MISS: [u8; 3] = [255, 255, 255];
+
+/// A view of a design as pictures.
+pub struct ViewPictures {
+    /// Rendered by the datapath, by the oracle, and the difference.
+    pub whole: [Picture; 3],
+    /// The same three around the worst pixel.
+    pub near: [Picture; 3],
+    /// Column and row of the worst pixel.
+    pub worst: [u32; 2],
+    /// Its position error in texels.
+    pub error: f64,
+    /// Pixels with a ray, wrong texels, given up.
+    pub counts: [u64; 3],
+}
+
+fn crop(p: &Picture, at: [u32; 2]) -> Picture {
+    let left = (at[0] as usize).saturating_sub(NEAR.0 / 2).min(p.width - NEAR.0);
+    let top = (at[1] as usize).saturating_sub(NEAR.1 / 2).min(p.height - NEAR.1);
+    let pixels = (0..NEAR.0 * NEAR.1).map(|k| p.pixels[(top + k / NEAR.0) * p.width + left + k % NEAR.0]).collect();
+    Picture { width: NEAR.0, height: NEAR.1, pixels }
+}
+
+/// One view of a map through a design.
+///
+/// # Errors
+/// A design that is not legal.
+pub fn view(plan: &Plan, site: &Site, spec: &DesignSpec, view: View) -> Result<ViewPictures> {
+    let d = spec.design(&plan.config, site.spec.levels)?;
+    let rays = Camera::standard(view, SIZE.0, SIZE.1).rays(site.spec.scale, site.spec.repeat, 1);
+    let words: Vec<_> = rays.iter().map(|r| encode_ray(&d, [r.u, r.v, r.du, r.dv])).collect();
+    let hits = trace_golden(&d, &site.pyramid, &words)?;
+    let exact: Vec<Option<(ExactHit, [f64; 2])>> =
+        words.par_iter().map(|r| Ok(walk(site, &exact_ray(&d, r)?))).collect::<Result<_>>()?;
+    let bottom = f64::from((1u32 << site.spec.height_bits) - 1);
+    let side = 2f64.powi(site.spec.levels as i32);
+    let part = 2f64.powi(-(d.traverse.frac_bits as i32));
+    let pixels = (SIZE.0 * SIZE.1) as usize;
+    let (mut ours, mut truth, mut differ) = (vec![None; pixels], vec![None; pixels], vec![MISS; pixels]);
+    let mut worst = (-1.0, [0, 0]);
+    let mut counts = [rays.len() as u64, 0, 0];
+    let mut wrong = Vec::new();
+    for ((r, h), e) in rays.iter().zip(&hits).zip(&exact) {
+        let at = (r.py * SIZE.0 + r.px) as usize;
+        let unit = |i: u32, f: u32| (f64::from(i) + f64::from(f) * part) / side;
+        if !h.limit {
+            let t = decode_time(&d, h.t) / bottom;
+            ours[at] = Some(ShadePoint { u: unit(h.i, h.fu), v: unit(h.j, h.fv), t, wall: h.wall });
+        }
+        let Some((e, place)) = e else { continue };
+        let [u, v] = place.map(|x| (x / side).rem_euclid(1.0));
+        truth[at] = Some(ShadePoint { u, v, t: e.t_f64 / bottom, wall: e.wall });
+        let error = if h.limit { f64::INFINITY } else { distance(&d, h, *place) };
+        if error > worst.0 {
+            worst = (error, [r.px, r.py]);
+        }
+        let bad = (h.i, h.j) != (e.i, e.j);
+        if h.limit || bad {
+            counts[if h.limit { 2 } else { 1 }] += 1;
+            wrong.push((at, if h.limit { LIMIT } else { OTHER }));
+        } else {
+            // The square root lets small errors be seen.
+            let grey = |c: u8| (f64::from(c) * (1.0 - 0.55 * (error * 2.0).min(1.0).sqrt())).round() as u8;
+            differ[at] = NONE.map(grey);
+        }
+    }
+    // A wrong pixel alone is lost on a page: where they are few each gets a ring.
+    if wrong.len() * 400 < pixels {
+        for (at, colour) in &wrong {
+            let (x, y) = ((at % SIZE.0 as usize) as i64, (at / SIZE.0 as usize) as i64);
+            for (dx, dy) in (-3i64..=3).flat_map(|dx| (-3i64..=3).map(move |dy| (dx, dy))) {
+                let inside = (0..i64::from(SIZE.0)).contains(&(x + dx)) && (0..i64::from(SIZE.1)).contains(&(y + dy));
+                if dx.abs().max(dy.abs()) == 3 && inside {
+                    differ[((y + dy) * i64::from(SIZE.0) + x + dx) as usize] = *colour;
+                }
+            }
+        }
+    }
+    wrong.iter().for_each(|(at, colour)| differ[*at] = *colour);
+    let s = &site.spec;
+    let shader = Shader::new(&site.texels, s.levels, s.height_bits, s.scale, s.repeat, s.kind);
+    let (w, h) = (SIZE.0 as usize, SIZE.1 as usize);
+    let whole = [
+        Picture::shaded(&shader, w, h, &ours),
+        Picture::shaded(&shader, w, h, &truth),
+        Picture { width: w, height: h, pixels: differ },
+    ];
+    let near = [0, 1, 2].map(|k: usize| crop(&whole[k], worst.1));
+    Ok(ViewPictures { whole, near, worst: worst.1, error: worst.0, counts })
+}
+
+/// A picture as a data URI.
+///
+/// # Errors
+/// Never: the pictures have pixels.
+pub fn data_uri(p: &Picture) -> Result<String> {
+    Ok(format!("data:image/png;base64,{}", base64(&p.to_png()?)))
+}
+
+/// Bytes as base64 (RFC 4648).
+fn base64(bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for three in bytes.chunks(3) {
+        let word = three.iter().fold(0u32, |w, b| w << 8 | u32::from(*b)) << (8 * (3 - three.len()));
+        for k in 0..4 {
+            let digit = DIGITS[(word >> (18 - 6 * k) & 63) as usize] as char;
+            out.push(if k <= three.len() { digit } else { '=' });
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn base64_of_the_standard() {
+        for (plain, coded) in [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foob", "Zm9vYg==")] {
+            assert_eq!(super::base64(plain.as_bytes()), coded);
+        }
+    }
+}

@@ -1,0 +1,49 @@
+//! The commands that show a witness again.
+use super::cell::{Cell, Witness};
+use super::plan::{Plan, Site};
+use crate::config::Config;
+use serde_json::Value;
+
+/// `--set key=value` of everything in `c` that is not the default.
+fn sets(c: &Config) -> String {
+    let plain = |c: &Config| serde_json::to_value(c).expect("a configuration is plain data");
+    let (now, usual) = (plain(c), plain(&Config::default()));
+    let mut out = String::new();
+    for (section, keys) in now.as_object().into_iter().flatten() {
+        for (key, value) in keys.as_object().into_iter().flatten() {
+            let skip = usual[section].get(key) == Some(value)
+                || section == "view"
+                || key == "file"
+                || key == "kind" && section == "map" && value == "file";
+            if !skip {
+                out += &format!(
+                    " --set {section}.{key}={}",
+                    value.as_str().map_or_else(|| Value::to_string(value), str::to_owned)
+                );
+            }
+        }
+    }
+    out
+}
+
+/// The map's part of a command line.
+fn arguments(plan: &Plan, site: &Site, cell: &Cell) -> String {
+    let mut c = cell.spec.design.config(&plan.config, site.spec.levels);
+    (c.map, c.vectors) = (plan.config.map.clone(), Default::default());
+    (c.latency, c.emit) = (Default::default(), Default::default());
+    (c.map.kind, c.map.scale, c.map.repeat) = (site.spec.kind, site.spec.scale, site.spec.repeat);
+    let map = site.file.as_ref().map_or(String::new(), |f| format!(" --map '{}'", f.display()));
+    map + &sets(&c)
+}
+
+/// Traces the witness again: its ray as a table, its hit as another.
+pub fn command(plan: &Plan, cell: &Cell, w: &Witness) -> String {
+    let Some(site) = plan.sites.iter().find(|s| s.spec == cell.spec.map) else {
+        return String::new();
+    };
+    let [u, v, du, dv] = w.numbers;
+    format!(
+        "printf 'u,v,du,dv\\n{u:?},{v:?},{du:?},{dv:?}\\n' > ray.csv && reliefrtl trace --engine golden --rays ray.csv --out hit.csv{} && cat hit.csv",
+        arguments(plan, site, cell)
+    )
+}

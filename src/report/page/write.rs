@@ -1,0 +1,147 @@
+//! The report's files: JSON, CSV and the page, from the same tables.
+use super::cell::Cell;
+use super::charts::Plot;
+use super::figures::{Dot, dots, headlines, series};
+use super::plan::{Extent, Plan, mode_label};
+use super::table::{grouped, short};
+use super::{charts, pictures, published, sections};
+use crate::config::View;
+use crate::error::{Error, Result};
+use crate::files::write_atomic;
+use serde_json::{Value, json};
+use std::path::Path;
+
+/// The report's files by name.
+pub type Output = Vec<(String, Vec<u8>)>;
+
+/// A card of the verdict strip.
+fn card(plan: &Plan, name: &str, label: &str, dot: Option<&Dot<'_>>) -> Value {
+    let Some(d) = dot else {
+        let same = |r: &&super::plan::NotLegal| r.design.starts_with(label);
+        let reason = plan.not_legal.iter().find(same).map_or("not measured", |r| r.reason.as_str());
+        return json!({"name": name, "label": label, "reason": reason});
+    };
+    let (p, zero) = (&d.pool, d.pool.wrong() + d.pool.limits() == 0);
+    let lines = vec![
+        json!({"what": "wrong texels", "value": sections::of(p.wrong(), p.rays()), "exact": p.wrong()}),
+        json!({"what": "given up", "value": sections::of(p.limits(), p.rays()), "exact": p.limits()}),
+        json!({"what": "uv error p99 / max, texel", "value": format!("{} / {}", short(d.uv_p99()), short(p.largest(|c| c.uv_all.max)))}),
+        json!({"what": "t error max, of the height", "value": short(p.largest(|c| c.t_max))}),
+        json!({"what": "cycles per ray", "value": short(p.cycles())}),
+    ];
+    json!({"name": name, "label": label, "big": if zero { "0".to_owned() } else { format!("{} %", short(100.0 * p.rate())) }, "lines": lines})
+}
+
+fn picture_rows(plan: &Plan) -> Result<Vec<Value>> {
+    let site = &plan.sites[0];
+    let mut out = Vec::new();
+    let views = if plan.extent == Extent::Tiny { &View::ALL[1..2] } else { View::ALL };
+    for h in headlines(plan).iter().filter(|h| h.design.design(&plan.config, site.spec.levels).is_ok()) {
+        for view in views {
+            let p = pictures::view(plan, site, &h.design, *view)?;
+            let uri = |p: &[crate::scene::Picture; 3]| p.iter().map(pictures::data_uri).collect::<Result<Vec<_>>>();
+            out.push(json!({
+                "design": h.design.label(), "view": view.word(), "whole": uri(&p.whole)?, "near": uri(&p.near)?,
+                "wrong": sections::of(p.counts[1], p.counts[0]), "limits": p.counts[2], "pixel": p.worst,
+                "error": if p.error.is_finite() { short(p.error) + " texels" } else { "given up".to_owned() },
+            }));
+        }
+    }
+    Ok(out)
+}
+
+/// All files of a report; `again` is the command that makes it.
+///
+/// # Errors
+/// A template that does not fit its values.
+pub fn files(plan: &Plan, cells: &[Cell], again: &str) -> Result<Output> {
+    let (dots, lines) = (dots(plan, cells), series(plan, cells));
+    let claims = published::claims(plan, cells);
+    let tables = [
+        sections::worst(plan, &dots),
+        sections::pareto(&dots),
+        sections::series(&lines),
+        sections::steps(plan, cells),
+        sections::histogram(plan, &dots),
+        sections::matrix(plan, &dots),
+        published::table(cells),
+        claims.clone(),
+        sections::not_legal(&plan.not_legal),
+        sections::maps(plan),
+        sections::cells(cells),
+    ];
+    let c = &plan.config;
+    let head = json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "config": c.hash(),
+        "seed": c.map.seed,
+        "command": again,
+        "cells": cells.len(),
+        "designs": dots.len(),
+        "rays": cells.iter().map(|x| x.rays).sum::<u64>(),
+        "unjudged": cells.iter().map(|x| x.unjudged).sum::<u64>(),
+        "picture": [c.view.width, c.view.height],
+        "strides": plan.strides,
+        "side": 1u64 << c.traverse.levels,
+        "mode": mode_label(&super::plan::BEST),
+    });
+    let mut report = json!({"report": head});
+    for t in &tables {
+        report[t.name] = t.json();
+    }
+    let mut out =
+        vec![("report.json".to_owned(), (serde_json::to_string_pretty(&report).map_err(bad)? + "\n").into_bytes())];
+    for name in ["cells", "pareto", "steps", "published"] {
+        let table = tables.iter().find(|t| t.name == name);
+        out.extend(table.map(|t| (format!("{name}.csv"), t.csv())));
+    }
+    let cards: Vec<Value> = headlines(plan)
+        .iter()
+        .map(|h| card(plan, h.name, &h.design.label(), dots.iter().find(|d| *d.design == h.design)))
+        .collect();
+    let along = |by: &str, what: &str| charts::along(plan, &lines, by, what);
+    let named: Vec<String> = headlines(plan)
+        .iter()
+        .filter_map(|h| dots.iter().find(|d| *d.design == h.design))
+        .map(charts::histogram)
+        .collect();
+    let clouds = [Plot::Wrong, Plot::Uv, Plot::Size].map(|plot| charts::pareto(plan, &dots, plot));
+    let charts = json!({
+        "pareto": clouds,
+        "angle": [along("angle", "wrong"), along("angle", "uv"), along("angle", "cycles")],
+        "size": [along("size", "wrong"), along("size", "uv"), along("size", "cycles")],
+        "bits": [along("bits", "wrong"), along("bits", "uv"), along("bits", "cycles")],
+        "histogram": named,
+    });
+    let shown: serde_json::Map<String, Value> =
+        tables.iter().filter(|t| t.name != "cells").map(|t| (t.name.to_owned(), t.page())).collect();
+    let page = json!({
+        "head": head, "rays": grouped(cells.iter().map(|x| x.rays).sum()), "cards": cards, "charts": charts, "tables": shown, "pictures": picture_rows(plan)?,
+        "claims": published::claim_words(&claims), "levels": c.traverse.levels, "map": plan.sites[0].spec.name,
+    });
+    out.push(("report.html".to_owned(), html(&page)?.into_bytes()));
+    Ok(out)
+}
+
+fn bad(e: impl std::fmt::Display) -> Error {
+    Error::input(format!("the report: {e}"))
+}
+
+fn html(page: &Value) -> Result<String> {
+    let mut env = minijinja::Environment::new();
+    env.set_trim_blocks(true);
+    env.set_lstrip_blocks(true);
+    env.set_undefined_behavior(minijinja::UndefinedBehavior::Strict);
+    env.add_template("style.css", include_str!("templates/style.css")).map_err(bad)?;
+    env.add_template("page.html", include_str!("templates/page.html")).map_err(bad)?;
+    env.get_template("page.html").and_then(|t| t.render(minijinja::Value::from_serialize(page))).map_err(bad)
+}
+
+/// Writes the files of a report, each beside its place first.
+///
+/// # Errors
+/// If the directory can't be written.
+pub fn write(out: &Path, files: &Output) -> Result<()> {
+    std::fs::create_dir_all(out).map_err(|e| Error::file("create", out, e))?;
+    files.iter().try_for_each(|(name, bytes)| write_atomic(out.join(name), bytes))
+}

@@ -1,0 +1,78 @@
+//! What stands in the loop of `traverse`: floating-point units and stages, beside PIDM-HW table 1 and figure 7.
+use super::datapath::Datapath;
+use super::traverse::Traverse;
+use crate::config::{DatapathKind, Design};
+use crate::ir::Module;
+use std::sync::Arc;
+
+/// Floating-point units in the loop, and its stages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Census {
+    /// `fp_add`: adders of two inputs.
+    pub adders: u32,
+    /// `fp_lt`.
+    pub comparators: u32,
+    /// `fp_mul`.
+    pub multipliers: u32,
+    /// `fp_div`.
+    pub dividers: u32,
+    /// Slots of the loop.
+    pub stages: u32,
+}
+
+/// The traverse unit of PIDM-HW: table 1, and the 15 stages of figure 7.
+pub const PUBLISHED: Census = Census { adders: 6, comparators: 7, multipliers: 5, dividers: 2, stages: 15 };
+
+impl Census {
+    /// Rows of a table: what, and how many.
+    pub const fn rows(&self) -> [(&'static str, u32); 5] {
+        [
+            ("adders", self.adders),
+            ("comparators", self.comparators),
+            ("multipliers", self.multipliers),
+            ("dividers", self.dividers),
+            ("stages", self.stages),
+        ]
+    }
+}
+
+/// Counts what stands in the loop of `t`: all of it but setup, and the position of the hit.
+pub fn census(d: &Design, t: &Traverse) -> Census {
+    let path = Datapath::of(d);
+    let outside = [(path.setup)(d).name.clone(), (path.hit)(d).name.clone()];
+    let inside = t.module.insts.iter().map(|i| &i.module).filter(|m| !outside.contains(&m.name));
+    let inside: Vec<&Arc<Module>> = inside.collect();
+    let of = |name: &str| inside.iter().map(|m| count(m, name)).sum();
+    Census {
+        adders: of("fp_add"),
+        comparators: of("fp_lt"),
+        multipliers: of("fp_mul"),
+        dividers: of("fp_div"),
+        stages: t.slots,
+    }
+}
+
+/// Instances of `name` in `m`, itself included.
+fn count(m: &Module, name: &str) -> u32 {
+    u32::from(m.name == name) + m.insts.iter().map(|i| count(&i.module, name)).sum::<u32>()
+}
+
+/// Why the `row` (of [`Census::rows`]) of a datapath differs from the published one, where it does.
+pub fn difference(kind: DatapathKind, row: &str) -> &'static str {
+    match (kind, row) {
+        (_, "stages") if kind == DatapathKind::Published => {
+            "latencies other than the published ones: add 2, divide 2, multiply 1, compare 1"
+        }
+        (DatapathKind::Watertight, "adders") => {
+            "only the hit is predicted; a crossing steps an integer index and needs no position"
+        }
+        (DatapathKind::Watertight, "multipliers") => {
+            "planes times a reciprocal, and the hit; t counts height codes, so heights are not scaled"
+        }
+        (DatapathKind::Watertight, "dividers") => "the reciprocal of the travel is found once per ray, in setup",
+        (DatapathKind::Watertight, "stages") => "no division, and no position after the nearer plane is known",
+        (DatapathKind::Fixed, "stages") => "fixed-point units are shorter, and nothing is divided in the loop",
+        (DatapathKind::Fixed, _) => "fixed-point arithmetic instead of floating-point units",
+        _ => "",
+    }
+}

@@ -1,0 +1,54 @@
+//! `hit_position`: where in its texel a ray hit, along one axis, as a fraction that never leaves the texel.
+use super::params::{LENGTH, Params, TIME, bindings, time_width};
+use super::predicted_hit::{position, way};
+use crate::config::{Design, LatencyConfig};
+use crate::ir::{Builder, Module};
+use std::sync::Arc;
+
+/// Clocks through `hit_position`; at least one, as the valid bit beside it decides whether the pipeline moves.
+pub fn latency(l: &LatencyConfig) -> u32 {
+    (l.mul + l.add).max(1)
+}
+
+/// Builds `hit_position`.
+pub fn hit_position(d: &Design) -> Arc<Module> {
+    let b = Builder::new("hit_position", file!(), "position of the hit inside its texel: p + way - x, kept in [0, 1)");
+    let of = Params { b: &b, d };
+    let f = of.fraction();
+    let n = of.levels(&f);
+    let (tile, reach) = of.reach(&f);
+    let frac = b.param("FRAC_W", d.traverse.frac_bits, "fraction bits of the position");
+    b.require(1, &frac);
+    b.require(&frac, 16);
+    let idx = of.index(&n, &tile);
+    let time = b.local("TimeW", time_width(&f));
+    b.clock();
+    b.clock_enable();
+    let p = b.input("p", &f, LENGTH, "entry point");
+    let s = b.input("s", &reach + 1, "2^-(FRACTION_W+HEIGHT_W) tiles", "travel per height code");
+    let neg = b.input("neg", 1, "bit", "the ray runs toward smaller coordinates");
+    let t = b.input("t", &time, TIME, "parameter of the hit");
+    let x = b.input("x", &idx, "texels", "hit texel, unwrapped");
+    let out = b.output("fraction", &frac, "1/2^FRAC_W texel", "position inside the texel");
+    let l = latency(&d.latency);
+    b.plan(l, &[("way", 10), ("position", 4), ("clamp", 5)]);
+    b.section("way", "");
+    let way = way(&b, s, t, &time, &reach);
+    b.section("position", "");
+    let at = position(&b, p, way, neg, &reach);
+
+    b.section("clamp", "A hit on a wall lies exactly on a border: the integer texel decides, the fraction follows.");
+    // A bit below the point keeps the texel's corner wider than the texel; a sign bit holds the difference.
+    let corner = b.cat(&[x, b.zeros(&f - &n + 1)]).named("corner");
+    b.unused(corner.bit(0));
+    let wide = &reach + 3;
+    let corner = corner.slice(1, &reach + 2).named("corner_at");
+    let off = (at.sext(wide.clone()) - corner.sext(wide.clone())).named("offset");
+    let past = off.slice(&f - &n, &idx + 1).any().named("past");
+    let long = b.cat(&[off, b.zeros(&frac)]).named("offset_long");
+    b.unused(long);
+    let inside = long.slice(&f - &n, frac.clone()).named("low_part");
+    let kept = off.msb().mux(b.zeros(&frac), past.mux(b.ones(&frac), inside)).named("kept");
+    b.drive(out, kept, Some(l));
+    b.finish(Some(l), &bindings())
+}

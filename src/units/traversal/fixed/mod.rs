@@ -1,0 +1,103 @@
+//! The fixed-point datapath: parameters of integer planes, compared as unsigned integers (`docs/fixed.md`).
+mod height_test;
+mod hit_position;
+mod node_crossing;
+mod params;
+mod plane_time;
+mod predicted_hit;
+mod ray_setup;
+mod reciprocal;
+
+pub use height_test::height_test;
+pub use hit_position::hit_position;
+pub use node_crossing::node_crossing;
+pub use plane_time::plane_time;
+pub use predicted_hit::predicted_hit;
+pub use ray_setup::ray_setup;
+pub use reciprocal::reciprocal;
+
+use super::datapath::Datapath;
+use super::loop_state::{Field, Numbers, Sizes, Start};
+use super::plane_iteration::{PlaneUnits, plane_iteration};
+use crate::config::Design;
+use crate::ir::{Builder, Expr};
+use crate::units::div_rows::div_rows_module;
+use params::{LENGTH, Params, TIME, reach_conditions, shift_width, time_width};
+
+pub(super) static DATAPATH: Datapath = Datapath {
+    arithmetic: |d| {
+        let (f, w) = (d.datapath.fraction_bits, d.datapath.reciprocal_bits);
+        vec![div_rows_module(f + d.traverse.tile_bits, w + 2)]
+    },
+    steps: |d| vec![reciprocal(d), plane_time(d), height_test(d), predicted_hit(d), node_crossing(d)],
+    declare: |b, d| {
+        let of = Params { b, d };
+        of.fraction();
+        of.recip();
+        None
+    },
+    numbers,
+    constants,
+    setup: ray_setup,
+    setup_clocks: ray_setup::latency,
+    iteration: |b, s, d, ray, load| plane_iteration(b, s, d, ray, load, &UNITS),
+    hit: hit_position,
+    hit_clocks: |d| hit_position::latency(&d.latency),
+    hit_inputs: |ray, axis| {
+        let of = |name: &str| ray.get(&format!("{name}_{axis}"));
+        vec![("p", of("p")), ("s", of("s")), ("neg", of("neg")), ("t", ray.get("t")), ("x", ray.get(axis))]
+    },
+};
+
+const UNITS: PlaneUnits = PlaneUnits {
+    plane_time,
+    plane_inputs: &[("p", "p"), ("neg", "neg"), ("r", "r"), ("z", "z")],
+    height_test,
+    predicted_hit,
+    predicted_inputs: &[("p", "p"), ("s", "s"), ("neg", "neg")],
+    node_crossing,
+};
+
+/// Declares what the width of a ray parameter follows from; returns width and unit.
+pub(super) fn time(b: &Builder, d: &Design) -> (Expr, &'static str) {
+    (time_width(&Params { b, d }.fraction()), TIME)
+}
+
+fn numbers(
+    b: &Builder,
+    _: Option<crate::units::float::FormatParams>,
+    levels: &Expr,
+    height: &Expr,
+    tile: &Expr,
+) -> Numbers {
+    let (f, w) = (Expr::param("FRACTION_W"), Expr::param("RECIP_W"));
+    b.require(levels, &f);
+    b.require(2, height);
+    b.require(height, 16);
+    b.require(height, &f);
+    reach_conditions(b, &f, tile);
+    b.require(&f + tile + &w, 63);
+    b.require(levels + tile + 2, 24);
+    let travel = &f + tile + 1;
+    Numbers { entry: (f.clone(), LENGTH), travel: (travel, LENGTH), time: (time_width(&f), TIME), float: None }
+}
+
+/// Per axis: entry point, travel per height code, reciprocal of the travel and its shift, and which way it goes.
+fn constants(s: &Sizes, _: &Design) -> Vec<Field> {
+    let (f, w) = (Expr::param("FRACTION_W"), Expr::param("RECIP_W"));
+    let (reach, bit) = (&f + &s.tile, Expr::from(1));
+    let of = |name, width: &Expr| Field::new(name, width, Start::Setup(name));
+    let (long, shift) = (&reach + 1, shift_width(&reach));
+    vec![
+        of("p_x", &f),
+        of("s_x", &long),
+        of("r_x", &w),
+        of("z_x", &shift),
+        of("neg_x", &bit),
+        of("p_y", &f),
+        of("s_y", &long),
+        of("r_y", &w),
+        of("z_y", &shift),
+        of("neg_y", &bit),
+    ]
+}

@@ -1,0 +1,34 @@
+//! `node_crossing`: does the ray meet the node's height before it leaves, and if not, by which plane does it leave?
+use super::params::{Params, TIME, bindings, time_width};
+use crate::config::Design;
+use crate::ir::{Builder, Module};
+use std::sync::Arc;
+
+/// Builds `node_crossing`, `latency.compare` clocks.
+pub fn node_crossing(d: &Design) -> Arc<Module> {
+    let b =
+        Builder::new("node_crossing", file!(), "node crossing test: hit inside the node, or exit plane and parameter");
+    let f = Params { b: &b, d }.fraction();
+    let time = b.local("TimeW", time_width(&f));
+    b.clock();
+    b.clock_enable();
+    let t = b.input("t", &time, TIME, "parameter so far");
+    let m = b.input("m", &time, TIME, "parameter at which the node's height is met");
+    let t_x = b.input("t_x", &time, TIME, "parameter of the u exit plane");
+    let t_y = b.input("t_y", &time, TIME, "parameter of the v exit plane");
+    let inside = b.output("is_inside", 1, "bit", "the height is met before the ray leaves");
+    let x_first = b.output("x_first", 1, "bit", "the u plane comes first, or both at once");
+    let t_next = b.output("t_next", &time, TIME, "parameter behind the exit plane, never before t");
+
+    b.section("compare", "All five comparisons at once; the selects follow.");
+    let in_both = (m.lt(t_x) & m.lt(t_y)).named("in_both");
+    let y_less = t_y.lt(t_x).named("y_before_x");
+    let (grow_x, grow_y) = (t.lt(t_x).named("t_before_x"), t.lt(t_y).named("t_before_y"));
+    let exit = y_less.mux(t_y, t_x).named("t_exit");
+    let next = y_less.mux(grow_y, grow_x).named("t_grows").mux(exit, t).named("t_behind");
+    let l = d.latency.compare;
+    b.drive(inside, in_both, Some(l));
+    b.drive(x_first, (!y_less).named("x_leads"), Some(l));
+    b.drive(t_next, next, Some(l));
+    b.finish(Some(l), &bindings())
+}

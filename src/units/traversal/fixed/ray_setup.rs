@@ -1,0 +1,128 @@
+//! `ray_setup`: once per ray, from texture coordinates to what the loop compares (PIDM-HW section 4.2, mode 1).
+//!
+//! Per axis: entry point, travel per height code, reciprocal and its shift, sign, and first texel; for both: the start
+//! level. What each is, to the bit: `docs/fixed.md`, "Once per ray".
+use super::params::{LENGTH, Params, bindings, shift_width};
+use super::reciprocal::reciprocal;
+use crate::config::Design;
+use crate::ir::{Builder, Expr, Module, NodeId, Sig};
+use crate::units::traversal::start_level;
+use std::sync::Arc;
+
+/// Clocks through `ray_setup`; at least one, so that a ready never follows from a valid in the same clock.
+pub fn latency(d: &Design) -> u32 {
+    d.latency.div.max(1)
+}
+
+/// What setup computes for one axis.
+struct Axis<'b> {
+    ok: Sig<'b>,
+    /// In the order of the ports.
+    words: [Sig<'b>; 6],
+    first: Sig<'b>,
+    last: Option<Sig<'b>>,
+}
+
+/// Widths that both axes use.
+struct Sizes {
+    f: Expr,
+    n: Expr,
+    h: Expr,
+    reach: Expr,
+    idx: Expr,
+}
+
+/// Builds `ray_setup`.
+pub fn ray_setup(d: &Design) -> Arc<Module> {
+    let b = Builder::new("ray_setup", file!(), "a ray's constants, from texture coordinates to what the loop compares");
+    b.note("A ray that can't be traced (see ok) has all other outputs 0.");
+    let of = Params { b: &b, d };
+    let f = of.fraction();
+    let w = of.recip();
+    let n = of.levels(&f);
+    let h = of.height(&f);
+    let (tile, reach) = of.reach(&f);
+    let idx = of.index(&n, &tile);
+    let level_w = b.local("LevelW", (&n + 1).clog2());
+    let shift_w = b.local("ShiftW", shift_width(&reach));
+    b.clock();
+    b.clock_enable();
+    let u = b.input("u", &f, LENGTH, "entry point at the top plane");
+    let v = b.input("v", &f, LENGTH, "entry point at the top plane");
+    let du = b.input("du", &reach + 1, LENGTH, "u travelled while the height falls from 1 to 0, signed");
+    let dv = b.input("dv", &reach + 1, LENGTH, "v travelled while the height falls from 1 to 0, signed");
+    let o_ok = b.output("ok", 1, "bit", "the ray can be traced: no travel is the most negative word");
+    let o_level = b.output("level", &level_w, "levels", "level of the first iteration");
+    let outs = ["x", "y"].map(|a| {
+        let of = |n: &str, w: &Expr, unit: &str, doc: &str| b.output(&format!("{n}_{a}"), w, unit, doc);
+        [
+            of("p", &f, LENGTH, "entry point"),
+            of("s", &(&reach + 1), "2^-(FRACTION_W+HEIGHT_W) tiles", "travel per height code, its magnitude"),
+            of("r", &w, "a number of RECIP_W bits", "reciprocal of the travel"),
+            of("z", &shift_w, "bits", "its power of two"),
+            of("neg", &Expr::from(1), "bit", "the ray runs toward smaller coordinates"),
+            of("first", &idx, "texels", "texel of the entry point"),
+        ]
+    });
+    let s = Sizes { f, n, h, reach, idx };
+    let axes = [axis(&b, d, &s, "x", u, du), axis(&b, d, &s, "y", v, dv)];
+    b.section("level", "");
+    let level = match (axes[0].last, axes[1].last) {
+        (Some(x_end), Some(y_end)) => {
+            let ins = [("x", axes[0].first), ("y", axes[1].first), ("x_end", x_end), ("y_end", y_end)];
+            let unit = start_level(&d.traverse);
+            b.inst(&unit, "u_start_level", &[("IDX_W", s.idx.clone())], &ins)[0].named("start")
+        }
+        _ => b.konst(&s.n, &level_w).named("root"),
+    };
+    let l = latency(d);
+    let ok = (axes[0].ok & axes[1].ok).named("is_ok").at(l);
+    b.drive(o_ok, ok, Some(l));
+    let gate = |v: Sig<'_>| -> NodeId { (v.at(l) & ok.rep(v.width())).id() };
+    b.drive(o_level, b.sig(gate(level)), Some(l));
+    for (name, (a, o)) in ["x", "y"].iter().zip(axes.iter().zip(outs)) {
+        b.section(&format!("axis {name}"), "");
+        for (port, v) in o.into_iter().zip(a.words) {
+            b.drive(port, b.sig(gate(v)), Some(l));
+        }
+    }
+    b.finish(Some(l), &bindings())
+}
+
+fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &str, p: Sig<'b>, travel: Sig<'b>) -> Axis<'b> {
+    let n = |what: &str| format!("{name}_{what}");
+    let (reach, idx) = (&s.reach, &s.idx);
+    b.section(&n("magnitude"), "");
+    let neg = travel.msb().named(&n("neg"));
+    let low = travel.slice(0, reach.clone()).named(&n("low"));
+    let ok = (!(neg & low.none())).named(&n("ok"));
+    let flip = neg.rep(reach.clone());
+    let a = ((low ^ flip) + b.cat(&[b.zeros(reach - 1), neg])).named(&n("a"));
+
+    b.section(&n("slope"), "Height codes per length, and lengths per height code: the travel times 2^HEIGHT_W / M.");
+    let o = b.inst(&reciprocal(d), &format!("u_{name}_reciprocal"), &[], &[("a", a)]);
+    let (r, z) = (o[0].named(&n("r")), o[1].named(&n("z")));
+    let tall = reach + 2;
+    let mut sum = a.zext(tall.clone()).named(&n("s_0"));
+    for k in 0..4u32 {
+        // 2^h / M = 1 / (1 - 2^-h) = (1 + 2^-h) (1 + 2^-2h) (1 + 2^-4h) (1 + 2^-8h) ...
+        // A bit more than the sum needs, so that a shift never is as wide as its word and still can leave nothing.
+        let by = (s.h.clone() * (1 << k)).smaller(reach + 1);
+        let by = b.konst(by, 8).named(&format!("code_{}", 1 << k));
+        sum = (sum + sum.shift_right(by)).named(&n(&format!("s_{}", k + 1)));
+    }
+    b.unused(sum.msb());
+    let per_code = sum.slice(0, reach + 1).named(&n("s"));
+
+    b.section(&n("texels"), "");
+    let below = &s.f - &s.n;
+    let first = p.slice(below.clone(), s.n.clone()).zext(idx).named(&n("first"));
+    let last = d.mode.start_level.then(|| {
+        let wide = reach + 2;
+        let end = (b.cat(&[b.zeros(&wide - &s.f), p]) + travel.sext(wide)).named(&n("end"));
+        b.unused(end);
+        end.slice(below, idx.clone()).named(&n("last"))
+    });
+    let p = p.named(&n("p"));
+    Axis { ok, words: [p, per_code, r, z, neg, first], first, last }
+}

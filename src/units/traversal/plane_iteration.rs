@@ -1,0 +1,158 @@
+//! One iteration of a datapath that compares plane parameters: from the slot's ray to the ray that goes back.
+use super::loop_state::{Ray, Sizes};
+use super::traverse::Load;
+use super::*;
+use crate::config::{Design, LevelUp};
+use crate::ir::{Builder, Module, Sig};
+use std::sync::Arc;
+
+/// What such a datapath puts into an iteration. The constants of a ray that a unit reads per axis are named by its port and by the word
+/// that the ray carries, without `_x` or `_y`.
+pub struct PlaneUnits {
+    /// The parameter of a plane; the plane comes beside these constants.
+    pub plane_time: fn(&Design) -> Arc<Module>,
+    /// Constants that `plane_time` reads.
+    pub plane_inputs: &'static [(&'static str, &'static str)],
+    /// The larger of the ray's parameter and that of a height.
+    pub height_test: fn(&Design) -> Arc<Module>,
+    /// The texel reached at a parameter, which comes beside these constants.
+    pub predicted_hit: fn(&Design) -> Arc<Module>,
+    /// Constants that `predicted_hit` reads.
+    pub predicted_inputs: &'static [(&'static str, &'static str)],
+    /// Hit or exit.
+    pub node_crossing: fn(&Design) -> Arc<Module>,
+}
+
+/// Builds the iteration; operands meet at the stage at which the latest of them is known.
+pub fn plane_iteration<'b>(
+    b: &'b Builder,
+    s: &Sizes,
+    d: &Design,
+    ray: &Ray<'b>,
+    load: &Load<'b>,
+    units: &PlaneUnits,
+) -> Ray<'b> {
+    let t = &d.traverse;
+    let idx = || [("IDX_W", s.idx.clone())];
+
+    b.section("node", "Extent and exit planes of the node, and its place in memory.");
+    let parity = matches!(d.mode.level_up, LevelUp::Tevs | LevelUp::Selective);
+    let planes = |axis: &str, x: Sig<'b>, neg: Sig<'b>| {
+        let ins = [("level", ray.get("level")), ("x", x), ("neg", neg)];
+        let o = b.inst(&node_planes(t, parity), &format!("u_planes_{axis}"), &idx(), &ins);
+        let names = ["low", "high", "plane", "beyond", "even"];
+        o.iter().zip(names).map(|(v, n)| v.named(&format!("{axis}_{n}")).id()).collect::<Vec<_>>()
+    };
+    let px: Vec<Sig<'b>> = planes("x", ray.get("x"), ray.get("neg_x")).into_iter().map(|i| b.sig(i)).collect();
+    let py: Vec<Sig<'b>> = planes("y", ray.get("y"), ray.get("neg_y")).into_iter().map(|i| b.sig(i)).collect();
+    let (i, j) = (ray.get("x").slice(0, &s.levels), ray.get("y").slice(0, &s.levels));
+    let address = b.inst(&height_address(t), "u_address", &[], &[("level", ray.get("level")), ("i", i), ("j", j)])[0]
+        .named("address");
+
+    b.section("height", "");
+    let words = pyramid_words(&s.levels);
+    let addr_w = s.levels.clone() * 2 + 1;
+    let n = t.levels;
+    let memory = height_memory(2 * n + 1, t.height_bits, ((1 << (2 * n + 2)) - 1) / 3);
+    let params = [("ADDR_W", addr_w), ("DATA_W", s.height.clone()), ("DEPTH", words)];
+    let ins = [("write_en", load.en), ("write_addr", load.addr), ("write_data", load.data), ("read_addr", address)];
+    let height = b.inst(&memory, "u_heights", &params, &ins)[0].named("height");
+
+    b.section("plane parameters", "");
+    let constants = |axis: &str, names: &[(&'static str, &'static str)]| {
+        let of = |(port, word): &(&'static str, &'static str)| (*port, ray.get(&format!("{word}_{axis}")));
+        names.iter().map(of).collect::<Vec<_>>()
+    };
+    let when = |axis: &str, plane: Sig<'b>| {
+        let ins = [vec![("plane", plane)], constants(axis, units.plane_inputs)].concat();
+        b.inst(&(units.plane_time)(d), &format!("u_time_{axis}"), &idx(), &ins)[0].named(&format!("t_{axis}")).id()
+    };
+    let (t_x, t_y) = (b.sig(when("x", px[2])), b.sig(when("y", py[2])));
+
+    b.section("height test", "");
+    let o = b.inst(&(units.height_test)(d), "u_height_test", &[], &[("height", height), ("t", ray.get("t"))]);
+    let (m, below) = (o[0].named("m"), o[1].named("below"));
+
+    b.section("predicted hit", "");
+    let reach = |axis: &str| {
+        let ins = [constants(axis, units.predicted_inputs), vec![("m", m)]].concat();
+        let e = b.inst(&(units.predicted_hit)(d), &format!("u_predict_{axis}"), &idx(), &ins)[0];
+        e.named(&format!("{axis}_hit")).id()
+    };
+    let (hit_x, hit_y) = (b.sig(reach("x")), b.sig(reach("y")));
+
+    b.section("node crossing", "");
+    let ins = [("t", ray.get("t")), ("m", m), ("t_x", t_x), ("t_y", t_y)];
+    let o = b.inst(&(units.node_crossing)(d), "u_crossing", &[], &ins);
+    let (inside, x_first, t_next) = (o[0].named("is_inside"), o[1].named("x_first"), o[2].named("t_next"));
+
+    b.section("multi-level down", "");
+    let mut ins = vec![("level", ray.get("level"))];
+    ins.extend(ray.find("crossed").map(|c| ("crossed", c)));
+    ins.extend([("x_low", px[0]), ("x_high", px[1]), ("x_hit", hit_x)]);
+    ins.extend([("y_low", py[0]), ("y_high", py[1]), ("y_hit", hit_y)]);
+    let o = b.inst(&multi_level_down(t, &d.mode), "u_down", &idx(), &ins);
+    let (level_down, x_down, y_down) = (o[0].named("level_down"), o[1].named("x_down"), o[2].named("y_down"));
+
+    b.section("level up", "");
+    let up = match level_up(t, d.mode.level_up) {
+        None => b.zeros(1),
+        Some(unit) => {
+            let even = || x_first.mux(px[4], py[4]).named("even");
+            let mut ins = vec![("level", ray.get("level"))];
+            match d.mode.level_up {
+                LevelUp::Coherent => ins.extend(ray.find("prev").map(|p| ("prev_crossed", p))),
+                LevelUp::Tevs => ins.push(("even", even())),
+                LevelUp::Selective => {
+                    ins.push(("even", even()));
+                    ins.extend([("x_at", ray.get("x")), ("x_hit", hit_x), ("y_at", ray.get("y")), ("y_hit", hit_y)]);
+                }
+                LevelUp::None | LevelUp::Always => {}
+            }
+            let params = if d.mode.level_up == LevelUp::Selective { idx().to_vec() } else { vec![] };
+            b.inst(&unit, "u_up", &params, &ins)[0].named("up")
+        }
+    };
+
+    b.section("level decision", "A ray that is done goes round unchanged.");
+    let late = |v: Sig<'b>| if d.latency.decision > 1 { v.cut() } else { v };
+    let mut ins = vec![("is_inside", late(inside)), ("x_first", late(x_first)), ("up", late(up))];
+    ins.extend([
+        ("level", late(ray.get("level"))),
+        ("level_down", late(level_down)),
+        ("m", late(m)),
+        ("t_next", late(t_next)),
+    ]);
+    ins.extend([("x_at", late(ray.get("x"))), ("x_down", late(x_down)), ("x_beyond", late(px[3]))]);
+    ins.extend([("y_at", late(ray.get("y"))), ("y_down", late(y_down)), ("y_beyond", late(py[3]))]);
+    let o = b.inst(&level_decision(d), "u_decision", &idx(), &ins);
+    let (hit, crosses) = (o[0].named("hit"), o[1].named("crosses"));
+    let names = ["level_next", "x_next", "y_next", "t_after"];
+    let n: Vec<Sig<'b>> = o[2..].iter().zip(names).map(|(v, n)| v.named(n)).collect();
+
+    let moves = (!ray.get("done")).named("moves");
+    let steps = (ray.get("steps") + moves.zext(16)).named("steps_next");
+    let limit_value = b.konst(&s.step_limit, 16).named("step_limit");
+    let last_step = steps.eq(limit_value).named("last_step");
+    let at_limit = (last_step & !hit).named("at_limit");
+    let crossed_now = (crosses & moves).named("crossed_now");
+    let up_now = (up & crossed_now).named("up_now");
+    let keep = |new: Sig<'b>, old: &str| (ray.get("done").mux(ray.get(old), new)).id();
+    let [level, x, y, t] =
+        [(n[0], "level"), (n[1], "x"), (n[2], "y"), (n[3], "t")].map(|(new, old)| b.sig(keep(new, old)));
+    let has_crossed = ray.find("crossed").map_or(crossed_now, |c| c | crossed_now);
+    ray.with(&[
+        ("level", level),
+        ("x", x),
+        ("y", y),
+        ("t", t),
+        ("done", ray.get("done") | hit | at_limit),
+        ("wall", b.sig(keep(hit & below, "wall"))),
+        ("limit", ray.get("limit") | (at_limit & moves)),
+        ("steps", steps),
+        ("crossings", ray.get("crossings") + crossed_now.zext(16)),
+        ("ups", ray.get("ups") + up_now.zext(16)),
+        ("crossed", has_crossed),
+        ("prev", crossed_now),
+    ])
+}

@@ -1,0 +1,152 @@
+//! One iteration of `traverse`, stage by stage as PIDM-HW figure 7 has it: 15 stages at the published latencies.
+use super::*;
+use crate::ir::Sig;
+use crate::units::float::{fp_from_int, fp_to_int};
+use crate::units::traversal::loop_state::Ray;
+use crate::units::traversal::traverse::Load;
+use crate::units::traversal::{height_address, height_memory, level_up, pyramid_words, start_level};
+
+/// Builds the iteration; operands meet at the stage at which the latest of them is known.
+pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>, load: &Load<'b>) -> Ray<'b> {
+    let (t, l) = (&d.traverse, &d.latency);
+    let idx = || [("IDX_W", s.idx.clone())];
+    let int = [("INT_W", s.idx.clone())];
+    let neg = ["x", "y"].map(|a| ray.get(&format!("d_{a}")).msb().named(&format!("{a}_neg")).id()).map(|i| b.sig(i));
+    let first = ray.find("first");
+
+    b.section("height address", "And the planes by which the ray can leave the node.");
+    let mut planes = Vec::new();
+    let mut evens = Vec::new();
+    for (axis, neg) in ["x", "y"].into_iter().zip(neg) {
+        let ins = [("level", ray.get("level")), ("x", ray.get(axis)), ("neg", neg)];
+        let o = b.inst(&exit_plane(t, parity(d)), &format!("u_plane_{axis}"), &idx(), &ins);
+        planes.push(o[0].named(&format!("{axis}_plane")));
+        evens.extend(o.get(1).map(|e| e.named(&format!("{axis}_even"))));
+    }
+    let (i, j) = (ray.get("x").slice(0, &s.levels), ray.get("y").slice(0, &s.levels));
+    let address = b.inst(&height_address(t), "u_address", &[], &[("level", ray.get("level")), ("i", i), ("j", j)])[0]
+        .named("address");
+
+    b.section("height read", "");
+    let n = t.levels;
+    let memory = height_memory(2 * n + 1, t.height_bits, ((1 << (2 * n + 2)) - 1) / 3);
+    let params =
+        [("ADDR_W", s.levels.clone() * 2 + 1), ("DATA_W", s.height.clone()), ("DEPTH", pyramid_words(&s.levels))];
+    let ins =
+        [("write_en", load.en), ("write_addr", load.addr), ("write_data", load.data), ("read_addr", address.cut())];
+    let height = b.inst(&memory, "u_heights", &params, &ins)[0].named("height");
+
+    b.section("boundaries", "The two dividers of the loop.");
+    let when = |axis: &str, plane: Sig<'b>, neg: Sig<'b>| {
+        let (p, dir) = (ray.get(&format!("p_{axis}")), ray.get(&format!("d_{axis}")));
+        let ins = [("plane", plane.cut()), ("neg", neg), ("p", p), ("d", dir)];
+        b.inst(&boundary_time(d), &format!("u_time_{axis}"), &idx(), &ins)[0].named(&format!("t_{axis}")).id()
+    };
+    let t_x = b.sig(when("x", planes[0], neg[0]));
+    let t_y = b.sig(when("y", planes[1], neg[1]));
+
+    b.section("surface", "Mode 1 asks for the ray's end instead.");
+    let mut ins = vec![("height", height), ("t", ray.get("t"))];
+    ins.extend(first.map(|f| ("first", f)));
+    let o = b.inst(&surface_time(d), "u_surface", &[], &ins);
+    let (m, below) = (o[0].named("m"), o[1].named("below"));
+
+    b.section("nearer plane", "");
+    let o = b.inst(&nearer_plane(d, parity(d)), "u_nearer", &[], &[("t_x", t_x), ("t_y", t_y)]);
+    let (t_exit, x_first) = (o[0].named("t_exit"), o.get(1).map(|x| x.named("x_first")));
+
+    b.section("positions", "Hit position and node-crossing position, both before it is known which one counts.");
+    let point = |axis: &str, what: &str, t: Sig<'b>| {
+        let ins = [("p", ray.get(&format!("p_{axis}"))), ("d", ray.get(&format!("d_{axis}"))), ("t", t)];
+        b.inst(&ray_point(d), &format!("u_{what}_{axis}"), &[], &ins)[0].named(&format!("{axis}_{what}_at")).id()
+    };
+    let hit = ["x", "y"].map(|a| b.sig(point(a, "hit", m)));
+    let cross = ["x", "y"].map(|a| b.sig(point(a, "cross", t_exit)));
+
+    b.section("tests", "NC, MLD and LU tests, and the test for the end.");
+    // The planes are carried as integers until just before they are compared.
+    let late = cross[0].stage().map_or(0, |k| k - l.from_int);
+    let edge = |axis: &str, plane: Sig<'b>| {
+        let from = fp_from_int(d.format, t.idx_bits(), l.from_int);
+        b.inst(&from, &format!("u_edge_{axis}"), &int, &[("a", plane.at(late))])[0].named(&format!("{axis}_edge")).id()
+    };
+    let edges = [b.sig(edge("x", planes[0])), b.sig(edge("y", planes[1]))];
+    let mut ins = vec![("x_hit", hit[0]), ("x_edge", edges[0]), ("x_neg", neg[0])];
+    ins.extend([("y_hit", hit[1]), ("y_edge", edges[1]), ("y_neg", neg[1])]);
+    ins.extend([("t", ray.get("t")), ("t_exit", t_exit)]);
+    let o = b.inst(&crossing_test(d), "u_crossing", &[], &ins);
+    let (leaves, t_next) = (o[0].named("leaves_node"), o[1].named("t_next"));
+    let mut ins = vec![("level", ray.get("level"))];
+    ins.extend(ray.find("crossed").map(|c| ("crossed", c)));
+    let level_down = b.inst(&descent_level(t, &d.mode), "u_down", &[], &ins)[0].named("level_down");
+    let texel = |axis: &str, what: &str, at: Sig<'b>| {
+        let to = fp_to_int(d.format, t.idx_bits(), l.to_int);
+        b.inst(&to, &format!("u_{what}_texel_{axis}"), &int, &[("a", at)])[0].named(&format!("{axis}_{what}")).id()
+    };
+    let up = match level_up(t, d.mode.level_up) {
+        None => b.zeros(1),
+        Some(unit) => {
+            let mut ins = vec![("level", ray.get("level"))];
+            ins.extend(x_first.map(|x| ("even", x.mux(evens[0], evens[1]).named("even"))));
+            ins.extend(ray.find("prev").map(|p| ("prev_crossed", p)));
+            let mut params = Vec::new();
+            if d.mode.level_up == LevelUp::Selective {
+                let near = ["x", "y"].map(|a| texel(a, "hit", hit[usize::from(a == "y")])).map(|id| b.sig(id));
+                ins.extend([("x_at", ray.get("x")), ("x_hit", near[0]), ("y_at", ray.get("y")), ("y_hit", near[1])]);
+                params.extend(idx());
+            }
+            b.inst(&unit, "u_up", &params, &ins)[0].named("up")
+        }
+    };
+
+    b.section("level decision", "");
+    let mut ins = vec![("leaves", leaves), ("up", up), ("level", ray.get("level")), ("level_down", level_down)];
+    ins.extend(first.map(|f| ("first", f)));
+    ins.extend([("m", m), ("t_next", t_next)]);
+    ins.extend([("x_hit", hit[0]), ("x_cross", cross[0]), ("y_hit", hit[1]), ("y_cross", cross[1])]);
+    let o = b.inst(&level_choice(d), "u_decision", &[], &ins);
+    let names = ["is_hit", "crosses", "level_next", "x_next_at", "y_next_at", "t_after"];
+    let o: Vec<Sig<'b>> = o.iter().zip(names).map(|(v, n)| (0..l.decision).fold(v.named(n), |v, _| v.cut())).collect();
+    let [hit, crosses, level_next, x_at, y_at, t_after] = o[..] else { unreachable!("as many as names") };
+
+    b.section("address conversion", "");
+    let x = b.sig(texel("x", "next", x_at));
+    let y = b.sig(texel("y", "next", y_at));
+
+    b.section("end", "A ray that is done goes round unchanged; mode 1 changes the level alone.");
+    let end = x.stage().unwrap_or(0);
+    let [hit, crosses, level_next, t_after] = [hit, crosses, level_next, t_after].map(|v| v.at(end));
+    let done = ray.get("done");
+    let stays = first.map_or(done, |f| (done | f).named("stays"));
+    let moves = (!stays).named("moves");
+    let level = match first {
+        None => level_next,
+        Some(first) => {
+            let ins = [("x", ray.get("x")), ("y", ray.get("y")), ("x_end", x), ("y_end", y)];
+            let start = b.inst(&start_level(t), "u_start_level", &idx(), &ins)[0].named("start");
+            first.mux(start, level_next)
+        }
+    };
+    let steps = (ray.get("steps") + moves.zext(16)).named("steps_next");
+    let last_step = steps.eq(b.konst(&s.step_limit, 16).named("step_limit")).named("last_step");
+    let at_limit = (last_step & !hit & moves).named("at_limit");
+    let crossed_now = (crosses & moves).named("crossed_now");
+    let up_now = (up & crossed_now).named("up_now");
+    let has_crossed = ray.find("crossed").map_or(crossed_now, |c| c | crossed_now);
+    let mut next = vec![
+        ("level", done.mux(ray.get("level"), level)),
+        ("x", stays.mux(ray.get("x"), x)),
+        ("y", stays.mux(ray.get("y"), y)),
+        ("t", stays.mux(ray.get("t"), t_after)),
+        ("done", done | (hit & moves) | at_limit),
+        ("wall", done.mux(ray.get("wall"), hit & below)),
+        ("limit", ray.get("limit") | at_limit),
+        ("steps", steps),
+        ("crossings", ray.get("crossings") + crossed_now.zext(16)),
+        ("ups", ray.get("ups") + up_now.zext(16)),
+        ("crossed", has_crossed),
+        ("prev", crossed_now),
+    ];
+    next.extend(first.map(|_| ("first", b.zeros(1))));
+    ray.with(&next)
+}

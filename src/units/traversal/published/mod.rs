@@ -1,0 +1,117 @@
+//! The published datapath (PIDM-HW sections 4.2 and 4.3, table 1): positions moved in floating point, node boundaries found
+//! by dividers in the loop, the ray's end computed on its first trip (`docs/published.md`).
+mod boundary_time;
+mod crossing_test;
+mod descent_level;
+mod exit_plane;
+mod iteration;
+mod level_choice;
+mod nearer_plane;
+mod ray_point;
+mod ray_scale;
+mod surface_time;
+mod texel_fraction;
+
+pub use boundary_time::boundary_time;
+pub use crossing_test::crossing_test;
+pub use descent_level::descent_level;
+pub use exit_plane::exit_plane;
+pub use level_choice::level_choice;
+pub use nearer_plane::nearer_plane;
+pub use ray_point::ray_point;
+pub use ray_scale::ray_scale;
+pub use surface_time::surface_time;
+pub use texel_fraction::texel_fraction;
+
+use super::datapath::Datapath;
+use super::loop_state::{Field, Numbers, Sizes, Start};
+use crate::config::{Design, LevelUp};
+use crate::ir::{Builder, Expr, Module};
+use crate::units::div_rows::div_rows_module;
+use crate::units::float::{self, FormatParams};
+use std::sync::Arc;
+
+pub(super) static DATAPATH: Datapath = Datapath {
+    arithmetic,
+    steps: |d| {
+        vec![
+            exit_plane(&d.traverse, parity(d)),
+            boundary_time(d),
+            surface_time(d),
+            nearer_plane(d, parity(d)),
+            ray_point(d),
+            crossing_test(d),
+            descent_level(&d.traverse, &d.mode),
+            level_choice(d),
+        ]
+    },
+    declare: |b, d| {
+        let f = FormatParams::declare(b, d.format);
+        boundary_time::nudge_width(b, d);
+        Some(f)
+    },
+    numbers: |b, f, levels, height, tile| {
+        let f = f.expect("declared just before");
+        sizes(b, &f, levels, height, tile);
+        b.require(levels + tile + 2 + Expr::param("NUDGE_W") + &f.man, 60);
+        let of = |unit| (f.width.clone(), unit);
+        Numbers {
+            entry: of("float, tiles"),
+            travel: of("float, tiles"),
+            time: of("float, height range"),
+            float: Some(f),
+        }
+    },
+    constants,
+    setup: ray_scale,
+    setup_clocks: |d| ray_scale::latency(&d.latency),
+    iteration: iteration::iteration,
+    hit: texel_fraction,
+    hit_clocks: |d| texel_fraction::latency(&d.latency),
+    hit_inputs: |ray, axis| {
+        let of = |name: &str| ray.get(&format!("{name}_{axis}"));
+        vec![("p", of("p")), ("d", of("d")), ("t", ray.get("t"))]
+    },
+};
+
+/// What the sizes of a ray may be, so that no intermediate result leaves its width (`docs/published.md`, Parameters).
+fn sizes(b: &Builder, f: &FormatParams, levels: &Expr, height: &Expr, tile: &Expr) {
+    b.require(2, height);
+    b.require(height, 16);
+    b.require(height, &f.man + 1);
+    b.require(7, &f.man);
+    b.require(1, tile);
+    b.require(levels + tile + 2, 24);
+    b.require(levels + tile + 1, f.bias());
+    b.require(height + 2, f.bias());
+}
+
+/// Per axis entry point and travel; and whether the trip is the one that finds the start level.
+fn constants(s: &Sizes, d: &Design) -> Vec<Field> {
+    let float = s.numbers.time.0.clone();
+    let mut list: Vec<Field> =
+        ["p_x", "d_x", "p_y", "d_y"].map(|name| Field::new(name, &float, Start::Setup(name))).into();
+    list.extend(d.mode.start_level.then(|| Field::new("first", &Expr::from(1), Start::One)));
+    list
+}
+
+/// Whether the level-up rule looks at the crossed plane's index.
+fn parity(d: &Design) -> bool {
+    matches!(d.mode.level_up, LevelUp::Tevs | LevelUp::Selective)
+}
+
+fn arithmetic(d: &Design) -> Vec<Arc<Module>> {
+    let (f, t, l) = (d.format, &d.traverse, &d.latency);
+    let nudge = d.datapath.nudge_bits;
+    vec![
+        div_rows_module(f.man + 1, f.man + 3),
+        float::fp_add(f, l.add),
+        float::fp_mul(f, l.mul),
+        float::fp_div(f, l.div),
+        float::fp_lt(f, l.compare),
+        float::fp_from_int(f, t.idx_bits(), l.from_int),
+        float::fp_to_int(f, t.idx_bits(), l.to_int),
+        float::fp_from_fixed(f, t.idx_bits() + nudge + 1, nudge, l.from_int),
+        float::fp_to_fixed(f, t.idx_bits() + t.frac_bits, t.frac_bits, l.to_int),
+    ]
+}

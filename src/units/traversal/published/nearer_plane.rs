@@ -1,0 +1,30 @@
+//! `nearer_plane`: which exit plane the ray meets first (PIDM-HW section 3.2, node crossing).
+use crate::config::{Design, LatencyConfig};
+use crate::ir::{Builder, Module};
+use crate::units::float::{FormatParams, bindings, fp_lt};
+use std::sync::Arc;
+
+/// Clocks through `nearer_plane`.
+pub fn latency(l: &LatencyConfig) -> u32 {
+    l.compare
+}
+
+/// Builds `nearer_plane`; `parity` adds the output that tevs and selective level-up ask for.
+pub fn nearer_plane(d: &Design, parity: bool) -> Arc<Module> {
+    let b = Builder::new("nearer_plane", file!(), "the exit plane that the ray meets first, and its parameter");
+    let f = FormatParams::declare(&b, d.format);
+    b.clock();
+    b.clock_enable();
+    let t_x = b.input("t_x", &f.width, "float, height range", "parameter of the u exit plane");
+    let t_y = b.input("t_y", &f.width, "float, height range", "parameter of the v exit plane");
+    let out = b.output("t_exit", &f.width, "float, height range", "the smaller of the two");
+    let x_first = parity.then(|| b.output("x_first", 1, "bit", "the u plane comes first, or both at once"));
+    let lt = fp_lt(d.format, d.latency.compare);
+    let y_less = b.inst(&lt, "u_ty_tx", &[], &[("a", t_y), ("b", t_x)])[0].named("y_before_x");
+    let l = latency(&d.latency);
+    b.drive(out, y_less.mux(t_y, t_x).named("nearer"), Some(l));
+    if let Some(port) = x_first {
+        b.drive(port, !y_less, Some(l));
+    }
+    b.finish(Some(l), &bindings())
+}

@@ -1,0 +1,41 @@
+//! `texel_fraction`: where in its texel a ray hit, along one axis. The texel is the floor of the same position, so the
+//! fraction bits behind its point are all that is left to find.
+use crate::config::{Design, LatencyConfig};
+use crate::ir::{Binding, Builder, Module};
+use crate::units::float::{FormatParams, fp_add, fp_mul, fp_to_fixed};
+use crate::units::traversal::params::index_width;
+use std::sync::Arc;
+
+/// Clocks through `texel_fraction`; at least one, as the valid bit beside it decides whether the pipeline moves.
+pub fn latency(l: &LatencyConfig) -> u32 {
+    (l.mul + l.add + l.to_int).max(1)
+}
+
+/// Builds `texel_fraction`.
+pub fn texel_fraction(d: &Design) -> Arc<Module> {
+    let t = &d.traverse;
+    let b = Builder::new("texel_fraction", file!(), "position of the hit inside its texel: the fraction of p + d * t");
+    let f = FormatParams::declare(&b, d.format);
+    let idx = index_width(&b, t, None);
+    let frac = b.param("FRAC_W", t.frac_bits, "fraction bits of the position");
+    b.require(1, &frac);
+    b.require(&frac, 16);
+    b.require(2, &idx);
+    b.require(&idx + &frac + &f.man, 60);
+    b.clock();
+    b.clock_enable();
+    let p = b.input("p", &f.width, "float, texels", "entry point");
+    let dir = b.input("d", &f.width, "float, texels", "travel over the height range");
+    let at = b.input("t", &f.width, "float, height range", "parameter of the hit");
+    let out = b.output("fraction", &frac, "1/2^FRAC_W texel", "position inside the texel");
+    let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", at)])[0].named("way");
+    let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)])[0].named("position");
+    let to = fp_to_fixed(d.format, t.idx_bits() + t.frac_bits, t.frac_bits, d.latency.to_int);
+    let int = [("INT_W", &idx + &frac), ("FRAC_W", frac.clone())];
+    let fixed = b.inst(&to, "u_to_fixed", &int, &[("a", pos)])[0].named("fixed");
+    b.unused(fixed.slice(&frac, &idx));
+    let l = latency(&d.latency);
+    b.drive(out, fixed.slice(0, &frac).named("behind_point"), Some(l));
+    let at = |e: i64, m: i64| Binding::from([("EXP_W".into(), e), ("MAN_W".into(), m)]);
+    b.finish(Some(l), &[at(8, 23), at(5, 10), at(6, 12)])
+}

@@ -1,0 +1,96 @@
+//! The watertight datapath: parameters of integer planes, compared in floating point (`docs/datapath.md`).
+mod height_test;
+mod hit_position;
+mod node_crossing;
+mod plane_time;
+mod predicted_hit;
+mod ray_setup;
+
+pub use height_test::height_test;
+pub use hit_position::hit_position;
+pub use node_crossing::node_crossing;
+pub use plane_time::plane_time;
+pub use predicted_hit::predicted_hit;
+pub use ray_setup::ray_setup;
+
+use super::datapath::Datapath;
+use super::loop_state::{Field, Numbers, Sizes, Start};
+use super::params::ray_conditions;
+use super::plane_iteration::{PlaneUnits, plane_iteration};
+use crate::config::Design;
+use crate::ir::{Expr, Module};
+use crate::units::div_rows::div_rows_module;
+use crate::units::float::{self, FormatParams};
+use std::sync::Arc;
+
+pub(super) static DATAPATH: Datapath = Datapath {
+    arithmetic,
+    steps: |d| vec![plane_time(d), height_test(d), predicted_hit(d), node_crossing(d)],
+    declare: |b, d| Some(FormatParams::declare(b, d.format)),
+    numbers: |b, f, levels, height, tile| {
+        let f = f.expect("declared just before");
+        ray_conditions(b, &f, levels, height, tile);
+        let of = |unit| (f.width.clone(), unit);
+        Numbers {
+            entry: of("float, tiles"),
+            travel: of("float, tiles"),
+            time: of("float, height codes"),
+            float: Some(f),
+        }
+    },
+    constants,
+    setup: ray_setup,
+    setup_clocks: ray_setup::latency,
+    iteration: |b, s, d, ray, load| plane_iteration(b, s, d, ray, load, &UNITS),
+    hit: hit_position,
+    hit_clocks: |d| hit_position::latency(&d.latency),
+    hit_inputs: |ray, axis| {
+        let of = |name: &str| ray.get(&format!("{name}_{axis}"));
+        vec![("p", of("p")), ("d", of("d")), ("t", ray.get("t")), ("x", ray.get(axis))]
+    },
+};
+
+const UNITS: PlaneUnits = PlaneUnits {
+    plane_time,
+    plane_inputs: &[("p", "p"), ("r", "r"), ("never", "never")],
+    height_test,
+    predicted_hit,
+    predicted_inputs: &[("p_back", "pb"), ("d", "d")],
+    node_crossing,
+};
+
+/// Per axis: entry point, the same biased backwards, direction, reciprocal, and how it runs.
+fn constants(s: &Sizes, _: &Design) -> Vec<Field> {
+    let (float, bit) = (s.numbers.time.0.clone(), Expr::from(1));
+    let of = |name, width| Field::new(name, width, Start::Setup(name));
+    vec![
+        of("p_x", &float),
+        of("pb_x", &float),
+        of("d_x", &float),
+        of("r_x", &float),
+        of("never_x", &bit),
+        of("neg_x", &bit),
+        of("p_y", &float),
+        of("pb_y", &float),
+        of("d_y", &float),
+        of("r_y", &float),
+        of("never_y", &bit),
+        of("neg_y", &bit),
+    ]
+}
+
+fn arithmetic(d: &Design) -> Vec<Arc<Module>> {
+    let (f, t, l) = (d.format, &d.traverse, &d.latency);
+    let fixed = t.idx_bits() + t.frac_bits;
+    vec![
+        div_rows_module(f.man + 1, f.man + 3),
+        float::fp_add(f, l.add),
+        float::fp_mul(f, l.mul),
+        float::fp_div(f, l.div),
+        float::fp_lt(f, l.compare),
+        float::fp_from_int(f, t.idx_bits(), l.from_int),
+        float::fp_to_int(f, t.idx_bits(), l.to_int),
+        float::fp_from_fixed(f, fixed, t.frac_bits, l.from_int),
+        float::fp_to_fixed(f, fixed, t.frac_bits, l.to_int),
+    ]
+}

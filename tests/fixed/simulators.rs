@@ -1,0 +1,97 @@
+//! The emitted Verilog in Icarus and Verilator, at its defaults and at other parameter values.
+//! A missing simulator fails these tests (`tools/test.sh` installs them) unless RELIEFRTL_NO_SIMULATORS=1.
+use super::{FORMATS, design, hard};
+use reliefrtl::bench::{Simulator, run_bench};
+use reliefrtl::catalogue::{design_at, find, ray_set};
+use reliefrtl::config::Config;
+use reliefrtl::emit::Files;
+use reliefrtl::ir::Binding;
+use reliefrtl::project::{Scene, check_tree, project};
+use reliefrtl::vectors::set_files;
+use std::path::Path;
+use tempfile::TempDir;
+
+fn skip() -> bool {
+    std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1")
+}
+
+fn write(dir: &Path, files: &Files) {
+    for (path, text) in files {
+        let place = dir.join(path);
+        std::fs::create_dir_all(place.parent().unwrap()).unwrap();
+        std::fs::write(place, text).unwrap();
+    }
+}
+
+fn tree(f: u32, w: u32) -> (Config, TempDir) {
+    let mut c = Config { datapath: design(f, w).datapath, ..Config::default() };
+    c.vectors.arithmetic = 600;
+    c.vectors.rays = 60;
+    c.validate().unwrap();
+    let dir = tempfile::tempdir().unwrap();
+    write(dir.path(), &project(&c, &Scene::new(&c, None, false).unwrap()).unwrap().files);
+    (c, dir)
+}
+
+fn all_units(sim: Simulator, formats: &[(u32, u32)]) {
+    for &(f, w) in formats {
+        let (c, dir) = tree(f, w);
+        let done = check_tree(&c, dir.path(), Some(sim), None, None, None, &|_| ()).unwrap();
+        assert_eq!(done.len(), 17);
+        assert!(done.iter().all(|x| x.rows > 0));
+        let rows: usize = done.iter().map(|x| x.rows).sum();
+        println!("{} Q.{f}/{w}: 0 of {rows} mismatched", sim.name());
+    }
+}
+
+#[test]
+fn every_unit_in_icarus() {
+    if !skip() {
+        all_units(Simulator::Icarus, &FORMATS);
+    }
+}
+
+#[test]
+fn every_unit_in_verilator() {
+    if !skip() {
+        all_units(Simulator::Verilator, &FORMATS[..1]);
+    }
+}
+
+/// `traverse` at other sizes: the emitted text stays, the simulator gets the parameters. f, w, levels, height bits.
+fn traverse_at(sim: Simulator, sizes: &[(u32, u32, u32, u32)], plusargs: &[&str]) {
+    let (c, dir) = tree(24, 24);
+    for (f, w, levels, height) in sizes {
+        let values = [("FRACTION_W", f), ("RECIP_W", w), ("LEVELS", levels), ("HEIGHT_W", height)];
+        let over: Binding = values.iter().map(|(k, v)| (k.to_string(), i64::from(**v))).collect();
+        let d = design_at(&c.design(), &over);
+        let (pyramid, rays) = hard(&d, 150, u64::from(*levels));
+        let set = ray_set(&d, &find(&d, "traverse").unwrap(), &pyramid, &rays, 1).unwrap();
+        let place = tempfile::tempdir().unwrap();
+        let mut files = set_files(&set.set);
+        files.insert("memory.hex".into(), set.memory);
+        write(place.path(), &files);
+        let mut args = vec![format!("vectors={}", place.path().display())];
+        args.extend(plusargs.iter().map(|s| s.to_string()));
+        let o = run_bench(sim, dir.path(), "traverse", &over, &args).unwrap_or_else(|e| panic!("{over:?}: {e}"));
+        assert_eq!(o.checked, rays.len());
+    }
+}
+
+#[test]
+fn traverse_at_2_to_12_levels_in_verilator() {
+    if !skip() {
+        let sizes =
+            [(24, 24, 2, 16), (24, 24, 9, 8), (24, 18, 12, 16), (20, 18, 4, 16), (20, 18, 6, 8), (12, 10, 3, 8)];
+        let ends = [(12, 10, 12, 8), (28, 31, 7, 16), (8, 8, 8, 8)];
+        traverse_at(Simulator::Verilator, &[&sizes[..], &ends].concat(), &[]);
+    }
+}
+
+#[test]
+fn traverse_at_other_sizes_in_icarus() {
+    if !skip() {
+        traverse_at(Simulator::Icarus, &[(24, 24, 2, 8), (20, 18, 3, 16), (12, 10, 5, 8), (28, 31, 6, 16)], &[]);
+        traverse_at(Simulator::Icarus, &[(24, 24, 4, 8)], &["gaps", "stalls", "flood"]);
+    }
+}

