@@ -67,6 +67,7 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
     );
     let wide = shift.zext(&shift_w);
     let amount = b.cat(&[wide.named("wide_shift").slice(1, &amount_w - 1), b.zeros(1)]).named("amount");
+    b.unused(wide.bit(0));
     let beyond = wide.slice(&amount_w, &shift_w - &amount_w).any().named("beyond");
     let small = b.cat(&[lower, b.zeros(1)]).named("small_sig");
     let shifted = small.shift_right(amount);
@@ -105,7 +106,9 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
     let round_up = carry.mux(ups[0], top.mux(ups[1], ups[2])).named("round_up");
     let near_norm = shift_up(&b, near, lead);
     let near_frac = near_norm.slice(1, &f.man).named("near_frac");
-    let near_exp = (big_exp.zext(&e_w) - lead.zext(&e_w)).named("near_exp");
+    let less = (big_exp.zext(&e_w) - lead.zext(&e_w)).named("exp_less_lead");
+    let near_exp = less.slice(0, &f.exp).named("near_exp");
+    b.unused(b.cat(&[near_norm, less]));
     let flush = (near & reach).none().named("flush");
     let to_inf = (huge | (near_max & !subtract)).named("to_inf");
     let leg = (huge | both_zero | (carry & near_max) | !(carry | top | (next & !bottom))).named("use_leg");
@@ -116,7 +119,7 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
     let number = (number + round_up.zext(mag_w)).named("rounded");
     let (keep, inf) = (!(flush | to_inf), to_inf);
     let (keep, inf) = (keep.named("keep"), inf.named("give_inf"));
-    let near_e = near_exp.slice(0, &f.exp) & keep.rep(&f.exp) | inf.rep(&f.exp);
+    let near_e = near_exp & keep.rep(&f.exp) | inf.rep(&f.exp);
     let near_f = near_frac & keep.rep(&f.man);
     let quiet = b.cat(&[is_nan, b.zeros(&f.man - 1)]);
     let body = leg.mux(b.cat(&[near_e, near_f | quiet]), number).named("body");
