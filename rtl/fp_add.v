@@ -20,9 +20,12 @@ module fp_add #(
   output wire [EXP_W+MAN_W:0] result   // a + b [float]
 );
   localparam integer FloatW = EXP_W + MAN_W + 1;
-  localparam integer SigW = MAN_W + 4;
-  localparam integer LzW = $clog2(SigW + 2);
-  localparam integer ExpSumW = (EXP_W > LzW ? EXP_W : LzW) + 2;
+  localparam integer NearW = MAN_W + 2;
+  localparam integer LeadW = $clog2(NearW + 1);
+  localparam integer AmountW = $clog2(MAN_W + 3);
+  localparam integer ShiftW = (EXP_W > (AmountW + 1) ? EXP_W : (AmountW + 1));
+  localparam integer ExpSumW = (EXP_W > LeadW ? EXP_W : LeadW);
+  localparam integer FineW = (($clog2(MAN_W + 3)) / 2);
 
   // Illegal parameters end elaboration here: the missing module's name says what must hold.
   generate
@@ -40,104 +43,133 @@ module fp_add #(
     end
   endgenerate
 
-  // ---- stage 0: order ---------------------------------------------------------- add.rs
-  // The operand of larger magnitude comes first, so the difference of the significands is not
-  // negative.
+  // ---- stage 0: compare -------------------------------------------------------- add.rs
+  // Both differences of the exponents, so that neither waits for which operand is larger.
   wire             s0_a_sign = a[FloatW-1];
   wire [EXP_W-1:0] s0_a_exp = a[EXP_W+MAN_W-1:MAN_W];
   wire [MAN_W-1:0] s0_a_frac = a[MAN_W-1:0];
-  wire             s0_a_is_zero = ~(|s0_a_exp);
-  wire             s0_a_exp_ones = &s0_a_exp;
-  wire             s0_a_frac_some = |s0_a_frac;
-  wire             s0_a_is_inf = s0_a_exp_ones & ~s0_a_frac_some;
-  wire             s0_a_is_nan = s0_a_exp_ones & s0_a_frac_some;
   wire             s0_b_sign = b[FloatW-1];
   wire [EXP_W-1:0] s0_b_exp = b[EXP_W+MAN_W-1:MAN_W];
   wire [MAN_W-1:0] s0_b_frac = b[MAN_W-1:0];
-  wire             s0_b_is_zero = ~(|s0_b_exp);
-  wire             s0_b_exp_ones = &s0_b_exp;
-  wire             s0_b_frac_some = |s0_b_frac;
-  wire             s0_b_is_inf = s0_b_exp_ones & ~s0_b_frac_some;
-  wire             s0_b_is_nan = s0_b_exp_ones & s0_b_frac_some;
-  wire [MAN_W:0]   s0_a_sig = {~s0_a_is_zero, s0_a_frac & {MAN_W{~s0_a_is_zero}}};
-  wire [MAN_W:0]   s0_b_sig = {~s0_b_is_zero, s0_b_frac & {MAN_W{~s0_b_is_zero}}};
   wire             s0_swap = a[EXP_W+MAN_W-1:0] < b[EXP_W+MAN_W-1:0];
+  wire [EXP_W:0]   s0_a_above = {1'b0, s0_a_exp} - {1'b0, s0_b_exp};
+  wire [EXP_W-1:0] s0_b_above = s0_b_exp - s0_a_exp;
+  wire             s0_subtract = s0_a_sign ^ s0_b_sign;
+  wire             s0_odd = s0_a_exp[0] ^ s0_b_exp[0];
+  wire             s0_a_is_zero = ~(|s0_a_exp);
+  wire             s0_b_is_zero = ~(|s0_b_exp);
+  wire             s0_a_exp_ones = &s0_a_exp;
+  wire             s0_b_exp_ones = &s0_b_exp;
+
+  // ---- stage 0: order ---------------------------------------------------------- add.rs
+  // The operand of larger magnitude comes first, so the difference of the significands is not
+  // negative.
   wire             s0_big_sign = s0_swap ? s0_b_sign : s0_a_sign;
   wire [EXP_W-1:0] s0_big_exp = s0_swap ? s0_b_exp : s0_a_exp;
-  wire [EXP_W-1:0] s0_small_exp = s0_swap ? s0_a_exp : s0_b_exp;
-  wire [MAN_W:0]   s0_big_sig = s0_swap ? s0_b_sig : s0_a_sig;
-  wire [MAN_W:0]   s0_small_sig = s0_swap ? s0_a_sig : s0_b_sig;
-  wire             s0_subtract = s0_a_sign ^ s0_b_sign;
-  wire             s0_is_nan = s0_a_is_nan | s0_b_is_nan |
-      (s0_a_is_inf & s0_b_is_inf & s0_subtract);
-  wire             s0_is_inf = s0_a_is_inf | s0_b_is_inf;
-  wire             s0_inf_sign = s0_a_is_inf ? s0_a_sign : s0_b_sign;
-  wire             s0_both_minus = s0_a_sign & s0_b_sign;
+  wire [MAN_W-1:0] s0_big_frac = s0_swap ? s0_b_frac : s0_a_frac;
+  wire [NearW-1:0] s0_a_halved = s0_odd ? {2'd1, s0_a_frac} : {1'b1, s0_a_frac, 1'b0};
+  wire [NearW-1:0] s0_b_halved = s0_odd ? {2'd1, s0_b_frac} : {1'b1, s0_b_frac, 1'b0};
+  wire [NearW-1:0] s0_lower = s0_swap ? s0_a_halved : s0_b_halved;
+  wire             s0_small_is_zero = s0_swap ? s0_a_is_zero : s0_b_is_zero;
+  wire [EXP_W-1:0] s0_shift = s0_a_above[EXP_W] ? s0_b_above : s0_a_above[EXP_W-1:0];
+  wire             s0_both_zero = s0_a_is_zero & s0_b_is_zero;
+  wire             s0_huge = s0_a_exp_ones | s0_b_exp_ones;
+  wire             s0_inf_minus_inf = s0_a_exp_ones & s0_b_exp_ones & s0_subtract;
 
   // ---- stage 0: align ---------------------------------------------------------- add.rs
   // Three bits below the significand, the last one sticky, are enough to round a sum or difference.
-  wire [EXP_W-1:0] s0_shift = s0_big_exp - s0_small_exp;
-  wire [SigW-1:0]  s0_small_ext = {s0_small_sig, 3'd0};
-  wire [SigW-1:0]  s0_shifted = s0_small_ext >> s0_shift;
-  wire             s0_lost = |(s0_small_ext & ~({SigW{1'b1}} << s0_shift));
-  wire [SigW-1:0]  s0_aligned = {s0_shifted[SigW-1:1], s0_shifted[0] | s0_lost};
-
-  // ---- stage 0: add ------------------------------------------------------------ add.rs
-  wire [MAN_W+4:0] s0_augend = {1'b0, s0_big_sig, 3'd0};
-  wire [SigW:0]    s0_addend = {1'b0, s0_aligned};
-  wire [MAN_W+4:0] s0_sum = s0_subtract ? (s0_augend - s0_addend) : (s0_augend + s0_addend);
+  wire [ShiftW-1:0]  s0_wide_shift = {{(ShiftW - EXP_W){1'b0}}, s0_shift};
+  wire [AmountW-1:0] s0_amount = {s0_wide_shift[AmountW-1:1], 1'b0};
+  wire               s0_beyond = |s0_wide_shift[ShiftW-1:AmountW];
+  wire [MAN_W+2:0]   s0_small_sig = {s0_lower, 1'b0};
+  wire               s0_kill = s0_beyond | s0_small_is_zero;
+  wire [MAN_W+2:0]   s0_aligned = (s0_small_sig >> s0_amount) & {(MAN_W + 3){~s0_kill}};
+  wire               s0_sticky =
+      (s0_beyond | (|(s0_small_sig & ~({(MAN_W + 3){1'b1}} << s0_amount)))) & ~s0_small_is_zero;
+  wire [NearW-1:0]   s0_near = {1'b1, s0_big_frac, 1'b0} - s0_lower;
+  wire [NearW-1:0]   s0_reach = ~({NearW{1'b1}} >> s0_big_exp);
+  wire               s0_near_max = (&s0_big_exp[EXP_W-1:1]) & ~s0_big_exp[0];
+  wire               s0_bottom = ~(|s0_big_exp[EXP_W-1:1]) & s0_big_exp[0];
+  wire               s0_is_nan = s0_huge & (s0_inf_minus_inf | (|s0_big_frac));
 
   // ---- stage 1: registers ------------------------------------------------------ add.rs
-  reg [MAN_W+4:0] s1_sum;
+  reg [MAN_W-1:0] s1_big_frac;
+  reg [MAN_W+2:0] s1_aligned;
+  reg             s1_sticky;
+  reg             s1_subtract;
   reg [EXP_W-1:0] s1_big_exp;
-  reg             s1_is_inf;
-  reg             s1_both_minus;
-  reg             s1_big_sign;
-  reg             s1_inf_sign;
+  reg [NearW-1:0] s1_near;
+  reg [NearW-1:0] s1_reach;
+  reg             s1_near_max;
+  reg             s1_huge;
+  reg             s1_both_zero;
+  reg             s1_bottom;
   reg             s1_is_nan;
+  reg             s1_big_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s1_sum        <= s0_sum;
-      s1_big_exp    <= s0_big_exp;
-      s1_is_inf     <= s0_is_inf;
-      s1_both_minus <= s0_both_minus;
-      s1_big_sign   <= s0_big_sign;
-      s1_inf_sign   <= s0_inf_sign;
-      s1_is_nan     <= s0_is_nan;
+      s1_big_frac  <= s0_big_frac;
+      s1_aligned   <= s0_aligned;
+      s1_sticky    <= s0_sticky;
+      s1_subtract  <= s0_subtract;
+      s1_big_exp   <= s0_big_exp;
+      s1_near      <= s0_near;
+      s1_reach     <= s0_reach;
+      s1_near_max  <= s0_near_max;
+      s1_huge      <= s0_huge;
+      s1_both_zero <= s0_both_zero;
+      s1_bottom    <= s0_bottom;
+      s1_is_nan    <= s0_is_nan;
+      s1_big_sign  <= s0_big_sign;
     end
   end
 
-  // ---- stage 1: normalize ------------------------------------------------------ add.rs
-  wire [LzW-1:0] s1_lead;
-  lzc #(.W(MAN_W + 5)) u_lzc (
-    .bits (s1_sum),
+  // ---- stage 1: add ------------------------------------------------------------ add.rs
+  wire [MAN_W+4:0] s1_augend = {2'd1, s1_big_frac, 3'd0};
+  wire [MAN_W+4:0] s1_addend = {1'b0, s1_aligned, s1_sticky};
+  wire [MAN_W+4:0] s1_sum = s1_subtract ? (s1_augend - s1_addend) : (s1_augend + s1_addend);
+  wire [EXP_W-1:0] s1_exp_up = s1_big_exp + {{(EXP_W - 1){1'b0}}, 1'b1};
+  wire [EXP_W-1:0] s1_exp_down = s1_big_exp - {{(EXP_W - 1){1'b0}}, 1'b1};
+  wire             s1_near_zero = ~(|s1_near);
+  wire [LeadW-1:0] s1_lead;
+  lzc #(.W(MAN_W + 2)) u_lzc (
+    .bits (s1_near),
     .count(s1_lead)
   );
-  wire [MAN_W+4:0]   s1_norm = s1_sum << s1_lead;
-  wire [ExpSumW-1:0] s1_norm_exp =
-      ({{(ExpSumW - EXP_W){1'b0}}, s1_big_exp} +
-      {{(ExpSumW - 1){1'b0}}, 1'b1}) - {{(ExpSumW - $clog2(MAN_W + 6)){1'b0}}, s1_lead};
-  wire               s1_sum_is_zero = ~s1_norm[MAN_W+4];
+
+  // ---- stage 1: normalize ------------------------------------------------------ add.rs
+  // The far sum moves by one place at most; the near difference goes up, the coarse steps first.
+  wire               s1_carry = s1_sum[MAN_W+4];
+  wire               s1_top = s1_sum[MAN_W+3];
+  wire               s1_next = s1_sum[MAN_W+2];
+  wire [MAN_W-1:0]   s1_frac = s1_carry ? s1_sum[MAN_W+3:4] : s1_top ? s1_sum[MAN_W+2:3]
+      : s1_sum[MAN_W+1:2];
+  wire [EXP_W-1:0]   s1_exp = s1_carry ? s1_exp_up : s1_top ? s1_big_exp : s1_exp_down;
+  wire               s1_round_up = s1_carry ? (s1_sum[3] & (s1_sum[4] | s1_sum[2] | (|s1_sum[1:0])))
+      : s1_top ? (s1_sum[2] & (s1_sum[3] | (|s1_sum[1:0]))) : (s1_sum[1] & (s1_sum[2] | s1_sum[0]));
+  wire [NearW-1:0]   s1_near_norm =
+      (s1_near << {s1_lead[$clog2(MAN_W+3)-1:FineW], {FineW{1'b0}}}) << s1_lead[FineW-1:0];
+  wire [MAN_W-1:0]   s1_near_frac = s1_near_norm[MAN_W:1];
+  wire [ExpSumW-1:0] s1_near_exp =
+      {{(ExpSumW - EXP_W){1'b0}}, s1_big_exp} - {{(ExpSumW - $clog2(MAN_W + 3)){1'b0}}, s1_lead};
+  wire               s1_flush = ~(|(s1_near & s1_reach));
+  wire               s1_give_inf = s1_huge | (s1_near_max & ~s1_subtract);
+  wire               s1_use_leg = s1_huge | s1_both_zero | (s1_carry & s1_near_max) |
+      ~(s1_carry | s1_top | (s1_next & ~s1_bottom));
+  wire               s1_no_sign = s1_is_nan |
+      (s1_subtract & ~s1_huge & (s1_both_zero | (s1_near_zero & ~(s1_carry | s1_top | s1_next))));
 
   // ---- stage 1: round ---------------------------------------------------------- add.rs
-  wire [MAN_W:0]         s1_sig = s1_norm[MAN_W+4:4];
-  wire                   s1_round_up = s1_norm[3] & ((|s1_norm[2:0]) | s1_sig[0]);
-  wire [MAN_W+1:0]       s1_rounded = {1'b0, s1_sig} + {{(MAN_W + 1){1'b0}}, s1_round_up};
-  wire [MAN_W-1:0]       s1_frac = s1_rounded[MAN_W+1] ? s1_rounded[MAN_W:1]
-      : s1_rounded[MAN_W-1:0];
-  wire [ExpSumW-1:0]     s1_exp = s1_norm_exp + {{(ExpSumW - 1){1'b0}}, s1_rounded[MAN_W+1]};
-  wire                   s1_overflow =
-      ~($signed(s1_exp) < $signed({{(ExpSumW - EXP_W){1'b0}}, {EXP_W{1'b1}}}));
-  wire                   s1_underflow = $signed(s1_exp) < $signed({{(ExpSumW - 1){1'b0}}, 1'b1});
-  wire                   s1_give_inf = s1_is_inf | (s1_overflow & ~s1_sum_is_zero);
-  wire                   s1_give_zero = s1_sum_is_zero | s1_underflow;
-  wire                   s1_sign = s1_is_inf ? s1_inf_sign : s1_sum_is_zero ? s1_both_minus
-      : s1_big_sign;
-  wire [EXP_W+MAN_W-1:0] s1_number = {s1_exp[EXP_W-1:0], s1_frac};
-  wire [EXP_W+MAN_W-1:0] s1_body = s1_give_inf ? {{EXP_W{1'b1}}, {MAN_W{1'b0}}}
-      : s1_give_zero ? {(EXP_W + MAN_W){1'b0}} : s1_number;
-  wire [FloatW-1:0]      s1_value = s1_is_nan ? {1'b0, {EXP_W{1'b1}}, 1'b1, {(MAN_W - 1){1'b0}}}
-      : {s1_sign, s1_body};
+  // One place up can carry into the exponent, and from the largest number to infinity, by itself.
+  wire [EXP_W+MAN_W-1:0] s1_unrounded = {s1_exp, s1_frac};
+  wire [EXP_W+MAN_W-1:0] s1_rounded = s1_unrounded + {{(EXP_W + MAN_W - 1){1'b0}}, s1_round_up};
+  wire                   s1_keep = ~(s1_flush | s1_give_inf);
+  wire [EXP_W+MAN_W-1:0] s1_body =
+      s1_use_leg ?
+      {(s1_near_exp[EXP_W-1:0] & {EXP_W{s1_keep}}) | {EXP_W{s1_give_inf}},
+      (s1_near_frac & {MAN_W{s1_keep}}) | {s1_is_nan, {(MAN_W - 1){1'b0}}}} : s1_rounded;
+  wire                   s1_sign = s1_big_sign & ~s1_no_sign;
+  wire [FloatW-1:0]      s1_value = {s1_sign, s1_body};
 
   // ---- stage 2: registers ------------------------------------------------------ add.rs
   reg [FloatW-1:0] s2_value;

@@ -72,9 +72,9 @@ module fp_div #(
 
   // ---- stage 0: rows 0 --------------------------------------------------------- div.rs
   // Rows of compare, subtract, double: one quotient bit each, the integer bit first.
-  wire [SigW:0]        s0_rem_0;
-  wire [(QuotW/2)-1:0] s0_digits_0;
-  div_rows #(.W(SigW), .ROWS(QuotW / 2)) u_rows_0 (
+  wire [SigW:0]              s0_rem_0;
+  wire [((10*QuotW)/19)-1:0] s0_digits_0;
+  div_rows #(.W(SigW), .ROWS((10 * QuotW) / 19)) u_rows_0 (
     .rem_in (s0_rem),
     .div    (s0_divisor),
     .rem_out(s0_rem_0),
@@ -82,32 +82,32 @@ module fp_div #(
   );
 
   // ---- stage 1: registers ------------------------------------------------------ div.rs
-  reg [SigW:0]        s1_rem_0;
-  reg [SigW-1:0]      s1_divisor;
-  reg [(QuotW/2)-1:0] s1_digits_0;
-  reg [ExpSumW-1:0]   s1_quot_exp;
-  reg                 s1_is_zero;
-  reg                 s1_is_inf;
-  reg                 s1_quot_sign;
-  reg                 s1_is_nan;
+  reg [SigW:0]              s1_rem_0;
+  reg [SigW-1:0]            s1_divisor;
+  reg [((10*QuotW)/19)-1:0] s1_digits_0;
+  reg [ExpSumW-1:0]         s1_quot_exp;
+  reg                       s1_is_nan;
+  reg                       s1_is_inf;
+  reg                       s1_is_zero;
+  reg                       s1_quot_sign;
   always @(posedge clk) begin
     if (ce) begin
       s1_rem_0     <= s0_rem_0;
       s1_divisor   <= s0_divisor;
       s1_digits_0  <= s0_digits_0;
       s1_quot_exp  <= s0_quot_exp;
-      s1_is_zero   <= s0_is_zero;
-      s1_is_inf    <= s0_is_inf;
-      s1_quot_sign <= s0_quot_sign;
       s1_is_nan    <= s0_is_nan;
+      s1_is_inf    <= s0_is_inf;
+      s1_is_zero   <= s0_is_zero;
+      s1_quot_sign <= s0_quot_sign;
     end
   end
 
   // ---- stage 1: rows 1 --------------------------------------------------------- div.rs
   // Rows of compare, subtract, double: one quotient bit each, the integer bit first.
-  wire [SigW:0]              s1_rem_1;
-  wire [QuotW-(QuotW/2)-1:0] s1_digits_1;
-  div_rows #(.W(SigW), .ROWS(QuotW - (QuotW / 2))) u_rows_1 (
+  wire [SigW:0] s1_rem_1;
+  wire [QuotW-((10*QuotW)/19)-1:0] s1_digits_1;
+  div_rows #(.W(SigW), .ROWS(QuotW - ((10 * QuotW) / 19))) u_rows_1 (
     .rem_in (s1_rem_0),
     .div    (s1_divisor),
     .rem_out(s1_rem_1),
@@ -115,28 +115,30 @@ module fp_div #(
   );
   wire [QuotW-1:0] s1_quot_1 = {s1_digits_0, s1_digits_1};
 
+  // ---- stage 1: pick ----------------------------------------------------------- div.rs
+  // The quotient lies in (1/2, 2): its integer bit says where the significand stands.
+  wire               s1_top = s1_quot_1[QuotW-1];
+  wire [ExpSumW-1:0] s1_norm_exp = s1_quot_exp - {{(ExpSumW - 1){1'b0}}, ~s1_top};
+  wire [MAN_W-1:0]   s1_frac = s1_top ? s1_quot_1[MAN_W+1:2] : s1_quot_1[MAN_W:1];
+  wire               s1_guard = s1_top ? s1_quot_1[1] : s1_quot_1[0];
+
   // ---- stage 1: round ---------------------------------------------------------- div.rs
-  // The quotient lies in (1/2, 2): its integer bit picks the significand. No quotient lies half-way
-  // between two numbers, so the guard bit alone rounds.
-  wire                   s1_top = s1_quot_1[QuotW-1];
-  wire [ExpSumW-1:0]     s1_norm_exp = s1_quot_exp - {{(ExpSumW - 1){1'b0}}, ~s1_top};
-  wire [SigW-1:0]        s1_sig = s1_top ? s1_quot_1[SigW+1:2] : s1_quot_1[SigW:1];
-  wire                   s1_guard = s1_top ? s1_quot_1[1] : s1_quot_1[0];
-  wire [MAN_W+1:0]       s1_rounded = {{(MAN_W - SigW + 2){1'b0}}, s1_sig} +
-      {{(MAN_W + 1){1'b0}}, s1_guard};
-  wire [MAN_W-1:0]       s1_frac = s1_rounded[MAN_W+1] ? s1_rounded[MAN_W:1]
-      : s1_rounded[MAN_W-1:0];
-  wire [ExpSumW-1:0]     s1_exp = s1_norm_exp + {{(ExpSumW - 1){1'b0}}, s1_rounded[MAN_W+1]};
-  wire                   s1_overflow =
-      ~($signed(s1_exp) < $signed({{(ExpSumW - EXP_W){1'b0}}, {EXP_W{1'b1}}}));
-  wire                   s1_underflow = $signed(s1_exp) < $signed({{(ExpSumW - 1){1'b0}}, 1'b1});
-  wire                   s1_give_inf = s1_is_inf | (s1_overflow & ~s1_is_zero);
-  wire                   s1_give_zero = s1_is_zero | s1_underflow;
-  wire [EXP_W+MAN_W-1:0] s1_number = {s1_exp[EXP_W-1:0], s1_frac};
-  wire [EXP_W+MAN_W-1:0] s1_body = s1_give_inf ? {{EXP_W{1'b1}}, {MAN_W{1'b0}}}
-      : s1_give_zero ? {(EXP_W + MAN_W){1'b0}} : s1_number;
-  wire [FloatW-1:0]      s1_value = s1_is_nan ? {1'b0, {EXP_W{1'b1}}, 1'b1, {(MAN_W - 1){1'b0}}}
-      : {s1_quot_sign, s1_body};
+  // No quotient lies half-way between two numbers, so the guard bit alone rounds.
+  wire [EXP_W+MAN_W-1:0] s1_round_sum = {s1_norm_exp[EXP_W-1:0], s1_frac} +
+      {{(EXP_W + MAN_W - 1){1'b0}}, s1_guard};
+  wire                   s1_round_at_zero = ~(|s1_norm_exp);
+  wire                   s1_round_too_low = s1_norm_exp[ExpSumW-1] |
+      (s1_round_at_zero & ~s1_round_sum[MAN_W]);
+  wire                   s1_round_over = ~s1_norm_exp[ExpSumW-1] &
+      (s1_norm_exp[EXP_W] | (&s1_norm_exp[EXP_W-1:0]));
+
+  // ---- stage 1: select --------------------------------------------------------- div.rs
+  wire              s1_give_inf = s1_is_nan | s1_is_inf | (s1_round_over & ~s1_is_zero);
+  wire              s1_keep = ~(s1_give_inf | s1_is_zero | s1_round_too_low);
+  wire              s1_sign = s1_quot_sign & ~s1_is_nan;
+  wire [FloatW-1:0] s1_value =
+      {s1_sign, (s1_round_sum[EXP_W+MAN_W-1:MAN_W] & {EXP_W{s1_keep}}) | {EXP_W{s1_give_inf}},
+      (s1_round_sum[MAN_W-1:0] & {MAN_W{s1_keep}}) | {s1_is_nan, {(MAN_W - 1){1'b0}}}};
 
   // ---- stage 2: registers ------------------------------------------------------ div.rs
   reg [FloatW-1:0] s2_value;

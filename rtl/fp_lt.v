@@ -37,37 +37,25 @@ module fp_lt #(
     end
   endgenerate
 
-  // ---- stage 0: keys ------------------------------------------------------------ lt.rs
-  // As unsigned numbers the keys are ordered as the floats are: negatives complemented, zeros
-  // alike.
-  wire              s0_a_sign = a[FloatW-1];
-  wire [EXP_W-1:0]  s0_a_exp = a[EXP_W+MAN_W-1:MAN_W];
-  wire [MAN_W-1:0]  s0_a_frac = a[MAN_W-1:0];
-  wire              s0_a_is_zero = ~(|s0_a_exp);
-  wire              s0_a_exp_ones = &s0_a_exp;
-  wire              s0_a_frac_some = |s0_a_frac;
-  wire              s0_a_is_inf = s0_a_exp_ones & ~s0_a_frac_some;
-  wire              s0_a_is_nan = s0_a_exp_ones & s0_a_frac_some;
-  wire              s0_b_sign = b[FloatW-1];
-  wire [EXP_W-1:0]  s0_b_exp = b[EXP_W+MAN_W-1:MAN_W];
-  wire [MAN_W-1:0]  s0_b_frac = b[MAN_W-1:0];
-  wire              s0_b_is_zero = ~(|s0_b_exp);
-  wire              s0_b_exp_ones = &s0_b_exp;
-  wire              s0_b_frac_some = |s0_b_frac;
-  wire              s0_b_is_inf = s0_b_exp_ones & ~s0_b_frac_some;
-  wire              s0_b_is_nan = s0_b_exp_ones & s0_b_frac_some;
-  wire              s0_a_minus = s0_a_sign & ~s0_a_is_zero;
-  wire [FloatW-1:0] s0_a_key =
-      {~s0_a_minus, (a[EXP_W+MAN_W-1:0] & {(EXP_W + MAN_W){~s0_a_is_zero}}) ^
-      {(EXP_W + MAN_W){s0_a_minus}}};
-  wire              s0_b_minus = s0_b_sign & ~s0_b_is_zero;
-  wire [FloatW-1:0] s0_b_key =
-      {~s0_b_minus, (b[EXP_W+MAN_W-1:0] & {(EXP_W + MAN_W){~s0_b_is_zero}}) ^
-      {(EXP_W + MAN_W){s0_b_minus}}};
-  wire              s0_ordered = ~(s0_a_is_nan | s0_b_is_nan);
-
   // ---- stage 0: compare --------------------------------------------------------- lt.rs
-  wire s0_less = (s0_a_key < s0_b_key) & s0_ordered;
+  // Of magnitudes: below, or for a negative a, below or equal. An exponent of 0 is zero whatever
+  // its fraction says, but two of them are told apart from the rest without touching the chain.
+  wire                   s0_a_sign = a[FloatW-1];
+  wire [EXP_W-1:0]       s0_a_exp = a[EXP_W+MAN_W-1:MAN_W];
+  wire [MAN_W-1:0]       s0_a_frac = a[MAN_W-1:0];
+  wire                   s0_b_sign = b[FloatW-1];
+  wire [EXP_W-1:0]       s0_b_exp = b[EXP_W+MAN_W-1:MAN_W];
+  wire [MAN_W-1:0]       s0_b_frac = b[MAN_W-1:0];
+  wire [EXP_W+MAN_W-1:0] s0_left = {a[EXP_W+MAN_W-1:1], a[0] & ~s0_a_sign};
+  wire [EXP_W+MAN_W-1:0] s0_right = {b[EXP_W+MAN_W-1:1], b[0] | (s0_a_sign & ~a[0])};
+  wire                   s0_below = s0_left < s0_right;
+  wire                   s0_both_zero = ~(|s0_a_exp) & ~(|s0_b_exp);
+  wire                   s0_a_is_nan = (&s0_a_exp) & (|s0_a_frac);
+  wire                   s0_b_is_nan = (&s0_b_exp) & (|s0_b_frac);
+
+  // ---- stage 0: decide ---------------------------------------------------------- lt.rs
+  wire s0_ordered = ~(s0_a_is_nan | s0_b_is_nan | s0_both_zero);
+  wire s0_less = s0_ordered & (s0_a_sign ? ~(s0_b_sign & s0_below) : (~s0_b_sign & s0_below));
 
   // ---- stage 1: registers ------------------------------------------------------- lt.rs
   reg s1_less;
@@ -76,11 +64,6 @@ module fp_lt #(
       s1_less <= s0_less;
     end
   end
-
-  // Bits that nothing needs, named so that no lint has to be switched off for the rest.
-  // verilator lint_off UNUSED
-  wire unused_0 = &{1'b0, {s0_a_is_inf, s0_b_is_inf}};
-  // verilator lint_on UNUSED
 
   assign result = s1_less;
 endmodule

@@ -21,6 +21,7 @@ module fp_mul #(
 );
   localparam integer FloatW = EXP_W + MAN_W + 1;
   localparam integer ExpSumW = EXP_W + 2;
+  localparam integer SigW = MAN_W + 1;
   localparam integer Bias = (1 << (EXP_W - 1)) - 1;
 
   // Illegal parameters end elaboration here: the missing module's name says what must hold.
@@ -57,41 +58,53 @@ module fp_mul #(
   wire               s0_b_frac_some = |s0_b_frac;
   wire               s0_b_is_inf = s0_b_exp_ones & ~s0_b_frac_some;
   wire               s0_b_is_nan = s0_b_exp_ones & s0_b_frac_some;
-  wire               s0_prod_sign = s0_a_sign ^ s0_b_sign;
   wire [2*MAN_W+1:0] s0_prod =
       {{(MAN_W + 1){1'b0}}, {1'b1, s0_a_frac}} * {{(MAN_W + 1){1'b0}}, {1'b1, s0_b_frac}};
-  wire [ExpSumW-1:0] s0_prod_exp =
+  wire [ExpSumW-1:0] s0_exp_low =
       ({{(ExpSumW - EXP_W){1'b0}}, s0_a_exp} +
       {{(ExpSumW - EXP_W){1'b0}}, s0_b_exp}) - Bias[ExpSumW-1:0];
+  wire [ExpSumW-1:0] s0_exp_high = s0_exp_low + {{(ExpSumW - 1){1'b0}}, 1'b1};
   wire               s0_is_zero = s0_a_is_zero | s0_b_is_zero;
   wire               s0_is_inf = s0_a_is_inf | s0_b_is_inf;
   wire               s0_is_nan = s0_a_is_nan | s0_b_is_nan | (s0_is_zero & s0_is_inf);
-
-  // ---- stage 0: normalize ------------------------------------------------------ mul.rs
-  // A product of two numbers in [1, 2) lies in [1, 4).
-  wire               s0_top = s0_prod[2*MAN_W+1];
-  wire [ExpSumW-1:0] s0_norm_exp = s0_prod_exp + {{(ExpSumW - 1){1'b0}}, s0_top};
-  wire [2*MAN_W:0]   s0_norm = s0_top ? s0_prod[2*MAN_W+1:1] : s0_prod[2*MAN_W:0];
-  wire               s0_lost = s0_top & s0_prod[0];
+  wire               s0_prod_sign = s0_a_sign ^ s0_b_sign;
 
   // ---- stage 0: round ---------------------------------------------------------- mul.rs
-  wire [MAN_W:0]         s0_sig = s0_norm[2*MAN_W:MAN_W];
-  wire                   s0_sticky = (|s0_norm[MAN_W-2:0]) | s0_lost;
-  wire                   s0_round_up = s0_norm[MAN_W-1] & (s0_sticky | s0_sig[0]);
-  wire [MAN_W+1:0]       s0_rounded = {1'b0, s0_sig} + {{(MAN_W + 1){1'b0}}, s0_round_up};
-  wire [MAN_W-1:0]       s0_frac = s0_rounded[MAN_W+1] ? s0_rounded[MAN_W:1]
-      : s0_rounded[MAN_W-1:0];
-  wire [ExpSumW-1:0]     s0_exp = s0_norm_exp + {{(ExpSumW - 1){1'b0}}, s0_rounded[MAN_W+1]};
-  wire                   s0_overflow =
-      ~($signed(s0_exp) < $signed({{(ExpSumW - EXP_W){1'b0}}, {EXP_W{1'b1}}}));
-  wire                   s0_underflow = $signed(s0_exp) < $signed({{(ExpSumW - 1){1'b0}}, 1'b1});
-  wire                   s0_give_inf = s0_is_inf | (s0_overflow & ~s0_is_zero);
-  wire                   s0_give_zero = s0_is_zero | s0_underflow;
-  wire [EXP_W+MAN_W-1:0] s0_number = {s0_exp[EXP_W-1:0], s0_frac};
-  wire [EXP_W+MAN_W-1:0] s0_body = s0_give_inf ? {{EXP_W{1'b1}}, {MAN_W{1'b0}}}
-      : s0_give_zero ? {(EXP_W + MAN_W){1'b0}} : s0_number;
-  wire [FloatW-1:0]      s0_value = s0_is_nan ? {1'b0, {EXP_W{1'b1}}, 1'b1, {(MAN_W - 1){1'b0}}}
-      : {s0_prod_sign, s0_body};
+  // A product of two numbers in [1, 2) lies in [1, 4): low below 2, high from 2 on. A carry out of
+  // the fraction goes on into the exponent, and from the largest number to infinity, by itself.
+  wire                   s0_low_guard = s0_prod[SigW-2];
+  wire                   s0_low_tie = s0_low_guard & ~(|s0_prod[SigW-3:0]);
+  wire [EXP_W+MAN_W-1:0] s0_low_sum = {s0_exp_low[EXP_W-1:0], s0_prod[MAN_W+SigW-2:SigW-1]} +
+      {{(EXP_W + MAN_W - 1){1'b0}}, s0_low_guard};
+  wire [EXP_W+MAN_W-1:0] s0_low_body = {s0_low_sum[EXP_W+MAN_W-1:1], s0_low_sum[0] & ~s0_low_tie};
+  wire                   s0_low_at_zero = ~(|s0_exp_low);
+  wire                   s0_low_too_low = s0_exp_low[ExpSumW-1] |
+      (s0_low_at_zero & ~s0_low_sum[MAN_W]);
+  wire                   s0_low_over = ~s0_exp_low[ExpSumW-1] &
+      (s0_exp_low[EXP_W] | (&s0_exp_low[EXP_W-1:0]));
+  wire                   s0_high_guard = s0_prod[SigW-1];
+  wire                   s0_high_tie = s0_high_guard & ~(|s0_prod[SigW-2:0]);
+  wire [EXP_W+MAN_W-1:0] s0_high_sum = {s0_exp_high[EXP_W-1:0], s0_prod[MAN_W+SigW-1:SigW]} +
+      {{(EXP_W + MAN_W - 1){1'b0}}, s0_high_guard};
+  wire [EXP_W+MAN_W-1:0] s0_high_body =
+      {s0_high_sum[EXP_W+MAN_W-1:1], s0_high_sum[0] & ~s0_high_tie};
+  wire                   s0_high_at_zero = ~(|s0_exp_high);
+  wire                   s0_high_too_low = s0_exp_high[ExpSumW-1] |
+      (s0_high_at_zero & ~s0_high_sum[MAN_W]);
+  wire                   s0_high_over = ~s0_exp_high[ExpSumW-1] &
+      (s0_exp_high[EXP_W] | (&s0_exp_high[EXP_W-1:0]));
+  wire                   s0_top = s0_prod[2*MAN_W+1];
+
+  // ---- stage 0: select --------------------------------------------------------- mul.rs
+  wire [EXP_W+MAN_W-1:0] s0_picked = s0_top ? s0_high_body : s0_low_body;
+  wire                   s0_give_inf = s0_is_nan | s0_is_inf |
+      ((s0_top ? s0_high_over : s0_low_over) & ~s0_is_zero);
+  wire                   s0_keep =
+      ~(s0_give_inf | s0_is_zero | (s0_top ? s0_high_too_low : s0_low_too_low));
+  wire                   s0_sign = s0_prod_sign & ~s0_is_nan;
+  wire [FloatW-1:0]      s0_value =
+      {s0_sign, (s0_picked[EXP_W+MAN_W-1:MAN_W] & {EXP_W{s0_keep}}) | {EXP_W{s0_give_inf}},
+      (s0_picked[MAN_W-1:0] & {MAN_W{s0_keep}}) | {s0_is_nan, {(MAN_W - 1){1'b0}}}};
 
   // ---- stage 1: registers ------------------------------------------------------ mul.rs
   reg [FloatW-1:0] s1_value;

@@ -17,6 +17,7 @@ pub mod project;
 pub mod proofs;
 pub mod report;
 pub mod scene;
+pub mod synth;
 pub mod trace;
 pub mod units;
 pub mod vectors;

@@ -11,7 +11,7 @@ const LAYERS: &[&[&str]] = &[
     &["interp", "verilog"],
     &["units", "scene"],
     &["emit", "trace"],
-    &["vectors", "bench", "proofs"],
+    &["vectors", "bench", "proofs", "synth"],
     &["catalogue", "report"],
     &["project"],
     &["cli"],

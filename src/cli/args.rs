@@ -50,8 +50,12 @@ pub enum Verb {
     Report(ReportArgs),
     /// Finds the smallest design that keeps an error budget on a scene, says why, and writes its configuration.
     Fit(FitArgs),
+    /// Runs the hard cases: maps and rays on which a traversal is most likely to go wrong.
+    Hard(HardArgs),
     /// Measures rays per second of the engines on the same rays, in one run.
     Bench(BenchArgs),
+    /// Measures areas and clocks of units with Yosys and nextpnr; exit code 3 where they are not installed.
+    Synth(SynthArgs),
     /// Lists the units with their parameters and latency.
     List,
     /// Prints the configuration or its schema.
@@ -229,12 +233,68 @@ pub struct FitArgs {
     pub out: Option<PathBuf>,
 }
 
+/// Options of `hard`.
+#[derive(Args, Debug)]
+pub struct HardArgs {
+    /// Lists the cases and what they aim at, and runs none.
+    #[arg(long)]
+    pub list: bool,
+    /// Only this case.
+    #[arg(long, value_name = "NAME")]
+    pub case: Option<String>,
+    /// Rays of each case.
+    #[arg(long, default_value_t = 200)]
+    pub rays: usize,
+    /// Seed of maps and rays.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Writes a picture of each case into this directory.
+    #[arg(long, value_name = "DIR")]
+    pub pictures: Option<PathBuf>,
+}
+
 /// Options of `bench`.
 #[derive(Args, Debug)]
 pub struct BenchArgs {
     /// Rays.
     #[arg(long, default_value_t = 20000)]
     pub rays: usize,
+}
+
+/// Options of `synth`.
+#[derive(Args, Debug)]
+pub struct SynthArgs {
+    /// Units, or all.
+    #[arg(long, default_value = "all", value_delimiter = ',', value_name = "NAME")]
+    pub unit: Vec<String>,
+    /// What they are mapped to.
+    #[arg(long, default_value = "ecp5")]
+    pub target: SynthTarget,
+    /// The cells of `--target liberty`.
+    #[arg(long, value_name = "FILE.lib")]
+    pub liberty: Option<PathBuf>,
+    /// Seeds of the placer; the median counts.
+    #[arg(long, default_value = "1,2,3", value_delimiter = ',', value_name = "N")]
+    pub seeds: Vec<u32>,
+    /// Measures each unit at these latencies instead of the configured one.
+    #[arg(long, value_delimiter = ',', value_name = "CLOCKS")]
+    pub latency: Vec<u32>,
+    /// Where the figures go.
+    #[arg(long, default_value = "synth.json", value_name = "FILE.json")]
+    pub out: PathBuf,
+}
+
+/// What a unit is mapped to.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+pub enum SynthTarget {
+    /// Lattice ECP5: area and clock.
+    Ecp5,
+    /// Lattice iCE40: area.
+    Ice40,
+    /// Xilinx Virtex-6: area and depth.
+    Xilinx,
+    /// The cells of a Liberty file: area and depth.
+    Liberty,
 }
 
 /// What runs the datapath.

@@ -6,11 +6,13 @@ mod config;
 mod emit;
 mod figures;
 mod fit;
+mod hard;
 mod list;
 mod output;
 mod prove;
 mod render;
 mod report;
+mod synth;
 mod trace;
 
 pub use args::Cli;
@@ -52,7 +54,9 @@ fn run(cli: &Cli) -> Result<()> {
         Verb::Accuracy(a) => figures::accuracy(cli, a),
         Verb::Report(a) => report::run(cli, a),
         Verb::Fit(a) => fit::run(cli, a),
+        Verb::Hard(a) => hard::run(cli, a),
         Verb::Bench(a) => figures::bench(cli, a),
+        Verb::Synth(a) => synth::run(cli, a),
         Verb::List => list::run(cli),
         Verb::Config(a) => config::run(cli, a),
         Verb::Completions { shell } => {

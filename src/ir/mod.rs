@@ -11,4 +11,5 @@ pub use builder::{Builder, Sig};
 pub use expr::{Atom, Binding, Expr, Func};
 pub use module::*;
 pub use names::Names;
+pub use schedule::plan_stages;
 pub use verify::verify;

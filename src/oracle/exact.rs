@@ -1,12 +1,13 @@
 //! Non-negative rationals `num / den * 2^exp`, compared without rounding.
+use super::wide::{U256, aligned};
 use crate::error::{Error, Result};
 use std::cmp::Ordering;
 
 /// The exact value `num / den * 2^exp`; `den` is not 0.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Ratio {
     /// Numerator.
-    pub num: u128,
+    pub num: U256,
     /// Denominator, not 0.
     pub den: u128,
     /// Power of two.
@@ -16,40 +17,44 @@ pub struct Ratio {
 impl Ratio {
     /// An integer.
     pub const fn integer(v: u64) -> Self {
-        Self { num: v as u128, den: 1, exp: 0 }
+        Self { num: U256 { high: 0, low: v as u128 }, den: 1, exp: 0 }
     }
 
-    /// Exact order of two values.
+    /// Exact order of two values, and how far they are apart, to within a few units in the last place of an f64; 0 only of
+    /// equal values.
     ///
     /// # Errors
-    /// [`Error::Input`] if a cross product does not fit in 128 bits; the answer is never a rounded one.
-    pub fn order(&self, other: &Self) -> Result<Ordering> {
+    /// [`Error::Input`] if a cross product does not fit in 256 bits; the answer is never a rounded one.
+    pub fn order(&self, other: &Self) -> Result<(Ordering, f64)> {
         let left = self.num.checked_mul(other.den).ok_or_else(too_wide)?;
         let right = other.num.checked_mul(self.den).ok_or_else(too_wide)?;
-        Ok(order_scaled(left, self.exp, right, other.exp))
+        let far = || (self.to_f64() - other.to_f64()).abs();
+        let (order, apart) = match aligned(left, self.exp, right, other.exp) {
+            // Close ones are subtracted before they are rounded.
+            Ok((left, right, exp)) => {
+                (left.cmp(&right), scale(left.abs_diff(right).to_f64() / self.den as f64 / other.den as f64, exp))
+            }
+            Err(order) => (order, far()),
+        };
+        Ok((order, if order.is_eq() { 0.0 } else { apart.max(f64::MIN_POSITIVE) }))
     }
 
     /// The value to within a few units in the last place of an f64.
     pub fn to_f64(&self) -> f64 {
-        // Two halves of the power keep the intermediate values in range.
-        let half = self.exp / 2;
-        self.num as f64 / self.den as f64 * 2f64.powi(half) * 2f64.powi(self.exp - half)
+        scale(self.num.to_f64() / self.den as f64, self.exp)
     }
 }
 
-/// Exact order of `a * 2^p` and `b * 2^q`.
-fn order_scaled(a: u128, p: i32, b: u128, q: i32) -> Ordering {
-    if a == 0 || b == 0 {
-        return a.cmp(&b);
-    }
-    // The place of the leading one decides, and when it is the same, moving the ones under each other can't overflow.
-    let (top_a, top_b) = (p - a.leading_zeros() as i32, q - b.leading_zeros() as i32);
-    top_a.cmp(&top_b).then_with(|| if p >= q { (a << (p - q)).cmp(&b) } else { a.cmp(&(b << (q - p))) })
+/// `x * 2^exp`.
+pub(super) fn scale(x: f64, exp: i32) -> f64 {
+    // Two halves of the power keep the intermediate values in range.
+    let half = exp / 2;
+    x * 2f64.powi(half) * 2f64.powi(exp - half)
 }
 
-/// The error of a ray whose numbers are too far apart for 128-bit integers.
+/// The error of a ray whose numbers are too far apart for 256-bit integers.
 pub(super) fn too_wide() -> Error {
-    Error::input("the ray's numbers are too far apart for an exact walk in 128-bit integers")
+    Error::input("the ray's numbers are too far apart for an exact walk in 256-bit integers")
 }
 
 /// A dyadic number `sig * 2^exp` with its sign; `sig` is odd, or 0 with `exp` 0.
@@ -94,23 +99,23 @@ mod tests {
     #[test]
     fn order_agrees_with_plain_integers() {
         let values = [(0u128, 3), (1, 0), (1, 1), (2, 0), (3, -1), (3, 0), (7, -2), (u128::MAX, -126), (1, 2)];
-        let plain = |(a, p): (u128, i32)| a as f64 * 2f64.powi(p);
+        let ratio = |(a, exp): (u128, i32)| Ratio { num: a.into(), den: 1, exp };
         for a in values {
             for b in values {
-                let expected = plain(a).partial_cmp(&plain(b)).unwrap();
-                let got = order_scaled(a.0, a.1, b.0, b.1);
                 // u128::MAX * 2^-126 is just below 4, which f64 can't tell apart.
-                if plain(a) != 4.0 && plain(b) != 4.0 {
-                    assert_eq!(got, expected, "{a:?} {b:?}");
-                }
+                let near = |x: (u128, i32)| if x.0 == u128::MAX { 3.5 } else { x.0 as f64 * 2f64.powi(x.1) };
+                let (order, apart) = ratio(a).order(&ratio(b)).unwrap();
+                assert_eq!(order, near(a).partial_cmp(&near(b)).unwrap(), "{a:?} {b:?}");
+                assert_eq!(order.is_eq(), apart == 0.0);
             }
         }
-        assert_eq!(order_scaled(u128::MAX, -126, 1, 2), Ordering::Less);
+        let close = ratio((u128::MAX, -126)).order(&ratio((1, 2))).unwrap();
+        assert_eq!(close, (Ordering::Less, 2f64.powi(-126)));
     }
 
     #[test]
     fn too_wide_is_an_error_and_not_an_answer() {
-        let wide = Ratio { num: u128::MAX, den: 3, exp: 0 };
+        let wide = Ratio { num: U256 { high: 1 << 127, low: 0 }, den: 3, exp: 0 };
         assert!(wide.order(&wide).is_err());
     }
 

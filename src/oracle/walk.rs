@@ -1,5 +1,6 @@
 //! The walk itself.
-use super::exact::{Dyadic, Ratio, too_wide};
+use super::axis::{Axis, NEVER};
+use super::exact::{Dyadic, Ratio};
 use crate::error::{Error, Result};
 use crate::format::FloatFormat;
 use std::cmp::Ordering;
@@ -51,88 +52,45 @@ pub struct ExactHit {
     pub t: Ratio,
     /// Ray parameter, to within a few units in the last place.
     pub t_f64: f64,
-    /// How close the walk came to another decision: the smallest difference of compared parameters over M.
+    /// How close the walk came to another texel: the smallest change of compared parameters that leads to one, over M.
     /// 0 only on an exact tie.
     pub margin: f64,
+    /// How close it came to the other value of `wall`: top and entry apart, over M. 0 only on an exact tie.
+    pub wall_margin: f64,
     /// Texels visited.
     pub texels: u64,
 }
 
-/// One axis of the walk: where the next plane is.
-struct Axis {
-    /// Texels, unwrapped.
-    at: i64,
-    /// The planes' indices fall.
-    falling: bool,
-    /// Entry point in units of 2^-scale texels.
-    p: i128,
-    scale: u32,
-    /// |travel| in texels: `d * 2^d_exp`, 0 if the ray never leaves along this axis.
-    d: u128,
-    d_exp: i32,
-    /// M, for the parameter of a plane.
-    bottom: u128,
+/// A parameter: near, and exact when it must be.
+struct Time<'a> {
+    near: f64,
+    exact: &'a dyn Fn() -> Result<Option<Ratio>>,
 }
 
-impl Axis {
-    fn new(p: Dyadic, d: Dyadic, map: &ExactMap) -> Result<Self> {
-        let outside = || Error::input("an exact ray enters in [0, 1) and travels less than 256 tiles");
-        // Below 1 means that the top bit of sig * 2^exp is below the point.
-        let bits = |x: &Dyadic| (u128::BITS - x.sig.leading_zeros()) as i32 + x.exp;
-        if p.sig != 0 && (p.negative || bits(&p) > 0) || d.sig != 0 && bits(&d) > 8 {
-            return Err(outside());
-        }
-        let n = map.levels as i32;
-        let exp = if p.sig == 0 { 0 } else { p.exp + n };
-        let scale = (-exp).max(0) as u32;
-        // Room for a plane of 2^22 texels beside the scale.
-        if scale > 104 {
-            return Err(too_wide());
-        }
-        let p = (p.sig as i128) << exp.max(0);
-        let bottom = (1u128 << map.height_bits) - 1;
-        Ok(Self { at: (p >> scale) as i64, falling: d.negative, p, scale, d: d.sig, d_exp: d.exp + n, bottom })
-    }
-
-    /// Parameter of the plane by which the ray leaves the current texel; None if it never does.
-    fn exit(&self) -> Result<Option<Ratio>> {
-        if self.d == 0 {
-            return Ok(None);
-        }
-        let plane = i128::from(if self.falling { self.at } else { self.at + 1 }) << self.scale;
-        // Never negative: the plane lies ahead of the entry point, or on it.
-        let way = (plane - self.p).unsigned_abs();
-        let num = way.checked_mul(self.bottom).ok_or_else(too_wide)?;
-        Ok(Some(Ratio { num, den: self.d, exp: -(self.scale as i32) - self.d_exp }))
-    }
-
-    fn step(&mut self) {
-        self.at += if self.falling { -1 } else { 1 };
-    }
-}
-
-/// Compares and remembers how close it was.
+/// Compares, by f64 where that is safe.
 struct Judge {
-    bottom: f64,
-    margin: f64,
+    filter: bool,
 }
 
 impl Judge {
-    fn order(&mut self, a: &Ratio, b: &Ratio) -> Result<Ordering> {
-        let order = a.order(b)?;
-        let gap =
-            if order.is_eq() { 0.0 } else { ((a.to_f64() - b.to_f64()).abs() / self.bottom).max(f64::MIN_POSITIVE) };
-        self.margin = self.margin.min(gap);
-        Ok(order)
+    /// Exact order, and how far the two are apart; 0 only of equal ones. None stands for a parameter beyond all others.
+    #[inline]
+    fn order(&self, a: &Time<'_>, b: &Time<'_>) -> Result<(Ordering, f64)> {
+        let apart = (a.near - b.near).abs();
+        // Each is off by less than one part in 2^50.
+        if self.filter && apart > (a.near + b.near) * 2f64.powi(-48) {
+            return Ok((if a.near < b.near { Ordering::Less } else { Ordering::Greater }, apart));
+        }
+        Self::exactly(a, b)
     }
 
-    /// As [`Judge::order`], where None stands for a parameter beyond all others.
-    fn order_exits(&mut self, a: Option<&Ratio>, b: Option<&Ratio>) -> Result<Ordering> {
-        match (a, b) {
-            (Some(a), Some(b)) => self.order(a, b),
-            (Some(_), None) => Ok(Ordering::Less),
-            (None, Some(_)) => Ok(Ordering::Greater),
-            (None, None) => Ok(Ordering::Equal),
+    #[cold]
+    fn exactly(a: &Time<'_>, b: &Time<'_>) -> Result<(Ordering, f64)> {
+        match ((a.exact)()?, (b.exact)()?) {
+            (Some(a), Some(b)) => a.order(&b),
+            (Some(_), None) => Ok((Ordering::Less, f64::INFINITY)),
+            (None, Some(_)) => Ok((Ordering::Greater, f64::INFINITY)),
+            (None, None) => Ok((Ordering::Equal, f64::INFINITY)),
         }
     }
 }
@@ -141,42 +99,91 @@ impl ExactMap<'_> {
     /// Walks the texels along `ray` until it hits one.
     ///
     /// # Errors
-    /// [`Error::Input`] if the ray is outside of its domain or the map's size is wrong, or if 128-bit integers don't hold the
-    /// exact products (never with formats up to 7/16); a wrong answer is never returned.
+    /// [`Error::Input`] if the ray is outside of its domain or the map's size is wrong, or if 256-bit integers don't hold the
+    /// exact products (never with formats up to 8/23); a wrong answer is never returned.
     pub fn trace(&self, ray: &ExactRay) -> Result<ExactHit> {
+        self.walk(ray, true)
+    }
+
+    /// As [`ExactMap::trace`], with every comparison in 256-bit integers: slow, and a check of the other.
+    ///
+    /// # Errors
+    /// As [`ExactMap::trace`].
+    pub fn trace_wide(&self, ray: &ExactRay) -> Result<ExactHit> {
+        self.walk(ray, false)
+    }
+
+    fn walk(&self, ray: &ExactRay, filter: bool) -> Result<ExactHit> {
         if self.texels.len() != 1 << (2 * self.levels) {
             return Err(Error::input(format!("the map has {} texels, not 4^{}", self.texels.len(), self.levels)));
         }
         let mut u = Axis::new(ray.p[0], ray.d[0], self)?;
         let mut v = Axis::new(ray.p[1], ray.d[1], self)?;
+        let judge = Judge { filter: filter && u.near_is_near && v.near_is_near };
         let bottom = (1u64 << self.height_bits) - 1;
-        let mut judge = Judge { bottom: bottom as f64, margin: f64::INFINITY };
-        let mut entry = Ratio::integer(0);
-        let (mut u_exit, mut v_exit) = (u.exit()?, v.exit()?);
-        let side = 1i64 << self.levels;
+        let mask = (1i64 << self.levels) - 1;
+        let place = |i: i64, j: i64| (((j & mask) << self.levels) | (i & mask)) as usize;
+        let top_of = |i: i64, j: i64| bottom - u64::from(self.texels[place(i, j)]);
+        let mut margin = f64::INFINITY;
+        // The plane last crossed; none yet.
+        let mut entry_near = 0.0;
+        let mut entry: Option<(bool, i64)> = None;
         for texels in 1.. {
-            let (i, j) = (u.at.rem_euclid(side), v.at.rem_euclid(side));
-            let top = Ratio::integer(bottom - u64::from(self.texels[(j * side + i) as usize]));
-            let u_first = judge.order_exits(u_exit.as_ref(), v_exit.as_ref())?.is_le();
-            let exit = if u_first { u_exit } else { v_exit };
-            let meets = judge.order_exits(Some(&top), exit.as_ref())?.is_lt();
-            // A texel touched only in a corner has no interior for the ray to end in.
-            if meets && judge.order_exits(Some(&entry), exit.as_ref())?.is_lt() {
-                let wall = judge.order(&top, &entry)?.is_lt();
-                let t = if wall { entry } else { top };
-                let margin = judge.margin;
-                return Ok(ExactHit { i: i as u32, j: j as u32, wall, t, t_f64: t.to_f64(), margin, texels });
+            let top = top_of(u.at, v.at);
+            let top_exact = || Ok(Some(Ratio::integer(top)));
+            let (u_exact, v_exact) = (|| u.exit(), || v.exit());
+            let top_time = Time { near: top as f64, exact: &top_exact };
+            let (u_time, v_time) = (Time { near: u.near, exact: &u_exact }, Time { near: v.near, exact: &v_exact });
+            let entry_exact = || entry_ratio(&u, &v, entry);
+            let entry_time = Time { near: entry_near, exact: &entry_exact };
+            let (order, gap) = judge.order(&u_time, &v_time)?;
+            let u_first = order.is_le();
+            let (exit, later) = if u_first { (&u_time, &v_time) } else { (&v_time, &u_time) };
+            let (met, to_top) = judge.order(&top_time, exit)?;
+            if met.is_lt() {
+                let (room, to_entry) = judge.order(&entry_time, exit)?;
+                // A texel touched only in a corner has no interior for the ray to end in.
+                if room.is_lt() {
+                    let (side, wall_margin) = judge.order(&top_time, &entry_time)?;
+                    let wall = side.is_lt();
+                    margin = margin.min(to_top.min(to_entry));
+                    let t = if wall { entry_ratio(&u, &v, entry)?.expect("crossed") } else { Ratio::integer(top) };
+                    return Ok(ExactHit {
+                        i: (u.at & mask) as u32,
+                        j: (v.at & mask) as u32,
+                        wall,
+                        t,
+                        t_f64: t.to_f64(),
+                        margin: if margin < NEVER / 2.0 { margin / bottom as f64 } else { f64::INFINITY },
+                        wall_margin: wall_margin / bottom as f64,
+                        texels,
+                    });
+                }
+                margin = 0.0;
             }
-            // An axis without an exit is never first; `entry` only grows.
-            entry = exit.unwrap_or(entry);
-            if u_first {
-                u.step();
-                u_exit = u.exit()?;
-            } else {
-                v.step();
-                v_exit = v.exit()?;
+            margin = margin.min(to_top);
+            if gap < margin {
+                // In the other order the ray would look at the texel on the other side of the corner.
+                let aside = if u_first { top_of(u.at, v.ahead()) } else { top_of(u.ahead(), v.at) };
+                let aside_exact = || Ok(Some(Ratio::integer(aside)));
+                let (above, short) = judge.order(&Time { near: aside as f64, exact: &aside_exact }, later)?;
+                margin = margin.min(if above.is_lt() { gap } else { gap.max(short) });
             }
+            // An axis without an exit is never first: the top plane would have been met before.
+            entry_near = exit.near;
+            let crossed = if u_first { &mut u } else { &mut v };
+            entry = Some((u_first, crossed.at));
+            crossed.step();
         }
         unreachable!("the ray ends at the bottom plane")
+    }
+}
+
+/// The exact parameter of the plane last crossed: of the axis u or not, out of this texel.
+fn entry_ratio(u: &Axis, v: &Axis, entry: Option<(bool, i64)>) -> Result<Option<Ratio>> {
+    match entry {
+        None => Ok(Some(Ratio::integer(0))),
+        Some((true, from)) => u.exit_of(from),
+        Some((false, from)) => v.exit_of(from),
     }
 }

@@ -68,7 +68,7 @@ const ALL: &[Proof] = &[
     proof!("fp_lt", &["fp_lt"], "the order of the numbers, at full width"),
     proof!("fp_add", &["fp_add"], "the exact sum, rounded once (4/3)", SMALL),
     proof!("fp_mul", &["fp_mul"], "the exact product, rounded once (4/3)", SMALL),
-    proof!("plane_time", &["plane_time"], "a later plane never has a smaller parameter (4/2)", TINY),
+    proof!("plane_time", &["plane_time", "fp_mul"], "a later plane never has a smaller parameter (4/2)", TINY),
     proof!("traverse", &["traverse"], "no ray is lost, none comes twice, and an offered result stays, by induction"),
 ];
 

@@ -14,7 +14,7 @@ pub struct WrongTexel {
     pub got: (u32, u32),
     /// What the exact walk returns.
     pub exact: (u32, u32),
-    /// Smallest difference of compared parameters in the exact walk, over M: how close the decision was.
+    /// The smallest change of compared parameters that leads the exact walk to another texel, over M: how close the decision was.
     pub margin: f64,
 }
 

@@ -2,6 +2,7 @@
 mod accuracy;
 mod cost;
 mod fit;
+pub mod hard;
 pub mod page;
 mod steps;
 

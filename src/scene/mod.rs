@@ -1,7 +1,10 @@
 //! What the rays meet and where they come from: height maps, cameras, ray lists; and pictures of the result.
+pub mod border;
 mod camera;
 mod codes;
 mod degrees;
+mod font;
+pub mod hard;
 mod height_map;
 mod load;
 mod maps;

@@ -146,11 +146,11 @@ impl Picture {
         write_atomic(path, &self.to_png()?)
     }
 
-    fn blank(width: usize, height: usize) -> Self {
+    pub(super) fn blank(width: usize, height: usize) -> Self {
         Self { width, height, pixels: vec![PAPER; width * height] }
     }
 
-    fn set(&mut self, x: usize, y: usize, colour: [u8; 3]) {
+    pub(super) fn set(&mut self, x: usize, y: usize, colour: [u8; 3]) {
         // Small pictures cut their legend.
         if x < self.width && y < self.height {
             self.pixels[y * self.width + x] = colour;

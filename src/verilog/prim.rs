@@ -16,26 +16,33 @@ const LZC: &str = r#"
   localparam integer PadW = 1 << CountW;
   wire [PadW-1:0] padded = {bits, {(PadW - W){1'b1}}};
 
-  // Step s looks at PadW >> s bits: if the upper half is zero it counts, and the lower half
-  // goes on.
-  genvar s;
+  // Level s joins neighbours to groups of 2 << s bits, and knows of each whether it is all zeros
+  // and else how many lead: the upper half's count, or 2^s and the lower half's. The topmost bits
+  // of the count are ready first.
+  genvar s, g;
   generate
-    for (s = 0; s < CountW; s = s + 1) begin : gen_step
-      localparam integer Half = PadW >> (s + 1);
-      wire [2*Half-1:0] here;
-      wire              upper_is_zero = (here[2*Half-1:Half] == {Half{1'b0}});
-      wire [Half-1:0]   next = upper_is_zero ? here[Half-1:0] : here[2*Half-1:Half];
-      if (s == 0) begin : gen_first
-        assign here = padded;
-      end else begin : gen_later
-        assign here = gen_step[s-1].next;
+    for (s = 0; s < CountW; s = s + 1) begin : gen_level
+      localparam integer Groups = PadW >> (s + 1);
+      wire [Groups-1:0]         empty;
+      wire [Groups*(s+1)-1:0]   lead;
+      for (g = 0; g < Groups; g = g + 1) begin : gen_group
+        if (s == 0) begin : gen_first
+          assign empty[g] = ~(padded[2*g+1] | padded[2*g]);
+          assign lead[g]  = ~padded[2*g+1];
+        end else begin : gen_later
+          wire         upper_empty = gen_level[s-1].empty[2*g+1];
+          wire [s-1:0] upper_lead = gen_level[s-1].lead[(2*g+1)*s+:s];
+          wire [s-1:0] lower_lead = gen_level[s-1].lead[2*g*s+:s];
+          assign empty[g]             = upper_empty & gen_level[s-1].empty[2*g];
+          assign lead[g*(s+1)+:(s+1)] = {upper_empty, upper_empty ? lower_lead : upper_lead};
+        end
       end
-      assign count[CountW-1-s] = upper_is_zero;
     end
   endgenerate
+  assign count = gen_level[CountW-1].lead;
 
   // verilator lint_off UNUSED
-  wire unused_last = &{1'b0, gen_step[CountW-1].next};
+  wire unused_last = &{1'b0, gen_level[CountW-1].empty};
   // verilator lint_on UNUSED
 "#;
 

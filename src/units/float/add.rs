@@ -1,79 +1,133 @@
 //! `fp_add`: the sum of two numbers, rounded once. Subtract by flipping the sign bit of `b`.
 //!
-//! Single path, `p = MAN_W + 1`: order by magnitude, align the smaller with guard, round and sticky bits
-//! (p + 3 bits), add or subtract, count leading zeros, shift, round. PIDM-HW section 4.3 gives the format only;
-//! rounding and specials are this project's (`docs/datapath.md`).
+//! Two paths, `p = MAN_W + 1`. The far one aligns, adds, moves by at most one place and rounds. The near one serves
+//! differences that lose two leading bits or more: their operands are at most one exponent apart, the difference is exact,
+//! and it is shifted up but never rounded. Which one counts is read off the far sum's two top bits, so nobody asks for the
+//! distance of the exponents. The hidden bit is taken as 1 everywhere: a zero operand only kills the aligned significand,
+//! and no test for zero stands before a carry chain. Zero, infinity, NaN and flushed results share the near path's leg.
+//! PIDM-HW section 4.3 gives the format only; rounding and specials are this project's (`docs/datapath.md`).
 use super::fields::{Fields, FormatParams};
-use super::round::{Special, Unrounded, round_pack};
 use crate::format::FloatFormat;
-use crate::ir::{Builder, Module};
+use crate::ir::{Builder, Module, Sig};
 use crate::units::lzc::lzc;
 use std::sync::Arc;
+
+/// Sections and how long each takes, in tenths of a nanosecond on ECP5.
+const PLAN: &[(&str, u32)] =
+    &[("compare", 26), ("order", 12), ("align", 28), ("add", 36), ("normalize", 30), ("round", 24)];
 
 /// Builds `fp_add` with `latency` clocks from operand to result.
 pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
     let b =
         Builder::new("fp_add", file!(), "sum of two floating-point numbers, rounded once; flip b's sign to subtract");
     let f = FormatParams::declare(&b, format);
-    let sig_w = b.local("SigW", &f.man + 4);
-    let lz_w = b.local("LzW", (&sig_w + 2).clog2());
-    let e_w = b.local("ExpSumW", f.exp.larger(&lz_w) + 2);
+    let near_w = b.local("NearW", &f.man + 2);
+    let lead_w = b.local("LeadW", (&near_w + 1).clog2());
+    let amount_w = b.local("AmountW", (&f.man + 3).clog2());
+    let shift_w = b.local("ShiftW", f.exp.larger(&amount_w + 1));
+    let e_w = b.local("ExpSumW", f.exp.larger(&lead_w));
     b.clock();
     b.clock_enable();
     let a_in = b.input("a", &f.width, "float", "first operand");
     let b_in = b.input("b", &f.width, "float", "second operand");
     let out = b.output("result", &f.width, "float", "a + b");
-    b.plan(latency, &[("order", 4), ("align", 6), ("add", 4), ("normalize", 8), ("round", 6)]);
+    b.plan(latency, PLAN);
+    let mag_w = &f.exp + &f.man;
+
+    b.section("compare", "Both differences of the exponents, so that neither waits for which operand is larger.");
+    let (fa, fb) = (Fields::split(&f, a_in, "a"), Fields::split(&f, b_in, "b"));
+    let swap = a_in.slice(0, mag_w.clone()).lt(b_in.slice(0, mag_w.clone())).named("swap");
+    let e1 = &f.exp + 1;
+    let a_above = (fa.exp.zext(&e1) - fb.exp.zext(&e1)).named("a_above");
+    let b_above = (fb.exp - fa.exp).named("b_above");
+    let subtract = (fa.sign ^ fb.sign).named("subtract");
+    let odd = (fa.exp.bit(0) ^ fb.exp.bit(0)).named("odd");
+    let (a_zero, b_zero) = (fa.exp.none().named("a_is_zero"), fb.exp.none().named("b_is_zero"));
+    let (a_ones, b_ones) = (fa.exp.all().named("a_exp_ones"), fb.exp.all().named("b_exp_ones"));
 
     b.section(
         "order",
         "The operand of larger magnitude comes first, so the difference of the significands is not negative.",
     );
-    let (fa, fb) = (Fields::of(&f, a_in, "a"), Fields::of(&f, b_in, "b"));
-    let (sig_a, sig_b) = (fa.significand(&b, "a_sig"), fb.significand(&b, "b_sig"));
-    let mag_w = &f.exp + &f.man;
-    let swap = a_in.slice(0, mag_w.clone()).lt(b_in.slice(0, mag_w)).named("swap");
     let big_sign = swap.mux(fb.sign, fa.sign).named("big_sign");
     let big_exp = swap.mux(fb.exp, fa.exp).named("big_exp");
-    let small_exp = swap.mux(fa.exp, fb.exp).named("small_exp");
-    let big_sig = swap.mux(sig_b, sig_a).named("big_sig");
-    let small_sig = swap.mux(sig_a, sig_b).named("small_sig");
-    let subtract = (fa.sign ^ fb.sign).named("subtract");
-    let nan = (fa.is_nan | fb.is_nan | (fa.is_inf & fb.is_inf & subtract)).named("is_nan");
-    let inf = (fa.is_inf | fb.is_inf).named("is_inf");
-    let inf_sign = fa.is_inf.mux(fa.sign, fb.sign).named("inf_sign");
-    let both_minus = (fa.sign & fb.sign).named("both_minus");
+    let big_frac = swap.mux(fb.frac, fa.frac).named("big_frac");
+    let one = b.lit(1, 1);
+    let halved = |frac| odd.mux(b.cat(&[b.lit(1, 2), frac]), b.cat(&[one, frac, b.zeros(1)]));
+    let lower = swap.mux(halved(fa.frac).named("a_halved"), halved(fb.frac).named("b_halved")).named("lower");
+    let small_zero = swap.mux(a_zero, b_zero).named("small_is_zero");
+    let shift = a_above.msb().mux(b_above, a_above.slice(0, &f.exp)).named("shift");
+    let both_zero = (a_zero & b_zero).named("both_zero");
+    let huge = (a_ones | b_ones).named("huge");
+    let both_huge = (a_ones & b_ones & subtract).named("inf_minus_inf");
 
     b.section(
         "align",
         "Three bits below the significand, the last one sticky, are enough to round a sum or difference.",
     );
-    let shift = (big_exp - small_exp).named("shift");
-    let small_ext = b.cat(&[small_sig, b.zeros(3)]).named("small_ext");
-    let shifted = small_ext.shift_right(shift).named("shifted");
-    let lost = (small_ext & !b.ones(&sig_w).shift_left(shift)).any().named("lost");
-    let aligned = b.cat(&[shifted.slice(1, &sig_w - 1), shifted.bit(0) | lost]).named("aligned");
+    let wide = shift.zext(&shift_w);
+    let amount = b.cat(&[wide.named("wide_shift").slice(1, &amount_w - 1), b.zeros(1)]).named("amount");
+    let beyond = wide.slice(&amount_w, &shift_w - &amount_w).any().named("beyond");
+    let small = b.cat(&[lower, b.zeros(1)]).named("small_sig");
+    let shifted = small.shift_right(amount);
+    let kill = (beyond | small_zero).named("kill");
+    let aligned = (shifted & (!kill).rep(small.width())).named("aligned");
+    let lost = (small & !b.ones(small.width()).shift_left(amount)).any();
+    let sticky = ((beyond | lost) & !small_zero).named("sticky");
+    let near = (b.cat(&[one, big_frac, b.zeros(1)]) - lower).named("near");
+    let reach = (!b.ones(&near_w).shift_right(big_exp)).named("reach");
+    let near_max = (big_exp.slice(1, &f.exp - 1).all() & !big_exp.bit(0)).named("near_max");
+    let bottom = (big_exp.slice(1, &f.exp - 1).none() & big_exp.bit(0)).named("bottom");
+    let is_nan = (huge & (both_huge | big_frac.any())).named("is_nan");
 
     b.section("add", "");
-    let x = b.cat(&[b.zeros(1), big_sig, b.zeros(3)]).named("augend");
-    let y = aligned.zext(&sig_w + 1).named("addend");
+    let x = b.cat(&[b.lit(1, 2), big_frac, b.zeros(3)]).named("augend");
+    let y = b.cat(&[b.zeros(1), aligned, sticky]).named("addend");
     let sum = subtract.mux(x - y, x + y).named("sum");
+    let exp_up = (big_exp + b.lit(1, &f.exp)).named("exp_up");
+    let exp_down = (big_exp - b.lit(1, &f.exp)).named("exp_down");
+    let near_zero = near.none().named("near_zero");
+    let lead = lzc(&b, "u_lzc", near, "lead");
 
-    b.section("normalize", "");
-    let lz = lzc(&b, "u_lzc", sum, "lead");
-    let norm = sum.shift_left(lz).named("norm");
-    let exp = (big_exp.zext(&e_w) + b.lit(1, &e_w) - lz.zext(&e_w)).named("norm_exp");
-    let is_zero = norm.msb();
-    let is_zero = (!is_zero).named("sum_is_zero");
+    b.section(
+        "normalize",
+        "The far sum moves by one place at most; the near difference goes up, the coarse steps first.",
+    );
+    let carry = sum.msb().named("carry");
+    let top = sum.bit(&f.man + 3).named("top");
+    let next = sum.bit(&f.man + 2).named("next");
+    let at = |lo: i64| sum.slice(lo, f.man.clone());
+    let frac = carry.mux(at(4), top.mux(at(3), at(2))).named("frac");
+    let exp = carry.mux(exp_up, top.mux(big_exp, exp_down)).named("exp");
+    let low = sum.slice(0, 2).any();
+    let up = |lsb: i64, rest: Sig<'_>| (sum.bit(lsb - 1) & (sum.bit(lsb) | rest)).id();
+    let ups = [up(4, sum.bit(2) | low), up(3, low), up(2, sum.bit(0))].map(|i| b.sig(i));
+    let round_up = carry.mux(ups[0], top.mux(ups[1], ups[2])).named("round_up");
+    let near_norm = shift_up(&b, near, lead);
+    let near_frac = near_norm.slice(1, &f.man).named("near_frac");
+    let near_exp = (big_exp.zext(&e_w) - lead.zext(&e_w)).named("near_exp");
+    let flush = (near & reach).none().named("flush");
+    let to_inf = (huge | (near_max & !subtract)).named("to_inf");
+    let leg = (huge | both_zero | (carry & near_max) | !(carry | top | (next & !bottom))).named("use_leg");
+    let no_sign = (is_nan | (subtract & !huge & (both_zero | (near_zero & !(carry | top | next))))).named("no_sign");
 
-    b.section("round", "");
-    let sig = norm.slice(4, &f.man + 1).named("sig");
-    let guard = norm.bit(3);
-    let sticky = norm.slice(0, 3).any();
-    let x = Unrounded { sign: big_sign, exp, sig, guard, sticky: Some(sticky) };
-    let (nan, inf, inf_sign, zero_sign) = (Some(nan), Some(inf), Some(inf_sign), Some(both_minus));
-    let s = Special { nan, inf, inf_sign, zero: is_zero, zero_sign };
-    let packed = round_pack(&b, &f, &x, &s);
-    b.drive(out, packed, Some(latency));
+    b.section("round", "One place up can carry into the exponent, and from the largest number to infinity, by itself.");
+    let number = b.cat(&[exp, frac]).named("unrounded");
+    let number = (number + round_up.zext(mag_w)).named("rounded");
+    let (keep, inf) = (!(flush | to_inf), to_inf);
+    let (keep, inf) = (keep.named("keep"), inf.named("give_inf"));
+    let near_e = near_exp.slice(0, &f.exp) & keep.rep(&f.exp) | inf.rep(&f.exp);
+    let near_f = near_frac & keep.rep(&f.man);
+    let quiet = b.cat(&[is_nan, b.zeros(&f.man - 1)]);
+    let body = leg.mux(b.cat(&[near_e, near_f | quiet]), number).named("body");
+    let sign = (big_sign & !no_sign).named("sign");
+    b.drive(out, b.cat(&[sign, body]).named("value"), Some(latency));
     b.finish(Some(latency), &super::bindings())
+}
+
+/// `x << n`, the top bits of `n` first: they are the first that a leading-zero count knows.
+fn shift_up<'b>(b: &'b Builder, x: Sig<'b>, n: Sig<'b>) -> Sig<'b> {
+    let fine_w = b.local("FineW", n.width().div(2));
+    let coarse = b.cat(&[n.slice(&fine_w, n.width() - &fine_w), b.zeros(&fine_w)]);
+    x.shift_left(coarse).shift_left(n.slice(0, &fine_w)).named("near_norm")
 }

@@ -4,11 +4,16 @@
 //! (a tie would have p + 1 significant bits, and times the divisor it would not fit the dividend), so one guard bit
 //! decides and no sticky bit is needed. Rows are spread over the stages.
 use super::fields::{Fields, FormatParams};
-use super::round::{Special, Unrounded, round_pack};
+use super::round::{Candidate, Classes};
 use crate::format::FloatFormat;
-use crate::ir::{Builder, Expr, Module};
+use crate::ir::{Builder, Expr, Module, plan_stages};
 use crate::units::div_rows::div_rows;
 use std::sync::Arc;
+
+/// What a row takes, in tenths of a nanosecond on ECP5.
+const ROW: u32 = 35;
+/// The sections behind the rows.
+const TAIL: [(&str, u32); 3] = [("pick", 12), ("round", 20), ("select", 18)];
 
 /// Builds `fp_div` with `latency` clocks from operand to result.
 pub fn fp_div(format: FloatFormat, latency: u32) -> Arc<Module> {
@@ -22,11 +27,23 @@ pub fn fp_div(format: FloatFormat, latency: u32) -> Arc<Module> {
     let a_in = b.input("a", &f.width, "float", "dividend");
     let b_in = b.input("b", &f.width, "float", "divisor");
     let out = b.output("result", &f.width, "float", "a / b");
-    let chunks = latency.clamp(1, format.man + 3);
-    b.require(chunks.saturating_sub(3), &f.man);
-    let titles: Vec<String> = (0..chunks).map(|c| format!("rows {c}")).collect();
-    let mut plan: Vec<(&str, u32)> = titles.iter().map(|t| (t.as_str(), 60 / chunks + 1)).collect();
-    plan.push(("round", 5));
+    let sizes = rows_per_stage(latency, format.man + 3);
+    let ends: Vec<i64> = sizes
+        .iter()
+        .scan(0, |sum, n| {
+            Some({
+                *sum += i64::from(*n);
+                *sum
+            })
+        })
+        .collect();
+    let all = i64::from(format.man + 3);
+    // Rows are spread in the same proportion at any MAN_W, and every stage must have at least one.
+    let least = i64::from(*sizes.iter().min().expect("at least one group of rows"));
+    b.require((all + least - 1) / least - 3, &f.man);
+    let titles: Vec<String> = (0..sizes.len()).map(|c| format!("rows {c}")).collect();
+    let mut plan: Vec<(&str, u32)> = titles.iter().zip(&sizes).map(|(t, n)| (t.as_str(), ROW * n)).collect();
+    plan.extend(TAIL);
     b.plan(latency, &plan);
 
     b.section("classes", "The hidden bit is 1 for every operand: a zero operand overrides the result instead.");
@@ -43,8 +60,11 @@ pub fn fp_div(format: FloatFormat, latency: u32) -> Arc<Module> {
     let mut quot = None;
     for (c, title) in titles.iter().enumerate() {
         b.section(title, "Rows of compare, subtract, double: one quotient bit each, the integer bit first.");
-        let at = |k: i64| if k == i64::from(chunks) { rows.clone() } else { (rows.clone() * k).div(chunks) };
-        let count: Expr = if c == 0 { at(1) } else { at(c as i64 + 1) - at(c as i64) };
+        let at = |k: usize| match ends[k] {
+            end if end == all => rows.clone(),
+            end => (rows.clone() * end).div(all),
+        };
+        let count: Expr = if c == 0 { at(0) } else { at(c) - at(c - 1) };
         let (r, q) = div_rows(&b, &format!("u_rows_{c}"), rem, div, &p, &count, c);
         rem = r;
         quot = Some(match quot {
@@ -55,18 +75,31 @@ pub fn fp_div(format: FloatFormat, latency: u32) -> Arc<Module> {
     b.unused(rem);
     let quot = quot.expect("at least one chunk of rows");
 
-    b.section(
-        "round",
-        "The quotient lies in (1/2, 2): its integer bit picks the significand. No quotient lies half-way between two \
-         numbers, so the guard bit alone rounds.",
-    );
+    b.section("pick", "The quotient lies in (1/2, 2): its integer bit says where the significand stands.");
     let top = quot.msb().named("top");
     let exp = (exp0 - (!top).zext(&e_w)).named("norm_exp");
-    let sig = top.mux(quot.slice(2, p.clone()), quot.slice(1, p.clone())).named("sig");
+    let frac = top.mux(quot.slice(2, &f.man), quot.slice(1, &f.man)).named("frac");
     let guard = top.mux(quot.bit(1), quot.bit(0)).named("guard");
-    let x = Unrounded { sign, exp, sig, guard, sticky: None };
-    let s = Special { nan: Some(nan), inf: Some(inf), inf_sign: None, zero, zero_sign: None };
-    let packed = round_pack(&b, &f, &x, &s);
-    b.drive(out, packed, Some(latency));
+
+    b.section("round", "No quotient lies half-way between two numbers, so the guard bit alone rounds.");
+    let rounded = Candidate::of(&b, &f, exp, frac, guard, None, "round");
+
+    b.section("select", "");
+    let value = rounded.pack(&b, &f, sign, &Classes { nan, inf, zero });
+    b.drive(out, value, Some(latency));
     b.finish(Some(latency), &super::bindings())
+}
+
+/// How many of `rows` rows stand in each stage, such that rows and tail together are balanced.
+fn rows_per_stage(latency: u32, rows: u32) -> Vec<u32> {
+    let weights: Vec<u32> = (0..rows).map(|_| ROW).chain(TAIL.iter().map(|t| t.1)).collect();
+    let stages = plan_stages(latency, &weights);
+    let mut sizes = Vec::new();
+    for s in &stages[..rows as usize] {
+        if *s as usize == sizes.len() {
+            sizes.push(0);
+        }
+        *sizes.last_mut().expect("stages start at 0 and are contiguous") += 1;
+    }
+    sizes
 }

@@ -35,6 +35,16 @@ impl FormatParams {
     }
 }
 
+/// Sign, exponent field and fraction field of an operand.
+pub struct Split<'b> {
+    /// Sign bit.
+    pub sign: Sig<'b>,
+    /// Exponent field.
+    pub exp: Sig<'b>,
+    /// Fraction field.
+    pub frac: Sig<'b>,
+}
+
 /// An operand taken apart.
 pub struct Fields<'b> {
     /// Sign bit.
@@ -52,6 +62,14 @@ pub struct Fields<'b> {
 }
 
 impl<'b> Fields<'b> {
+    /// Takes `v` apart without asking for its class; net names start with `name`.
+    pub fn split(f: &FormatParams, v: Sig<'b>, name: &str) -> Split<'b> {
+        Split {
+            sign: v.msb().named(&format!("{name}_sign")),
+            exp: v.slice(f.man.clone(), f.exp.clone()).named(&format!("{name}_exp")),
+            frac: v.slice(0, f.man.clone()).named(&format!("{name}_frac")),
+        }
+    }
     /// Takes `v` apart; net names start with `name`.
     pub fn of(f: &FormatParams, v: Sig<'b>, name: &str) -> Self {
         let sign = v.msb().named(&format!("{name}_sign"));

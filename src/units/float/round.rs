@@ -78,3 +78,67 @@ fn pack<'b>(b: &'b Builder, f: &FormatParams, r: Rounded<'b>, s: &Special<'b>) -
     let value = b.cat(&[sign, body]);
     s.nan.map_or(value, |is_nan| is_nan.mux(canonical_nan(), value)).named("value")
 }
+
+/// A positive result rounded so that no carry chain waits for a sticky bit: the guard bit is added, and a tie clears the
+/// last bit afterwards. Exponent and fraction are one number: a carry out of the fraction goes on into the exponent, and
+/// from the largest number to infinity, by itself.
+pub struct Candidate<'b> {
+    /// Exponent and fraction, rounded; EXP_W + MAN_W bits.
+    body: Sig<'b>,
+    /// Below the smallest normal number after rounding.
+    too_low: Sig<'b>,
+    /// Beyond the largest exponent before rounding; what reaches it by rounding is infinity already.
+    over: Sig<'b>,
+}
+
+/// Classes of a result; NaN wins over infinity, infinity over zero.
+pub struct Classes<'b> {
+    /// NaN.
+    pub nan: Sig<'b>,
+    /// Infinity.
+    pub inf: Sig<'b>,
+    /// Zero.
+    pub zero: Sig<'b>,
+}
+
+impl<'b> Candidate<'b> {
+    /// Rounds `frac` (MAN_W bits) of biased, signed exponent `exp` (EXP_W + 2 bits) by the bit below it; `tie` says that
+    /// nothing stands below that bit, `None` that this can't be. Net names start with `name`.
+    pub fn of(
+        b: &'b Builder,
+        f: &FormatParams,
+        exp: Sig<'b>,
+        frac: Sig<'b>,
+        guard: Sig<'b>,
+        tie: Option<Sig<'b>>,
+        name: &str,
+    ) -> Self {
+        let called = |s: Sig<'b>, what: &str| s.named(&format!("{name}_{what}"));
+        let mag_w = &f.exp + &f.man;
+        let exact = b.cat(&[exp.slice(0, &f.exp), frac]);
+        let sum = called(exact + guard.zext(&mag_w), "sum");
+        let even = |tie: Sig<'b>| b.cat(&[sum.slice(1, mag_w.clone() - 1), sum.bit(0) & !called(tie, "tie")]);
+        let body = tie.map_or(sum, |tie| called(even(tie), "body"));
+        // From exponent 0, rounding may still reach the smallest normal number.
+        let at_zero = called(exp.none(), "at_zero");
+        let too_low = called(exp.msb() | (at_zero & !sum.bit(&f.man)), "too_low");
+        let over = called(!exp.msb() & (exp.bit(&f.exp) | exp.slice(0, &f.exp).all()), "over");
+        Self { body, too_low, over }
+    }
+    /// `top ? high : low`.
+    pub fn pick(top: Sig<'b>, high: &Self, low: &Self) -> Self {
+        Self {
+            body: top.mux(high.body, low.body).named("picked"),
+            too_low: top.mux(high.too_low, low.too_low),
+            over: top.mux(high.over, low.over),
+        }
+    }
+    /// The encoded number.
+    pub fn pack(&self, b: &'b Builder, f: &FormatParams, sign: Sig<'b>, c: &Classes<'b>) -> Sig<'b> {
+        let inf = (c.nan | c.inf | (self.over & !c.zero)).named("give_inf");
+        let keep = (!(inf | c.zero | self.too_low)).named("keep");
+        let exp = self.body.slice(&f.man, &f.exp) & keep.rep(&f.exp) | inf.rep(&f.exp);
+        let frac = self.body.slice(0, &f.man) & keep.rep(&f.man) | b.cat(&[c.nan, b.zeros(&f.man - 1)]);
+        b.cat(&[(sign & !c.nan).named("sign"), exp, frac]).named("value")
+    }
+}

@@ -16,11 +16,7 @@ pub fn latency(l: &LatencyConfig) -> u32 {
 
 /// Declares NUDGE_W and what it may be.
 pub fn nudge_width(b: &Builder, d: &Design) -> Expr {
-    let nudge = b.param(
-        "NUDGE_W",
-        d.datapath.nudge_bits,
-        "a crossing aims 2^-NUDGE_W texels behind its plane; 0: at the plane",
-    );
+    let nudge = b.param("NUDGE_W", d.datapath.nudge_bits, "crossings aim 2^-NUDGE_W texels past the plane; 0: none");
     b.require(0, &nudge);
     b.require(&nudge, 16);
     nudge

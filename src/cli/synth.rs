@@ -1,0 +1,79 @@
+//! `reliefrtl synth`: areas and clocks of units, as a table and in a file.
+use super::args::{Cli, SynthArgs, SynthTarget};
+use super::output::{spinner, table};
+use crate::catalogue;
+use crate::config::LatencyConfig;
+use crate::error::{Error, Result};
+use crate::synth::{Figures, Target, measure};
+use std::path::PathBuf;
+
+/// Runs `synth`.
+pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
+    let d = super::config::load(cli)?.design();
+    let all: Vec<String> = catalogue::units(&d).into_iter().map(|m| m.name.clone()).collect();
+    let names = if a.unit == ["all"] { all } else { a.unit.clone() };
+    let target = target(a)?;
+    // One run at the configured latencies, or one at each latency asked for.
+    let latencies: Vec<Option<u32>> =
+        if a.latency.is_empty() { vec![None] } else { a.latency.iter().copied().map(Some).collect() };
+    let mut done: Vec<Figures> = Vec::new();
+    for name in &names {
+        for latency in &latencies {
+            let mut d = d;
+            if let Some(l) = *latency {
+                let decision = d.latency.decision;
+                d.latency = LatencyConfig { add: l, mul: l, div: l, compare: l, from_int: l, to_int: l, decision };
+            }
+            let unit = catalogue::find(&d, name)?;
+            let bar = spinner(cli, format!("{name} at {latency:?} for {}", target.name()));
+            done.push(measure(&unit, &target, &a.seeds)?);
+            bar.finish_and_clear();
+        }
+    }
+    let text = serde_json::to_string_pretty(&done).expect("plain data") + "\n";
+    if let Some(parent) = a.out.parent().filter(|p| !p.as_os_str().is_empty()) {
+        std::fs::create_dir_all(parent).map_err(|e| Error::file("create", parent, e))?;
+    }
+    std::fs::write(&a.out, &text).map_err(|e| Error::file("write", &a.out, e))?;
+    if cli.json {
+        print!("{text}");
+    } else {
+        print!("{}", rows(&done));
+    }
+    Ok(())
+}
+
+fn target(a: &SynthArgs) -> Result<Target> {
+    let missing = || Error::input("--target liberty needs --liberty FILE.lib");
+    Ok(match a.target {
+        SynthTarget::Ecp5 => Target::Ecp5,
+        SynthTarget::Ice40 => Target::Ice40,
+        SynthTarget::Xilinx => Target::Xilinx,
+        SynthTarget::Liberty => Target::Liberty(PathBuf::from(a.liberty.as_ref().ok_or_else(missing)?)),
+    })
+}
+
+fn rows(done: &[Figures]) -> String {
+    let line = |f: &Figures| {
+        let (mhz, path) = match &f.clock {
+            None => (String::new(), String::new()),
+            Some(c) => {
+                let p = &c.critical;
+                let ns = format!("{:.1} + {:.1} ns, {} hops", p.logic_ns, p.routing_ns, p.hops);
+                let names: Vec<&str> = [p.from.as_str()]
+                    .into_iter()
+                    .chain(p.via.iter().map(String::as_str))
+                    .chain([p.to.as_str()])
+                    .collect();
+                (format!("{:.0}", c.median), format!("{} ({ns})", names.join(" > ")))
+            }
+        };
+        let latency = f.latency.map_or("-".into(), |l| l.to_string());
+        let area = f.area.map_or(String::new(), |a| format!("{a:.0}"));
+        let depth = f.depth.map_or(String::new(), |d| d.to_string());
+        let counts = [f.luts, f.carries, f.multipliers, f.memories, f.flip_flops].map(|n| n.to_string());
+        [vec![f.unit.clone(), latency], counts.to_vec(), vec![depth, area, mhz, path]].concat()
+    };
+    let head = ["unit", "L", "LUT", "carry", "mult", "mem", "FF", "depth", "area", "MHz", "critical path"];
+    table(&head, &done.iter().map(line).collect::<Vec<_>>())
+}

