@@ -57,7 +57,8 @@ pub fn pareto(plan: &Plan, dots: &[Dot<'_>], plot: Plot) -> String {
     };
     let cost = |d: &Dot<'_>| if plot == Plot::Size { d.size.unwrap_or(0) as f64 } else { d.pool.cycles() };
     // A design without hardware has no size to be drawn at.
-    let dots: Vec<&Dot<'_>> = dots.iter().filter(|d| plot != Plot::Size || d.size.is_some()).collect();
+    let drawn = |d: &&Dot<'_>| d.comparable() && (plot != Plot::Size || d.size.is_some());
+    let dots: Vec<&Dot<'_>> = dots.iter().filter(drawn).collect();
     let named = headlines(plan);
     let at: Vec<(f64, f64)> = dots.iter().map(|d| (cost(d), error(&d.pool).0)).collect();
     let edge = frontier(at.clone());
