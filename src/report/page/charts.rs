@@ -148,7 +148,10 @@ pub fn along(plan: &Plan, all: &[Series<'_>], by: &str, what: &str) -> String {
         let last = s.points.len() - 1;
         let mark = |(k, p): (usize, &super::figures::At<'_>)| {
             let (y, hollow) = value(&p.pool);
-            let short_name = widths.map_or_else(|| s.name.clone(), |exp| format!("EXP_W {exp}"));
+            // There is little room beside a line: the nudge is said in tables.
+            let (before, after) = s.name.split_once(", ").unwrap_or((&s.name, ""));
+            let name = if after == "no nudge" { after } else { before };
+            let short_name = widths.map_or_else(|| name.to_owned(), |exp| format!("EXP_W {exp}"));
             let label = if k == last { short_name } else { String::new() };
             let tip =
                 format!("{}: {}{} of {} rays", s.name, if hollow { "below " } else { "" }, short(y), p.pool.rays());
