@@ -26,9 +26,6 @@ impl Tracer {
     /// # Errors
     /// [`crate::error::Error::Input`] if the sizes are outside of the datapath's ranges.
     pub fn new(design: &Design) -> Result<Self> {
-        if design.mode.trim != Trim::None || design.mode.lod {
-            return Err(crate::error::Error::input("the modes trim and lod have no golden model"));
-        }
         let more = design.mode.trim != Trim::None || design.mode.lod;
         if more && design.datapath.kind != DatapathKind::Watertight {
             return Err(Error::input("mode.trim and mode.lod need datapath.kind = \"watertight\""));
