@@ -88,20 +88,20 @@ fn full(a: u128, b: u128) -> U256 {
     U256 { high: high + (middle >> 64) + (cross >> 64) + (carry >> 64), low: carry << 64 | low & HALF }
 }
 
-/// `a * 2^p` and `b * 2^q` with the same power of two, if their leading ones stand at the same place (so that nothing is lost);
-/// else their order.
+/// `a * 2^p` and `b * 2^q` with the same power of two, if their leading ones stand at the same place or side by side (two numbers around a power
+/// of two may be as close as any) and there is room; else their order.
 pub(super) fn aligned(a: U256, p: i32, b: U256, q: i32) -> Result<(U256, U256, i32), Ordering> {
     let zero = U256::default();
     if a == zero || b == zero {
         return Err(a.cmp(&b));
     }
     let (top_a, top_b) = (p - a.leading_zeros() as i32, q - b.leading_zeros() as i32);
-    if top_a != top_b {
+    if top_a.abs_diff(top_b) > 1 {
         return Err(top_a.cmp(&top_b));
     }
-    let by = p.abs_diff(q);
-    let shifted = |x: U256| x.checked_shl(by).expect("it has the other's leading one then");
-    Ok(if p >= q { (shifted(a), b, q) } else { (a, shifted(b), p) })
+    // Without room the leading ones differ: a shift to the same place has it.
+    let shifted = |x: U256| x.checked_shl(p.abs_diff(q)).ok_or_else(|| top_a.cmp(&top_b));
+    Ok(if p >= q { (shifted(a)?, b, q) } else { (a, shifted(b)?, p) })
 }
 
 #[cfg(test)]
