@@ -55,6 +55,13 @@ impl Config {
             ));
         }
         let index = self.traverse.idx_bits();
+        let position = index + self.traverse.frac_bits + man;
+        if position > 60 {
+            problems.push(format!(
+                "traverse.frac_bits = {} is too large for a texel coordinate of {index} bits and format.man = {man}: levels + tile_bits + 2 + frac_bits + man = {position} may be at most 60",
+                self.traverse.frac_bits
+            ));
+        }
         if index > 24 {
             problems.push(format!(
                 "traverse.levels = {levels} and traverse.tile_bits = {tiles} make a texel coordinate of {index} bits: levels + tile_bits + 2 may be at most 24"
