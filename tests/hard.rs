@@ -2,6 +2,7 @@
 //!
 //! `RELIEFRTL_RAYS` sets the rays a case; `RELIEFRTL_SEED` their seed.
 use reliefrtl::config::{Config, DatapathKind, Design};
+use reliefrtl::golden::float;
 use reliefrtl::report::hard::{HardFigures, modes};
 use reliefrtl::scene::hard::Case;
 use std::collections::BTreeSet;
@@ -30,6 +31,15 @@ fn bound(d: &Design) -> f64 {
     }
 }
 
+/// An axis of a travel so small that its reciprocal is infinite: it never crosses, not even the border that the ray enters on
+/// (`docs/datapath.md`). Such a ray is less than 2^(h - bias) of a texel away from the exact one.
+fn stands(f: &HardFigures, ray: usize) -> bool {
+    let (d, r) = (&f.design, &f.rays[ray]);
+    let most = 2f64.powi(d.traverse.height_bits as i32 - d.format.bias() - d.traverse.levels as i32);
+    let small = |word| (-most..0.0).contains(&float::to_f64(d.format, word));
+    d.datapath.kind == DatapathKind::Watertight && (small(r.du) || small(r.dv))
+}
+
 /// Runs every case that is legal for the configuration; `largest` skips the largest maps.
 fn every_case(c: &Config, largest: u32) {
     let (rays, seed) = (env("RELIEFRTL_RAYS", 20) as usize, env("RELIEFRTL_SEED", 1));
@@ -47,7 +57,9 @@ fn every_case(c: &Config, largest: u32) {
         }
         assert_eq!(f.modes, 40);
         assert!(f.keeps_promises(), "{}: {:?} {:?}", case.name, f.differ.first(), f.accuracy);
-        assert!(f.largest_margin() <= bound(&f.design), "{}: {:?}", case.name, f.accuracy.wrong);
+        for w in &f.accuracy.wrong {
+            assert!(w.margin <= bound(&f.design) || stands(&f, w.ray), "{}: {w:?} {:x?}", case.name, f.rays[w.ray]);
+        }
         // An invalid ray leaves without a step: the cases are made of rays that the design takes.
         assert!(f.hits.iter().all(|hit| hit.steps > 0), "{}", case.name);
         ran += 1;

@@ -1,7 +1,7 @@
 //! The emitted traverse unit in the interpreter, in every mode, equals the golden model ray by ray; all modes hit alike.
 use rand::{Rng, SeedableRng};
 use reliefrtl::catalogue::design_at;
-use reliefrtl::config::{Design, LevelUp, ModeConfig};
+use reliefrtl::config::{Design, LevelUp, ModeConfig, Trim};
 use reliefrtl::golden::{Golden, Pyramid, RayHit, RayInput};
 use reliefrtl::interp::Traffic;
 use reliefrtl::ir::Binding;
@@ -57,11 +57,47 @@ fn every_mode_equals_golden_and_hits_alike() {
     assert_eq!(runs, 40);
 }
 
+/// Each trim in each mode, with a finest level for each ray: the pipeline equals the model, and all hit alike.
+#[test]
+fn every_trim_equals_golden_and_hits_alike() {
+    let mut d = Design::default();
+    d.traverse.levels = 5;
+    let (pyramid, mut rays) = hard(&d, 3);
+    rays.iter_mut().enumerate().for_each(|(k, r)| r.lod = if k % 2 == 0 { 0 } else { (k / 10 % 8) as u32 });
+    let mut first: Option<Vec<RayHit>> = None;
+    let mut runs = 0;
+    for trim in Trim::ALL {
+        for level_up in LevelUp::ALL {
+            for levels_down in 1..=4 {
+                for start_level in [false, true] {
+                    d.mode = ModeConfig { start_level, levels_down, level_up, trim, lod: true };
+                    let g = Golden::new(&d).unwrap();
+                    let p = Pipeline::new(&d, &Binding::new()).unwrap();
+                    let traffic = Traffic { gaps: 60, stalls: 90, seed: runs };
+                    let run = p.run(&pyramid, &rays, 8, traffic).unwrap();
+                    let hits: Vec<RayHit> = run.results.iter().map(|r| hit(r)).collect();
+                    for (k, (h, r)) in hits.iter().zip(&rays).enumerate() {
+                        assert_eq!(*h, g.trace(&pyramid, r), "ray {k} in {:?}", d.mode);
+                    }
+                    let place = |h: &RayHit| (h.i, h.j, h.fu, h.fv, h.t, h.wall, h.limit);
+                    let base = first.get_or_insert(hits.clone());
+                    assert!(base.iter().map(place).eq(hits.iter().map(place)), "{:?} hits elsewhere", d.mode);
+                    runs += 1;
+                }
+            }
+        }
+    }
+    assert_eq!(runs, 120);
+}
+
 #[test]
 fn other_latencies_and_full_load() {
-    for l in [1, 3, 5] {
+    for (l, trim) in
+        [(1, Trim::None), (3, Trim::None), (5, Trim::None), (0, Trim::Always), (2, Trim::Descent), (4, Trim::Always)]
+    {
         let mut d = Design::default();
         d.traverse.levels = 5;
+        d.mode.trim = trim;
         (d.latency.add, d.latency.mul, d.latency.div, d.latency.decision) = (l, l, 2 * l, 1 + l / 3);
         let (pyramid, rays) = hard(&d, 8);
         let g = Golden::new(&d).unwrap();

@@ -1,6 +1,6 @@
 //! Every unit in the interpreter against the golden model, at its defaults and at other parameter values.
 use reliefrtl::catalogue::{bindings, check_interp, units, vector_set};
-use reliefrtl::config::{Design, LevelUp, ModeConfig};
+use reliefrtl::config::{Design, LevelUp, ModeConfig, Trim};
 use reliefrtl::format::FloatFormat;
 use reliefrtl::ir::Binding;
 use reliefrtl::vectors::Plan;
@@ -37,6 +37,20 @@ fn units_equal_their_models_in_every_mode() {
             d.latency.add = levels_down;
             d.latency.div = 6 * levels_down;
             check_all(&d, 300);
+        }
+    }
+}
+
+/// The units that a trim and a level of detail add or change, by every rule that they depend on.
+#[test]
+fn units_of_trim_and_detail_equal_their_models() {
+    for trim in Trim::ALL {
+        for lod in [false, true] {
+            for level_up in LevelUp::ALL {
+                let mode = ModeConfig { start_level: !lod, level_up, trim, lod, ..ModeConfig::default() };
+                let d = Design { mode, ..Design::default() };
+                check_all(&d, 400);
+            }
         }
     }
 }

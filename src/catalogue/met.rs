@@ -50,6 +50,8 @@ struct Side {
     high: u64,
     plane: u64,
     hit: u64,
+    reach: u64,
+    last: u64,
     t_plane: u64,
 }
 
@@ -63,8 +65,8 @@ fn words(unit: &str) -> Option<Word> {
             [("x", u.entry), ("y", v.entry), ("x_end", u.end), ("y_end", v.end)].iter().find(|w| w.0 == p).map(|w| w.1)
         },
         "hit_position" => |p, m| if p == "x" { Some(m.axes[0].at) } else { one_axis(p, m) },
-        "plane_time" | "predicted_hit" => one_axis,
-        "height_test" | "node_crossing" | "multi_level_down" | "level_up" => both_axes,
+        "plane_time" | "predicted_hit" | "chord_end" => one_axis,
+        "height_test" | "node_crossing" | "multi_level_down" | "level_up" | "chord_trim" => both_axes,
         _ => return None,
     })
 }
@@ -74,6 +76,8 @@ fn one_axis(port: &str, m: &Moment) -> Option<u64> {
     Some(match port {
         "p" => s.a.p,
         "p_back" => s.a.pb,
+        "p_ahead" => s.a.pf,
+        "neg" => u64::from(s.a.neg),
         "d" => s.a.dt,
         "r" => s.a.r,
         "never" => u64::from(s.a.never),
@@ -96,6 +100,9 @@ fn both_axes(port: &str, m: &Moment) -> Option<u64> {
         "high" => s.high,
         "at" => s.at,
         "hit" => s.hit,
+        "neg" => u64::from(s.a.neg),
+        "reach" => s.reach,
+        "last" => s.last,
         _ => return None,
     })
 }
@@ -174,8 +181,22 @@ impl Side {
         let away = gf::add(f, gf::from_int(f, plane), gf::neg(f, a.p));
         let t_plane = if a.never { f.infinity() } else { gf::mul(f, away, a.r) };
         let index = |v: i64| v as u64 & mask(idx);
+        // Where the ray is or further on; or the other texel, which may be anywhere near. No random bits of its own: those of others would change.
+        let ahead = if t % 2 == 0 { reach(a.pf, t) } else { hit };
         let [entry, end, at, low, high] = [a.x, a.xa, at, low, high].map(index);
-        Self { a, entry, end, at, low, high, plane: index(plane), hit: index(hit), t_plane }
+        Self {
+            a,
+            entry,
+            end,
+            at,
+            low,
+            high,
+            plane: index(plane),
+            hit: index(hit),
+            reach: index(ahead),
+            last: index(a.le),
+            t_plane,
+        }
     }
 }
 

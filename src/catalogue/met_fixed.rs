@@ -160,5 +160,5 @@ fn any_ray(d: &Design, rng: &mut ChaCha8Rng) -> RayInput {
     };
     let [du, dv] = [travel(), travel()].map(|x| x as u64 & mask(bits));
     debug_assert!(decode_travel(d, du) != -1 << (bits - 1));
-    RayInput { u, v, du, dv }
+    RayInput { u, v, du, dv, lod: 0 }
 }

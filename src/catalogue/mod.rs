@@ -12,6 +12,7 @@ pub use rays::{RaySet, ray_columns, ray_set};
 use crate::config::{DatapathKind, Design};
 use crate::error::{Error, Result};
 use crate::format::FloatFormat;
+use crate::interp::elaborate;
 use crate::ir::{Binding, Module};
 use crate::units;
 use crate::vectors::{Column, Counts, Kind, Plan, VectorSet, plan_rows};
@@ -115,6 +116,7 @@ pub fn bindings(m: &Module) -> Vec<Binding> {
     if has("W") && m.name != "div_rows" {
         out.extend([1, 2, 3, 7, 17, 32].map(|w| of(&[("W", w)])));
     }
-    out.retain(|b| m.failed_checks(&m.binding_with(b)).is_empty());
+    // Parameters may be legal for the unit and not for one inside of it: a deep divider needs its rows.
+    out.retain(|b| m.failed_checks(&m.binding_with(b)).is_empty() && elaborate(m, b).is_ok());
     out
 }

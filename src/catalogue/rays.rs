@@ -1,9 +1,9 @@
 //! Vector sets of `traverse`: rays, a height pyramid, expected hits, and every iteration on the way.
-use crate::config::Design;
+use crate::config::{Design, Trim};
 use crate::error::Result;
 use crate::golden::{Pyramid, RayInput, Tracer};
 use crate::ir::Module;
-use crate::trace::{INPUTS, OUTPUTS};
+use crate::trace::{OUTPUTS, inputs, row};
 use crate::vectors::{Column, Counts, VectorSet};
 use std::fmt::Write;
 
@@ -24,7 +24,7 @@ pub fn ray_columns(m: &Module) -> (Vec<Column>, Vec<Column>) {
         let port = m.port(name).expect("traverse has its ports").1;
         Column { name: name.to_string(), width: port.width.eval(&b) as u32 }
     };
-    (INPUTS.iter().map(column).collect(), OUTPUTS.iter().map(column).collect())
+    (inputs(m).iter().map(column).collect(), OUTPUTS.iter().map(column).collect())
 }
 
 /// The golden model's hits of `rays`, with the per-iteration trace.
@@ -33,13 +33,16 @@ pub fn ray_columns(m: &Module) -> (Vec<Column>, Vec<Column>) {
 /// An illegal design.
 pub fn ray_set(d: &Design, m: &Module, pyramid: &Pyramid, rays: &[RayInput], seed: u64) -> Result<RaySet> {
     let g = Tracer::new(d)?;
-    let mut trace = "ray,step,level,x,y,height,t,decision\n".to_string();
+    // Where the design trims, the level of the node that was read stands at the end of the line.
+    let trims = d.mode.trim != Trim::None;
+    let mut trace = format!("ray,step,level,x,y,height,t,decision{}\n", if trims { ",read" } else { "" });
     let mut expected = Vec::with_capacity(rays.len());
     for (k, r) in rays.iter().enumerate() {
         let mut step = 0;
         let h = g.trace_with(pyramid, r, |i| {
             let (x, y) = (i.x, i.y);
-            writeln!(trace, "{k},{step},{},{x},{y},{},{:x},{:?}", i.level, i.height, i.t, i.decision)
+            let read = if trims { format!(",{}", i.chord.map_or(i.level, |c| c.level)) } else { String::new() };
+            writeln!(trace, "{k},{step},{},{x},{y},{},{:x},{:?}{read}", i.level, i.height, i.t, i.decision)
                 .expect("writing to a string can't fail");
             step += 1;
         });
@@ -47,6 +50,7 @@ pub fn ray_set(d: &Design, m: &Module, pyramid: &Pyramid, rays: &[RayInput], see
         let tail = [h.steps, h.crossings, h.ups].map(u64::from);
         expected.push([&words[..], &[h.t, u64::from(h.wall), u64::from(h.limit)], &tail].concat());
     }
+    let names = inputs(m);
     let (inputs, outputs) = ray_columns(m);
     let set = VectorSet {
         unit: m.name.clone(),
@@ -55,7 +59,7 @@ pub fn ray_set(d: &Design, m: &Module, pyramid: &Pyramid, rays: &[RayInput], see
         counts: Counts { rays: rays.len(), ..Counts::default() },
         inputs,
         outputs,
-        stimulus: rays.iter().map(|r| vec![r.u, r.v, r.du, r.dv]).collect(),
+        stimulus: rays.iter().map(|r| row(&names, r)).collect(),
         expected,
     };
     let mut memory = format!(

@@ -2,13 +2,13 @@
 use super::args::{BenchArgs, Cli, MapArgs, StepsArgs};
 use super::output::{spinner, table};
 use crate::bench::Simulator;
-use crate::config::{Config, MapKind, View};
+use crate::config::{Config, MapKind, ModeConfig, View};
 use crate::error::{Error, Result};
 use crate::golden::RayInput;
 use crate::interp::{BLOCK, Traffic};
 use crate::ir::Binding;
 use crate::project::{Scene, encode};
-use crate::report::{PUBLISHED, ROWS, Steps, steps as count};
+use crate::report::{PUBLISHED, ROWS, Steps, TRIM_ROWS, steps as count};
 use crate::trace::{Pipeline, trace_golden, trace_interp};
 use serde_json::json;
 use std::path::Path;
@@ -19,45 +19,63 @@ pub fn steps(cli: &Cli, a: &StepsArgs) -> Result<()> {
     let c = super::config::load(cli)?;
     let Some(dir) = &a.scenes else {
         let scene = Scene::new(&c, None, false)?;
-        return print_steps(cli, &c, &scene, None);
+        return print_steps(cli, &c, &scene, None).map(|_| ());
     };
+    let mut sums = vec![0.0; rows().count()];
     for p in &PUBLISHED {
         let mut c = c.clone();
         (c.map.scale, c.map.repeat, c.map.kind) = (p.scale, p.repeat, MapKind::File);
         let file = dir.join(format!("{}.png", p.scene));
         let scene = Scene::new(&c, Some(Path::new(&file)), false)?;
-        print_steps(cli, &c, &scene, Some(&p.means))?;
+        let means = print_steps(cli, &c, &scene, Some(&p.means))?;
+        sums.iter_mut().zip(means).for_each(|(s, m)| *s += m);
+    }
+    if !cli.json {
+        println!("mean over scenes and views, relative to {}:", ROWS[ROWS.len() - 1].0);
+        let base = sums[ROWS.len() - 1];
+        let row = |(r, s): ((&str, ModeConfig), &f64)| vec![r.0.to_string(), format!("{:.3}", s / base)];
+        println!("{}", table(&["mode", "relative"], &rows().zip(&sums).map(row).collect::<Vec<_>>()));
     }
     Ok(())
 }
 
-fn print_steps(cli: &Cli, c: &Config, scene: &Scene, means: Option<&[[Option<f64>; 3]; 7]>) -> Result<()> {
-    let mut rows = Vec::new();
+/// The published rows, then those with fewer iterations.
+fn rows() -> impl Iterator<Item = (&'static str, ModeConfig)> {
+    ROWS.into_iter().chain(TRIM_ROWS)
+}
+
+/// Prints a scene's table; returns each row's means, summed over the views.
+fn print_steps(cli: &Cli, c: &Config, scene: &Scene, means: Option<&[[Option<f64>; 3]; 7]>) -> Result<Vec<f64>> {
+    let mut lines = Vec::new();
     let mut out = Vec::new();
-    for (r, (name, mode)) in ROWS.iter().enumerate() {
+    let mut sums = Vec::new();
+    for (r, (name, mode)) in rows().enumerate() {
+        let mut sum = 0.0;
         let mut row = vec![name.to_string()];
         for (v, view) in View::ALL.iter().enumerate() {
             let mut d = c.design();
-            d.mode = *mode;
+            d.mode = mode;
             let rays: Vec<RayInput> = scene.view(c, *view, c.view.stride).iter().map(|x| encode(c, x)).collect();
             let s: Steps = count(&trace_golden(&d, &scene.pyramid, &rays)?);
-            let published = means.and_then(|m| m[r][v]);
+            sum += s.mean;
+            let published = means.and_then(|m| *m.get(r)?.get(v)?);
             let beside =
                 published.map_or(String::new(), |p| format!(" / {p:.1} ({:+.1} %)", (s.mean / p - 1.0) * 100.0));
             row.push(format!("{:.2}{beside}", s.mean));
             row.push(format!("{} @{} of {}", s.max, s.witness, s.rays + s.limits));
             out.push(json!({"scene": scene.name, "row": name, "view": view.word(), "mean": s.mean, "published": published, "max": s.max, "max_ray": s.witness, "rays": s.rays, "given_up": s.limits}));
         }
-        rows.push(row);
+        lines.push(row);
+        sums.push(sum);
     }
     if cli.json {
         println!("{}", serde_json::to_string(&out).expect("plain data"));
     } else {
         let kind = if means.is_some() { "ours / published" } else { "ours" };
         println!("{}: iterations per ray, {kind}; max @ray of rays (every {}th pixel)", scene.name, c.view.stride);
-        println!("{}", table(&["mode", "front", "max", "oblique", "max", "grazing", "max"], &rows));
+        println!("{}", table(&["mode", "front", "max", "oblique", "max", "grazing", "max"], &lines));
     }
-    Ok(())
+    Ok(sums)
 }
 
 /// Runs `accuracy`.

@@ -47,8 +47,14 @@ pub fn run(cli: &Cli, a: &HardArgs) -> Result<()> {
             dir.add(&format!("{}.png", case.name), &footprints(&scene, case.name, a.seed, &ends).to_png()?)?;
         }
         rays += f.rays.len();
-        let counts =
-            [f.accuracy.wrong.len() - f.ties, f.ties, f.accuracy.limits, f.differ.len(), f.limit_wrong.unwrap_or(0)];
+        let counts = [
+            f.accuracy.wrong.len() - f.ties,
+            f.ties,
+            f.accuracy.limits,
+            f.differ.len(),
+            f.limit_wrong.unwrap_or(0),
+            f.tied,
+        ];
         sum.iter_mut().zip(counts).for_each(|(sum, k)| *sum += k);
         if !f.keeps_promises() {
             broken.push(case.name);

@@ -17,7 +17,15 @@ use std::time::Duration;
 pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
     let c = super::config::load(cli)?;
     let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
-    let rays: Vec<RayInput> = read_rays(&a.rays)?.iter().map(|r| project::ray(&c, *r)).collect();
+    let table = read_rays(&a.rays)?;
+    let mut rays: Vec<RayInput> = table.rays.iter().map(|r| project::ray(&c, *r)).collect();
+    if let Some(lods) = &table.lods {
+        if !c.mode.lod && lods.iter().any(|l| *l > 0) {
+            let name = a.rays.display();
+            return Err(Error::input(format!("{name} has levels of detail (column lod): they need mode.lod = true")));
+        }
+        rays.iter_mut().zip(lods).for_each(|(r, l)| r.lod = (*l).min(c.traverse.levels));
+    }
     let hits = hits(cli, &c, a.engine, &scene, &rays)?;
     if let Some(path) = &a.wave {
         let ray = rays.get(a.wave_ray).ok_or_else(|| {

@@ -14,6 +14,7 @@ impl Config {
         if problems.is_empty() {
             self.width_problems(&mut problems);
             self.published_problems(&mut problems);
+            self.trim_problems(&mut problems);
             self.map_problems(&mut problems);
         }
         report(problems)
@@ -71,6 +72,13 @@ impl Config {
                 bias + levels
             ));
         }
+        if self.mode.trim != Trim::None && self.datapath.kind == DatapathKind::Watertight && man + 4 > bias {
+            problems.push(format!(
+                "mode.trim = \"{}\" needs exponents of more bits for format.man = {man}: format.man + 4 = {} may be at most 2^(exp-1) - 1 = {bias}",
+                if self.mode.trim == Trim::Always { "always" } else { "descent" },
+                man + 4
+            ));
+        }
         if height + 2 > bias {
             problems.push(format!(
                 "format.exp = {exp} is too small for traverse.height_bits = {height}: height_bits + 2 = {} may be at most 2^(exp-1) - 1 = {bias}",
@@ -91,8 +99,17 @@ impl Config {
                 index + nudge + man
             ));
         }
-        if self.mode.trim != Trim::None {
-            problems.push("mode.trim needs integer nodes: datapath.kind = \"published\" has no chord trim".to_owned());
+    }
+
+    /// Chord trim and level of detail are made for one datapath so far.
+    fn trim_problems(&self, problems: &mut Vec<String>) {
+        if self.datapath.kind == DatapathKind::Watertight {
+            return;
+        }
+        for (key, set) in [("mode.trim", self.mode.trim != Trim::None), ("mode.lod", self.mode.lod)] {
+            if set {
+                problems.push(format!("{key} is set, but only datapath.kind = \"watertight\" has it"));
+            }
         }
     }
 

@@ -5,7 +5,7 @@ mod manifest;
 
 pub use manifest::manifest;
 
-use crate::config::{Config, DatapathKind};
+use crate::config::{Config, DatapathKind, Trim};
 use crate::error::{Error, Result};
 use crate::ir::Module;
 use crate::verilog::{Style, print_module};
@@ -39,6 +39,12 @@ pub fn modules(tops: &[Arc<Module>]) -> Result<Vec<Arc<Module>>> {
 /// The line of each banner that names the configuration.
 pub fn config_line(c: &Config) -> String {
     let (t, m, l) = (&c.traverse, &c.mode, &c.latency);
+    let trim = match m.trim {
+        Trim::None => "",
+        Trim::Descent => ", trim after descents",
+        Trim::Always => ", trim always",
+    };
+    let more = format!("{trim}{}", if m.lod { ", level of detail" } else { "" });
     let numbers = match c.datapath.kind {
         DatapathKind::Fixed => {
             format!("fixed point {}, reciprocal {}", c.datapath.fraction_bits, c.datapath.reciprocal_bits)
@@ -52,7 +58,7 @@ pub fn config_line(c: &Config) -> String {
         DatapathKind::Fixed => "fixed datapath, ",
     };
     format!(
-        "{path}{numbers}, levels {}, heights {} bits, {start}, {} down, up {}; clocks add {} mul {} div {} compare {} from_int {} to_int {}",
+        "{path}{numbers}, levels {}, heights {} bits, {start}, {} down, up {}{more}; clocks add {} mul {} div {} compare {} from_int {} to_int {}",
         t.levels,
         t.height_bits,
         m.levels_down,

@@ -51,3 +51,9 @@ pub fn level_up(rule: LevelUp, c: &Crossing) -> bool {
         LevelUp::Always => true,
     }
 }
+
+/// The level after a crossing out of a node that was trimmed from level `k` to `c.level`: back to `k`, whose plane is crossed too; but where
+/// selective level-up sees the predicted hit in a neighbouring node, the trimmed level stays.
+pub fn trim_return(rule: LevelUp, k: u32, c: &Crossing) -> u32 {
+    if rule == LevelUp::Selective && !level_up(rule, c) { c.level } else { k }
+}

@@ -11,11 +11,12 @@ mod record;
 mod setup;
 mod tracer;
 mod traverse;
+mod trim;
 
-pub use level::{Crossing, descend_levels, level_up, start_level};
+pub use level::{Crossing, descend_levels, level_up, start_level, trim_return};
 pub use published::{Exit, Published, Route, Travel};
 pub use pyramid::{Pyramid, address};
-pub use record::{Decision, Iteration, RayHit};
+pub use record::{Chord, Decision, Iteration, RayHit};
 pub use setup::{Axis, RayInput, Setup};
 pub use tracer::{Tracer, decode_time, decode_travel, encode_ray};
 pub use traverse::Golden;

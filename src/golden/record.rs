@@ -38,6 +38,17 @@ pub enum Decision {
     CrossY,
 }
 
+/// The rest of a ray inside a node.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Chord {
+    /// Texel along u that the ray does not get beyond before it leaves the node.
+    pub x: i64,
+    /// As `x`, along v.
+    pub y: i64,
+    /// The lowest level at which one node holds the chord's two ends.
+    pub level: u32,
+}
+
 /// Everything an iteration reads and computes. Parameters `t`.. and `m` are encoded height codes, texels are unwrapped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Iteration {
@@ -49,7 +60,9 @@ pub struct Iteration {
     pub y: i64,
     /// Ray parameter on entry.
     pub t: u64,
-    /// H: the node's maximum height code.
+    /// The chord that a trim looked at, and the level of the node that was read instead; `None` where nothing was trimmed.
+    pub chord: Option<Chord>,
+    /// H: the maximum height code of the node that was read.
     pub height: u32,
     /// Parameter where the ray meets the node's top.
     pub t_v: u64,

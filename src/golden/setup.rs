@@ -15,13 +15,16 @@ pub struct RayInput {
     pub du: u64,
     /// As `du`, along v.
     pub dv: u64,
+    /// The finest level at which the ray may end, in as many bits as LEVELS needs; above LEVELS it means LEVELS. Read only where the design's
+    /// `mode.lod` is set.
+    pub lod: u32,
 }
 
 impl RayInput {
-    /// The ray whose fields are nearest to the given ones.
+    /// The ray whose fields are nearest to the given ones, at full detail.
     pub fn from_f64(fmt: FloatFormat, u: f64, v: f64, du: f64, dv: f64) -> Self {
         let [u, v, du, dv] = [u, v, du, dv].map(|x| float::from_f64(fmt, x));
-        Self { u, v, du, dv }
+        Self { u, v, du, dv, lod: 0 }
     }
 }
 
@@ -44,6 +47,11 @@ pub struct Axis {
     pub b: u64,
     /// Pb: entry point for the position estimate, `p` moved backwards by `b`.
     pub pb: u64,
+    /// Pf: entry point for the estimate of a chord's end, `p` moved forward by `b`; of a travel too small to be told per height code, the
+    /// ray's end. Of use where the design trims.
+    pub pf: u64,
+    /// Le: a texel that the ray does not get beyond; of use where the design trims.
+    pub le: i64,
     /// X: texel of the entry point.
     pub x: i64,
     /// Xa: texel of the point where the ray meets the bottom plane, as far as rounding lets it be known; for the start level.
@@ -61,6 +69,8 @@ pub struct Setup {
     pub v: Axis,
     /// The level to start on.
     pub level: u32,
+    /// The finest level at which the ray may end; 0 where the design has no such choice.
+    pub lod: u32,
 }
 
 impl Golden {
@@ -72,7 +82,8 @@ impl Golden {
         let (u, v) = (self.axis(ray.u, ray.du), self.axis(ray.v, ray.dv));
         let n = self.design.traverse.levels;
         let level = if self.design.mode.start_level { start_level(n, self.idx_w, u.x, v.x, u.xa, v.xa) } else { n };
-        Setup { valid: true, u, v, level }
+        let lod = if self.design.mode.lod { ray.lod.min(n) } else { 0 };
+        Setup { valid: true, u, v, level: level.max(lod), lod }
     }
 
     /// An entry point lies in [0, 1); both zeros are fine, and subnormals are zeros.
@@ -108,7 +119,8 @@ impl Golden {
         let pb = float::add(fmt, p, if neg { b } else { float::neg(fmt, b) });
         let x = float::to_int(fmt, p, self.idx_w);
         let xa = float::to_int(fmt, float::add(fmt, p, dn), self.idx_w);
-        Axis { p, dn, neg, r, never, dt, b, pb, x, xa }
+        let (pf, le) = self.ahead(p, dn, dt, if neg { float::neg(fmt, b) } else { b });
+        Axis { p, dn, neg, r, never, dt, b, pb, pf, le, x, xa }
     }
 
     /// B, at least the error of the position estimate: a power of two that grows with map and travel.

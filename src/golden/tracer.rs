@@ -7,7 +7,7 @@ use super::record::{Iteration, RayHit};
 use super::setup::RayInput;
 use super::traverse::Golden;
 use crate::config::{DatapathKind, Design, Trim};
-use crate::error::Result;
+use crate::error::{Error, Result};
 
 /// The golden model of a design's datapath.
 #[derive(Clone, Debug)]
@@ -26,8 +26,9 @@ impl Tracer {
     /// # Errors
     /// [`crate::error::Error::Input`] if the sizes are outside of the datapath's ranges.
     pub fn new(design: &Design) -> Result<Self> {
-        if design.mode.trim != Trim::None || design.mode.lod {
-            return Err(crate::error::Error::input("the modes trim and lod have no golden model"));
+        let more = design.mode.trim != Trim::None || design.mode.lod;
+        if more && design.datapath.kind != DatapathKind::Watertight {
+            return Err(Error::input("mode.trim and mode.lod need datapath.kind = \"watertight\""));
         }
         match design.datapath.kind {
             DatapathKind::Watertight => Golden::new(design).map(Self::Watertight),

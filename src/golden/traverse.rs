@@ -1,10 +1,10 @@
 //! The traversal: from a ray to the texel it hits.
 use super::float;
-use super::level::{Crossing, descend_levels, level_up};
+use super::level::{Crossing, descend_levels, level_up, trim_return};
 use super::pyramid::Pyramid;
 use super::record::{Decision, Iteration, RayHit};
 use super::setup::{Axis, RayInput, Setup, power_of_two};
-use crate::config::Design;
+use crate::config::{Design, Trim};
 use crate::error::{Error, Result};
 
 /// A tracer for one design, with the design's constants at hand.
@@ -50,7 +50,9 @@ impl Golden {
             && fmt.man <= bias + n
             && (1..=16).contains(&size.frac_bits)
             && (1..=4).contains(&design.mode.levels_down)
-            && (1..=65535).contains(&size.step_limit);
+            && (1..=65535).contains(&size.step_limit)
+            // A chord's end is estimated forward by more than all errors, what underflows included.
+            && (design.mode.trim == Trim::None || fmt.man + 4 <= bias);
         if !legal {
             return Err(Error::input(format!(
                 "no datapath of {n} levels, {h} height bits, {tile} tile bits and format {fmt}: see docs/datapath.md, Parameters"
@@ -98,7 +100,15 @@ impl Golden {
         if !setup.valid {
             return RayHit { limit: true, ..RayHit::default() };
         }
-        let mut state = State { level: setup.level, x: setup.u.x, y: setup.v.x, t: 0, crossed: false, prev: false };
+        let mut state = State {
+            level: setup.level,
+            x: setup.u.x,
+            y: setup.v.x,
+            t: 0,
+            crossed: false,
+            prev: false,
+            descended: false,
+        };
         let mut hit = RayHit::default();
         loop {
             let it = self.iterate::<SEEN>(pyramid, &setup, &state);
@@ -116,6 +126,7 @@ impl Golden {
                 t: it.next_t,
                 crossed: state.crossed || crossing,
                 prev: crossing,
+                descended: it.decision == Decision::Descend,
             };
             if it.decision == Decision::Hit {
                 hit.wall = float::lt(self.design.format, it.t_v, it.t);
@@ -127,30 +138,39 @@ impl Golden {
             }
         }
         hit.t = state.t;
-        (hit.i, hit.fu) = self.leave(&setup.u, state.x, state.t);
-        (hit.j, hit.fv) = self.leave(&setup.v, state.y, state.t);
+        (hit.i, hit.fu) = self.leave(&setup.u, state.x, state.t, setup.lod);
+        (hit.j, hit.fv) = self.leave(&setup.v, state.y, state.t, setup.lod);
         hit
     }
 
-    /// Wrapped texel and position inside it.
-    fn leave(&self, axis: &Axis, x: i64, t: u64) -> (u32, u32) {
+    /// Wrapped texel and position inside it: where the ray is at `t`, kept in the level-`lod` node of texel `x`.
+    fn leave(&self, axis: &Axis, x: i64, t: u64, lod: u32) -> (u32, u32) {
         let (fmt, size) = (self.design.format, &self.design.traverse);
         let at = float::add(fmt, axis.p, float::mul(fmt, axis.dt, t));
         let at = float::to_fixed(fmt, at, self.idx_w + size.frac_bits, size.frac_bits);
-        let inside = (at - (x << size.frac_bits)).clamp(0, (1 << size.frac_bits) - 1);
-        (wrap(x, size.levels), inside as u32)
+        let mask = (1i64 << lod) - 1;
+        let kept = at.clamp((x & !mask) << size.frac_bits, (((x | mask) + 1) << size.frac_bits) - 1);
+        (wrap(kept >> size.frac_bits, size.levels), (kept & ((1 << size.frac_bits) - 1)) as u32)
     }
 
     fn iterate<const SEEN: bool>(&self, pyramid: &Pyramid, setup: &Setup, s: &State) -> Iteration {
         let (fmt, n, rule) = (self.design.format, self.design.traverse.levels, self.design.mode.level_up);
         let k = s.level;
-        let height = pyramid.node(k, wrap(s.x, n) >> k, wrap(s.y, n) >> k);
-        let t_v = self.tops[height as usize];
         let (b_x, t_x) = self.exit(&setup.u, k, s.x);
         let (b_y, t_y) = self.exit(&setup.v, k, s.y);
+        let trims = match self.design.mode.trim {
+            Trim::None => false,
+            Trim::Descent => s.descended,
+            Trim::Always => true,
+        };
+        let chord = trims.then(|| self.chord(setup, k, [s.x, s.y], [t_x, t_y]));
+        // The node that is read: all else but a descent goes on from the node of level k.
+        let r = chord.map_or(k, |c| c.level);
+        let height = pyramid.node(r, wrap(s.x, n) >> r, wrap(s.y, n) >> r);
+        let t_v = self.tops[height as usize];
         let m = self.later(s.t, t_v);
         let inside = float::lt(fmt, m, t_x) && float::lt(fmt, m, t_y);
-        let estimates = SEEN || (inside && k > 0) || (!inside && rule == crate::config::LevelUp::Selective);
+        let estimates = SEEN || (inside && r > setup.lod) || (!inside && rule == crate::config::LevelUp::Selective);
         let (e_x, e_y) = if estimates { (self.estimate(&setup.u, m), self.estimate(&setup.v, m)) } else { (0, 0) };
 
         let mut it = Iteration {
@@ -158,6 +178,7 @@ impl Golden {
             x: s.x,
             y: s.y,
             t: s.t,
+            chord,
             height,
             t_v,
             b_x,
@@ -173,13 +194,14 @@ impl Golden {
             next_y: s.y,
             next_t: m,
         };
-        if inside && k == 0 {
+        if inside && r == setup.lod {
+            it.next_level = r;
             return it;
         }
         let mask = (1i64 << k) - 1;
         if inside {
             it.decision = Decision::Descend;
-            it.next_level = k - descend_levels(self.design.mode.levels_down, k, s.crossed);
+            it.next_level = (r - descend_levels(self.design.mode.levels_down, r, s.crossed)).max(setup.lod);
             it.next_x = descend(&setup.u, s.x, mask, e_x);
             it.next_y = descend(&setup.v, s.y, mask, e_y);
             return it;
@@ -195,8 +217,8 @@ impl Golden {
             it.next_y = beyond(&setup.v, b_y);
         }
         it.next_t = self.later(s.t, t_e);
-        let c = Crossing { level: k, plane, x: s.x, y: s.y, e_x, e_y, previous: s.prev };
-        it.next_level = n.min(k + u32::from(level_up(rule, &c)));
+        let c = |level| Crossing { level, plane, x: s.x, y: s.y, e_x, e_y, previous: s.prev };
+        it.next_level = if r < k { trim_return(rule, k, &c(r)) } else { n.min(k + u32::from(level_up(rule, &c(k)))) };
         it
     }
 
@@ -235,6 +257,8 @@ struct State {
     crossed: bool,
     /// The last iteration crossed.
     prev: bool,
+    /// The last iteration descended.
+    descended: bool,
 }
 
 /// The texel to go on from inside the node of `x`: the estimate, but still in the node, and never before `x`.

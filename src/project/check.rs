@@ -4,9 +4,9 @@ use crate::catalogue::{CheckReport, check_interp, compare, fits, units};
 use crate::config::{Config, Design};
 use crate::error::{Error, Result};
 use crate::golden::{Pyramid, RayInput, address};
-use crate::interp::{Stream, Traffic, Wave, elaborate};
+use crate::interp::{Traffic, Wave, elaborate};
 use crate::ir::{Binding, Module};
-use crate::trace::{INPUTS, OUTPUTS, Pipeline, diagnose, record_mismatch, record_ray, record_rows};
+use crate::trace::{Pipeline, diagnose, record_mismatch, record_ray, record_rows};
 use crate::units::traversal::traverse;
 use crate::vectors::{VectorSet, read_set, set_files};
 use rayon::prelude::*;
@@ -111,7 +111,7 @@ fn mismatch_wave(d: &Design, dir: &Path, m: &Arc<Module>, canary: Option<Canary>
         return Ok(record_rows(&net, latency as usize, &ports, &set.stimulus, first.vector, MARGIN));
     }
     let (p, image) = (Pipeline::new(d, &Binding::new())?, memory(&place)?);
-    let stream = Stream::new(&p.net, &INPUTS, &OUTPUTS, u64::from(p.depth));
+    let stream = p.stream();
     let run = stream.run(&set.stimulus, &Arc::new(image.clone()), 1, Traffic::default())?;
     let first = compare(&set, "interp", &run.results)?.first.ok_or_else(nothing)?;
     let ray = ray_of(&set.stimulus[first.vector]);
@@ -133,7 +133,7 @@ fn pyramid_of(d: &Design, image: &[u64]) -> Result<Pyramid> {
 
 /// The words of a ray.
 fn ray_of(row: &[u64]) -> RayInput {
-    RayInput { u: row[0], v: row[1], du: row[2], dv: row[3] }
+    RayInput { u: row[0], v: row[1], du: row[2], dv: row[3], lod: row.get(4).map_or(0, |v| *v as u32) }
 }
 
 /// The words of a pyramid's image.
@@ -206,7 +206,7 @@ fn rays(d: &Design, place: &Path, m: &Module, set: &VectorSet) -> Result<Checked
             p.net.mems[0].depth
         )));
     }
-    let stream = Stream::new(&p.net, &INPUTS, &OUTPUTS, u64::from(p.depth));
+    let stream = p.stream();
     let run = stream.run(&set.stimulus, &image, 1, Traffic::default())?;
     let r: CheckReport = compare(set, "interp", &run.results)?;
     if let Some(x) = &r.first {

@@ -46,7 +46,10 @@ impl Scene {
         for view in &c.view.names {
             let rays = self.view(c, *view, c.view.stride);
             let n = (c.vectors.rays as usize).min(rays.len());
-            out.extend((0..n).map(|k| encode(c, &rays[k * rays.len() / n])));
+            // Of a design with a level of detail, every second ray has one: each word that the port takes in turn.
+            let words = (c.traverse.levels + 1).next_power_of_two() as usize;
+            let lod = |k: usize| if c.mode.lod && k % 2 == 1 { (k / 2 % words) as u32 } else { 0 };
+            out.extend((0..n).map(|k| RayInput { lod: lod(k), ..encode(c, &rays[k * rays.len() / n]) }));
         }
         out
     }

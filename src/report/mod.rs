@@ -9,4 +9,4 @@ mod steps;
 pub use accuracy::{Accuracy, WrongTexel, accuracy, exact_ray};
 pub use cost::Cost;
 pub use fit::{Budget, Fit, Limits, Rejected, Trial, Truth, fit};
-pub use steps::{PUBLISHED, Published, ROWS, Steps, steps};
+pub use steps::{PUBLISHED, Published, ROWS, Steps, TRIM_ROWS, steps};

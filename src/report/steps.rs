@@ -51,6 +51,12 @@ pub const ROWS: [(&str, ModeConfig); 7] = [
     ("a + b + c1", mode(true, 2, LevelUp::Selective)),
 ];
 
+/// Fewer iterations than published: the last row of [`ROWS`] with a chord trim.
+pub const TRIM_ROWS: [(&str, ModeConfig); 2] = [
+    ("  + trim after descents", ModeConfig { trim: Trim::Descent, ..ROWS[6].1 }),
+    ("  + trim always", ModeConfig { trim: Trim::Always, ..ROWS[6].1 }),
+];
+
 /// One scene of the published table.
 #[derive(Clone, Copy, Debug)]
 pub struct Published {

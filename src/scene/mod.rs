@@ -23,5 +23,5 @@ pub use height_map::{Depth, HeightMap};
 pub use load::{decode, load};
 pub use maps::procedural;
 pub use picture::Picture;
-pub use rays_csv::{parse_rays, read_rays};
+pub use rays_csv::{RayTable, parse_rays, parse_table, read_rays};
 pub use shade::{ShadePoint, Shader};

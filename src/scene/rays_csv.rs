@@ -4,23 +4,40 @@ use std::path::Path;
 
 const COLUMNS: [&str; 4] = ["u", "v", "du", "dv"];
 
-/// Reads rays from a CSV file whose first line names the columns `u`, `v`, `du`, `dv` in any order; other columns are
+/// Rays of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RayTable {
+    /// Entry point and travel: `u`, `v`, `du`, `dv`.
+    pub rays: Vec<[f64; 4]>,
+    /// The finest level of each ray, if the table has a column `lod`.
+    pub lods: Option<Vec<u32>>,
+}
+
+/// Reads rays from a CSV file whose first line names the columns `u`, `v`, `du`, `dv` and perhaps `lod` in any order; other columns are
 /// ignored. Entry points are in tiles, directions in tiles per full height. Numbers must be finite, but need not be
 /// rays that the unit accepts: that is the unit's to say.
 ///
 /// # Errors
 /// [`Error::File`] if it can't be read; [`Error::Input`] naming line (from 1, the header's) and column.
-pub fn read_rays(path: impl AsRef<Path>) -> Result<Vec<[f64; 4]>> {
+pub fn read_rays(path: impl AsRef<Path>) -> Result<RayTable> {
     let path = path.as_ref();
     let bytes = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
-    parse_rays(&bytes, &path.display().to_string())
+    parse_table(&bytes, &path.display().to_string())
+}
+
+/// As [`parse_table`], without the finest levels.
+///
+/// # Errors
+/// [`Error::Input`] naming line and column.
+pub fn parse_rays(bytes: &[u8], name: &str) -> Result<Vec<[f64; 4]>> {
+    Ok(parse_table(bytes, name)?.rays)
 }
 
 /// As [`read_rays`], from bytes; `name` stands for the file in the sentences.
 ///
 /// # Errors
 /// [`Error::Input`] naming line and column.
-pub fn parse_rays(bytes: &[u8], name: &str) -> Result<Vec<[f64; 4]>> {
+pub fn parse_table(bytes: &[u8], name: &str) -> Result<RayTable> {
     // Spreadsheets like to put a byte order mark first; it is no part of the first column's name.
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     if bytes.iter().all(u8::is_ascii_whitespace) {
@@ -47,7 +64,8 @@ pub fn parse_rays(bytes: &[u8], name: &str) -> Result<Vec<[f64; 4]>> {
             return Err(Error::input(format!("{name}, line 1: two columns are named {column}: one is needed")));
         }
     }
-    let mut rays = Vec::new();
+    let lod_at = header.iter().position(|name| name == "lod");
+    let (mut rays, mut lods) = (Vec::new(), Vec::new());
     for record in reader.records() {
         let record = record.map_err(broken)?;
         let line = record.position().map_or(0, csv::Position::line);
@@ -74,9 +92,14 @@ pub fn parse_rays(bytes: &[u8], name: &str) -> Result<Vec<[f64; 4]>> {
             }
         }
         rays.push(ray);
+        if let Some(at) = lod_at {
+            let text = record.get(at).unwrap_or_default();
+            let bad = |_| Error::input(format!("{name}, line {line}, column lod: {text:?} is not a level (0 or more)"));
+            lods.push(text.parse::<u32>().map_err(bad)?);
+        }
     }
     if rays.is_empty() {
         return Err(Error::input(format!("{name} holds no ray: a line below the header is needed")));
     }
-    Ok(rays)
+    Ok(RayTable { rays, lods: lod_at.map(|_| lods) })
 }

@@ -1,6 +1,6 @@
 //! Where a ray goes wrong: the pipeline's signals beside the golden model's, iteration by iteration.
 use super::interp::Pipeline;
-use crate::config::{DatapathKind, Design};
+use crate::config::{DatapathKind, Design, Trim};
 use crate::error::Result;
 use crate::format::FloatFormat;
 use crate::golden::float::to_f64;
@@ -40,38 +40,45 @@ enum Shown {
     Time,
 }
 
-/// Signals that are compared, in the order in which they are computed, with the model's value.
-type Probe = (&'static str, Shown, fn(&Iteration) -> u64);
-const WATERTIGHT: [Probe; 12] = [
-    ("level", Shown::Integer, |i| u64::from(i.level)),
-    ("x", Shown::Integer, |i| i.x as u64),
-    ("y", Shown::Integer, |i| i.y as u64),
-    ("t", Shown::Time, |i| i.t),
-    ("x_plane", Shown::Integer, |i| i.b_x as u64),
-    ("y_plane", Shown::Integer, |i| i.b_y as u64),
-    ("height", Shown::Integer, |i| u64::from(i.height)),
-    ("m", Shown::Time, |i| i.m),
-    ("t_x", Shown::Time, |i| i.t_x),
-    ("t_y", Shown::Time, |i| i.t_y),
-    ("x_hit", Shown::Integer, |i| i.e_x as u64),
-    ("y_hit", Shown::Integer, |i| i.e_y as u64),
+/// Signals that are compared, in the order in which they are computed, with the model's value if it has one; a design without a trim has no
+/// chord.
+type Probe = (&'static str, Shown, fn(&Iteration) -> Option<u64>);
+const PLANES: [Probe; 15] = [
+    ("level", Shown::Integer, |i| Some(u64::from(i.level))),
+    ("x", Shown::Integer, |i| Some(i.x as u64)),
+    ("y", Shown::Integer, |i| Some(i.y as u64)),
+    ("t", Shown::Time, |i| Some(i.t)),
+    ("x_plane", Shown::Integer, |i| Some(i.b_x as u64)),
+    ("y_plane", Shown::Integer, |i| Some(i.b_y as u64)),
+    ("x_chord", Shown::Integer, |i| i.chord.map(|c| c.x as u64)),
+    ("y_chord", Shown::Integer, |i| i.chord.map(|c| c.y as u64)),
+    ("level_read", Shown::Integer, |i| i.chord.map(|c| u64::from(c.level))),
+    ("height", Shown::Integer, |i| Some(u64::from(i.height))),
+    ("m", Shown::Time, |i| Some(i.m)),
+    ("t_x", Shown::Time, |i| Some(i.t_x)),
+    ("t_y", Shown::Time, |i| Some(i.t_y)),
+    ("x_hit", Shown::Integer, |i| Some(i.e_x as u64)),
+    ("y_hit", Shown::Integer, |i| Some(i.e_y as u64)),
 ];
 const PUBLISHED: [Probe; 14] = [
-    ("level", Shown::Integer, |i| u64::from(i.level)),
-    ("x", Shown::Integer, |i| i.x as u64),
-    ("y", Shown::Integer, |i| i.y as u64),
-    ("t", Shown::Time, |i| i.t),
-    ("x_plane", Shown::Integer, |i| i.b_x as u64),
-    ("y_plane", Shown::Integer, |i| i.b_y as u64),
-    ("height", Shown::Integer, |i| u64::from(i.height)),
-    ("m", Shown::Time, |i| i.m),
-    ("t_x", Shown::Time, |i| i.t_x),
-    ("t_y", Shown::Time, |i| i.t_y),
-    ("level_next", Shown::Integer, |i| u64::from(i.next_level)),
-    ("t_after", Shown::Time, |i| i.next_t),
-    ("x_next", Shown::Integer, |i| i.next_x as u64),
-    ("y_next", Shown::Integer, |i| i.next_y as u64),
+    ("level", Shown::Integer, |i| Some(u64::from(i.level))),
+    ("x", Shown::Integer, |i| Some(i.x as u64)),
+    ("y", Shown::Integer, |i| Some(i.y as u64)),
+    ("t", Shown::Time, |i| Some(i.t)),
+    ("x_plane", Shown::Integer, |i| Some(i.b_x as u64)),
+    ("y_plane", Shown::Integer, |i| Some(i.b_y as u64)),
+    ("height", Shown::Integer, |i| Some(u64::from(i.height))),
+    ("m", Shown::Time, |i| Some(i.m)),
+    ("t_x", Shown::Time, |i| Some(i.t_x)),
+    ("t_y", Shown::Time, |i| Some(i.t_y)),
+    ("level_next", Shown::Integer, |i| Some(u64::from(i.next_level))),
+    ("t_after", Shown::Time, |i| Some(i.next_t)),
+    ("x_next", Shown::Integer, |i| Some(i.next_x as u64)),
+    ("y_next", Shown::Integer, |i| Some(i.next_y as u64)),
 ];
+
+/// Probes that exist where the design trims.
+const CHORD: [&str; 3] = ["x_chord", "y_chord", "level_read"];
 
 /// Traces one ray in both and returns the first difference; `None` if pipeline and model agree all the way.
 ///
@@ -89,17 +96,20 @@ pub fn diagnose_in(p: &Pipeline, design: &Design, pyramid: &Pyramid, ray: &RayIn
     let mut iterations = Vec::new();
     Tracer::new(design)?.trace_with(pyramid, ray, |i| iterations.push(*i));
     let published = design.datapath.kind == DatapathKind::Published;
-    let signals: &[Probe] = if published { &PUBLISHED } else { &WATERTIGHT };
-    let probes: Vec<(u32, String, Slot)> = signals.iter().map(|(name, ..)| find(&p.net, name)).collect();
+    let signals: &[Probe] = if published { &PUBLISHED } else { &PLANES };
+    let traced = |q: &&Probe| design.mode.trim != Trim::None || !CHORD.contains(&q.0);
+    let list: Vec<&Probe> = signals.iter().filter(traced).collect();
+    let probes: Vec<(u32, String, Slot)> = list.iter().map(|q| find(&p.net, q.0)).collect();
     // The trip that finds the start level comes first, and is no iteration.
     let trips = usize::from(published && design.mode.start_level);
     let clocks = p.depth as usize + (iterations.len() + trips) * p.slots as usize + 2;
-    let (log, start) = record(&p.net, pyramid, ray, clocks, &probes);
+    let (log, start) = record(&p.net, &p.inputs, pyramid, ray, clocks, &probes);
     let start = start + trips * p.slots as usize;
     for (n, it) in iterations.iter().enumerate() {
-        for ((name, shown, model), (k, (stage, net, slot))) in signals.iter().zip(probes.iter().enumerate()) {
+        for ((name, shown, model), (k, (stage, net, slot))) in list.iter().zip(probes.iter().enumerate()) {
             let width = p.net.widths[*slot as usize];
-            let want = model(it) & crate::bits::mask(width);
+            let Some(want) = model(it) else { continue };
+            let want = want & crate::bits::mask(width);
             let at = start + n * p.slots as usize + *stage as usize;
             let got = log.get(at).map_or(u64::MAX, |row| row[k]);
             if want != got {
@@ -124,6 +134,7 @@ fn find(net: &Netlist, name: &str) -> (u32, String, Slot) {
 /// Probed values clock by clock, and the clock in which the ray stands in stage 0 for the first time.
 fn record(
     net: &Netlist,
+    inputs: &[&str],
     pyramid: &Pyramid,
     ray: &RayInput,
     clocks: usize,
@@ -138,7 +149,7 @@ fn record(
     set(&mut sim, "rst", 0);
     set(&mut sim, "out_ready", 1);
     set(&mut sim, "in_valid", 1);
-    for (name, v) in [("in_u", ray.u), ("in_v", ray.v), ("in_du", ray.du), ("in_dv", ray.dv)] {
+    for (name, v) in inputs.iter().zip(super::row(inputs, ray)) {
         set(&mut sim, name, v);
     }
     let (mut log, mut start) = (Vec::new(), None);

@@ -3,12 +3,22 @@ use crate::config::Design;
 use crate::error::Result;
 use crate::golden::{Pyramid, RayHit, RayInput};
 use crate::interp::{BLOCK, Netlist, Stream, StreamRun, Traffic, elaborate};
-use crate::ir::Binding;
+use crate::ir::{Binding, Module};
 use crate::units::traversal::traverse;
 use std::sync::Arc;
 
 /// Data inputs of `traverse`, in the order of a ray's row.
 pub const INPUTS: [&str; 4] = ["in_u", "in_v", "in_du", "in_dv"];
+/// The same with the input that a design with a level of detail adds: those that `traverse` has, in the order of a ray's row.
+pub fn inputs(traverse: &Module) -> Vec<&'static str> {
+    INPUTS.into_iter().chain(["in_lod"]).filter(|n| traverse.port(n).is_some()).collect()
+}
+/// The row of a ray: a word for each of [`inputs`].
+pub fn row(inputs: &[&str], r: &RayInput) -> Vec<u64> {
+    let mut words = vec![r.u, r.v, r.du, r.dv, u64::from(r.lod)];
+    words.truncate(inputs.len());
+    words
+}
 /// Data outputs of `traverse`, in the order of a hit's row.
 pub const OUTPUTS: [&str; 10] =
     ["out_i", "out_j", "out_fu", "out_fv", "out_t", "out_wall", "out_limit", "out_steps", "out_crossings", "out_ups"];
@@ -19,6 +29,8 @@ pub struct Pipeline {
     pub net: Netlist,
     /// Slots of the loop.
     pub slots: u32,
+    /// Data inputs, in the order of a ray's row.
+    pub inputs: Vec<&'static str>,
     /// Clocks of setup, loop and hit position together: until the pipeline can be full.
     pub depth: u32,
 }
@@ -31,7 +43,7 @@ impl Pipeline {
     pub fn new(design: &Design, over: &Binding) -> Result<Self> {
         let t = traverse(design);
         let net = elaborate(&t.module, over)?;
-        Ok(Self { net, slots: t.slots, depth: t.setup + t.slots + t.finish })
+        Ok(Self { net, slots: t.slots, inputs: inputs(&t.module), depth: t.setup + t.slots + t.finish })
     }
 
     /// Runs `rays` through `lanes` copies; multiples of [`BLOCK`] are fastest.
@@ -39,7 +51,7 @@ impl Pipeline {
     /// # Errors
     /// A ray that gets lost, or a result that nobody waits for.
     pub fn run(&self, pyramid: &Pyramid, rays: &[RayInput], lanes: usize, traffic: Traffic) -> Result<StreamRun> {
-        let (image, items) = words(pyramid, rays);
+        let (image, items) = self.words(pyramid, rays);
         self.stream().run(&items, &image, lanes, traffic)
     }
 
@@ -55,19 +67,20 @@ impl Pipeline {
         threads: usize,
         traffic: Traffic,
     ) -> Result<StreamRun> {
-        let (image, items) = words(pyramid, rays);
+        let (image, items) = self.words(pyramid, rays);
         self.stream().run_parallel(&items, &image, lanes, threads, traffic)
     }
 
-    fn stream(&self) -> Stream {
-        Stream::new(&self.net, &INPUTS, &OUTPUTS, u64::from(self.depth))
+    /// The memory's image and a row of inputs for each ray.
+    fn words(&self, pyramid: &Pyramid, rays: &[RayInput]) -> (Arc<Vec<u64>>, Vec<Vec<u64>>) {
+        let image = pyramid.memory().iter().map(|w| u64::from(*w)).collect();
+        (Arc::new(image), rays.iter().map(|r| row(&self.inputs, r)).collect())
     }
-}
 
-/// The memory's image and a row of inputs for each ray.
-fn words(pyramid: &Pyramid, rays: &[RayInput]) -> (Arc<Vec<u64>>, Vec<Vec<u64>>) {
-    let image = pyramid.memory().iter().map(|w| u64::from(*w)).collect();
-    (Arc::new(image), rays.iter().map(|r| vec![r.u, r.v, r.du, r.dv]).collect())
+    /// The unit as a stream of rays.
+    pub fn stream(&self) -> Stream {
+        Stream::new(&self.net, &self.inputs, &OUTPUTS, u64::from(self.depth))
+    }
 }
 
 /// Traces rays with the interpreter; hits come in the order of the rays.

@@ -6,7 +6,7 @@ mod wave;
 
 pub use csv::{HEADER, hits_csv};
 pub use diagnose::{Divergence, decode, diagnose, diagnose_in};
-pub use interp::{INPUTS, OUTPUTS, Pipeline, hit, trace_interp};
+pub use interp::{INPUTS, OUTPUTS, Pipeline, hit, inputs, row, trace_interp};
 pub use wave::{Window, record, record_mismatch, record_ray, record_rows};
 
 use crate::config::Design;

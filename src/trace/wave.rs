@@ -1,6 +1,6 @@
 //! One ray through the pipeline from power-up, undefined values tracked, as a waveform.
 use super::diagnose::{Divergence, diagnose};
-use super::interp::{INPUTS, OUTPUTS, Pipeline, hit};
+use super::interp::{OUTPUTS, Pipeline, hit, row};
 use crate::bits::mask;
 use crate::config::Design;
 use crate::error::{Error, Result};
@@ -49,13 +49,13 @@ pub fn record_ray(
     sim.load(0, &image);
     net.inputs.iter().for_each(|i| sim.set(i.slot, 0));
     sim.set(net.input("out_ready"), 1);
-    let data = INPUTS.map(|n| net.input(n));
+    let data: Vec<_> = p.inputs.iter().map(|n| net.input(n)).collect();
     let limit = u64::from(p.slots) * u64::from(design.traverse.step_limit + 2) + u64::from(p.depth) + 4;
     let mut hit = None;
     for clock in 0..limit {
         sim.set(net.input("rst"), u64::from(clock == 0));
         sim.set(net.input("in_valid"), u64::from(clock == 1));
-        for (s, v) in data.iter().zip([ray.u, ray.v, ray.du, ray.dv]) {
+        for (s, v) in data.iter().zip(row(&p.inputs, ray)) {
             // Nobody offers a ray in the other clocks, so nobody says what is on the wires.
             sim.set_bits(*s, if clock == 1 { (v, 0) } else { (0, mask(net.widths[*s as usize])) });
         }

@@ -16,12 +16,20 @@ pub fn all(d: &Design) -> Vec<Arc<Module>> {
     let parity = matches!(d.mode.level_up, crate::config::LevelUp::Tevs | crate::config::LevelUp::Selective);
     let mut list = vec![lzc::lzc_module(8), interleave::interleave_module(t.levels + 1)];
     list.extend((path.arithmetic)(d));
-    list.extend(d.mode.start_level.then(|| traversal::start_level(t)));
+    let trims = d.mode.trim != crate::config::Trim::None;
+    list.extend((d.mode.start_level || trims).then(|| traversal::start_level(t)));
+    if d.mode.lod {
+        list.extend([traversal::finest_level(t), traversal::node_hit(t)]);
+    }
     // Where positions are moved, no index is stepped: the published datapath has units of its own for that.
     let indices = d.datapath.kind != crate::config::DatapathKind::Published;
     list.push(traversal::height_address(t));
     list.extend(indices.then(|| traversal::node_planes(t, parity)));
     list.extend((path.steps)(d));
+    if trims {
+        list.push(traversal::chord_trim(d));
+        list.extend((d.mode.level_up != crate::config::LevelUp::None).then(|| traversal::trim_return(d)));
+    }
     list.extend(indices.then(|| traversal::multi_level_down(t, &d.mode)));
     list.extend(traversal::level_up(t, d.mode.level_up));
     list.extend(indices.then(|| traversal::level_decision(d)));

@@ -4,7 +4,7 @@ use super::{answer, modes};
 use rand::seq::IndexedRandom;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use reliefrtl::config::{DatapathConfig, DatapathKind, Design, TraverseConfig};
+use reliefrtl::config::{DatapathConfig, DatapathKind, Design, ModeConfig, TraverseConfig};
 use reliefrtl::golden::fixed::Fixed;
 use reliefrtl::golden::{Pyramid, RayHit, RayInput, Tracer, decode_time, encode_ray};
 use reliefrtl::oracle::ExactMap;
@@ -93,14 +93,17 @@ fn ray(d: &Design, kind: Kind, rng: &mut ChaCha8Rng) -> RayInput {
     }
     let v = v.map(|x| x.clamp(1 - far, far - 1) as u64 & (2 * far as u64 - 1));
     let p = p.map(|x| x.rem_euclid(one) as u64);
-    RayInput { u: p[0], v: p[1], du: v[0], dv: v[1] }
+    RayInput { u: p[0], v: p[1], du: v[0], dv: v[1], lod: 0 }
 }
 
 /// Traces `count` rays over a map in all modes; returns rays, those on which a mode disagrees, those given up, and a witness.
 fn disagreements(base: Design, kind: usize, count: u64, seed: u64) -> (u64, u64, u64, String) {
     let (n, h) = (base.traverse.levels, base.traverse.height_bits);
     let pyramid = Pyramid::build(n, h, &map(kind, n, h, seed)).unwrap();
-    let tracers: Vec<Fixed> = modes().into_iter().map(|mode| Fixed::new(&Design { mode, ..base }).unwrap()).collect();
+    let tracers: Vec<Fixed> = modes(reliefrtl::format::FloatFormat::new(5, 23))
+        .into_iter()
+        .map(|mode| Fixed::new(&Design { mode: ModeConfig { lod: false, ..mode }, ..base }).unwrap())
+        .collect();
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let (mut wrong, mut limits, mut witness) = (0, 0, String::new());
     for number in 0..count {
@@ -228,10 +231,10 @@ fn words_of_fixed_point_rays() {
     let golden = Fixed::new(&d).unwrap();
     let nothing = RayHit { limit: true, ..RayHit::default() };
     let r = encode_ray(&d, [0.25, 1.75, 0.5, -0.5]);
-    assert_eq!(r, RayInput { u: 0x400, v: 0xc00, du: 0x800, dv: 0x1f800 });
+    assert_eq!(r, RayInput { u: 0x400, v: 0xc00, du: 0x800, dv: 0x1f800, lod: 0 });
     assert!(!golden.trace(&pyramid, &r).limit);
     // The entry point wraps, also where it rounds up to 1; travels that are too long are the word that no ray may have.
-    assert_eq!(encode_ray(&d, [-0.25, 0.999_99, 0.0, 0.0]), RayInput { u: 0xc00, v: 0, du: 0, dv: 0 });
+    assert_eq!(encode_ray(&d, [-0.25, 0.999_99, 0.0, 0.0]), RayInput { u: 0xc00, v: 0, du: 0, dv: 0, lod: 0 });
     for far in [16.0, -16.0, 1e30, -1e30, 15.999_99] {
         let r = encode_ray(&d, [0.0, 0.0, far, 0.0]);
         assert_eq!(r.du, 0x10000, "{far}");
@@ -239,7 +242,7 @@ fn words_of_fixed_point_rays() {
         assert_eq!(golden.trace(&pyramid, &RayInput { du: 0, dv: r.du, ..r }), nothing);
     }
     for longest in [0xffff, 0x10001] {
-        assert!(!golden.trace(&pyramid, &RayInput { u: 1, v: 2, du: longest, dv: 0x10001 }).limit);
+        assert!(!golden.trace(&pyramid, &RayInput { u: 1, v: 2, du: longest, dv: 0x10001, lod: 0 }).limit);
     }
 }
 

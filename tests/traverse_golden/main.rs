@@ -4,23 +4,22 @@
 mod fixed;
 mod scenes;
 
-use reliefrtl::config::{Design, LevelUp, ModeConfig, TraverseConfig};
+use reliefrtl::config::{Design, LevelUp, ModeConfig, TraverseConfig, Trim};
 use reliefrtl::format::FloatFormat;
 use reliefrtl::golden::{Decision, Golden, Pyramid, RayHit, RayInput, float};
 use reliefrtl::oracle::{ExactMap, ExactRay};
 use scenes::{Kind, Rays, env, map};
 
-/// All 40 modes; the first one is the plain walk from the root.
-fn modes() -> Vec<ModeConfig> {
+/// All 40 modes with every trim that the format allows; the first one is the plain walk from the root.
+fn modes(format: FloatFormat) -> Vec<ModeConfig> {
+    let trims = if i64::from(format.man) + 4 <= i64::from(format.bias()) { &Trim::ALL[..] } else { &[Trim::None] };
     let mut all = Vec::new();
-    for start_level in [false, true] {
-        for levels_down in 1..=4 {
-            all.extend(LevelUp::ALL.map(|level_up| ModeConfig {
-                start_level,
-                levels_down,
-                level_up,
-                ..ModeConfig::default()
-            }));
+    for &trim in trims {
+        for start_level in [false, true] {
+            for levels_down in 1..=4 {
+                let mode = |level_up| ModeConfig { start_level, levels_down, level_up, trim, lod: true };
+                all.extend(LevelUp::ALL.map(mode));
+            }
         }
     }
     all
@@ -41,12 +40,15 @@ fn disagreements(base: Design, kind: usize, count: u64, seed: u64) -> (u64, u64,
     let (n, h) = (base.traverse.levels, base.traverse.height_bits);
     let texels = map(kind, n, h, seed);
     let pyramid = Pyramid::build(n, h, &texels).unwrap();
-    let tracers: Vec<Golden> = modes().into_iter().map(|mode| Golden::new(&Design { mode, ..base }).unwrap()).collect();
+    let tracers: Vec<Golden> =
+        modes(base.format).into_iter().map(|mode| Golden::new(&Design { mode, ..base }).unwrap()).collect();
     let mut rays = Rays::new(base.format, n, base.traverse.tile_bits, seed);
     let (mut total, mut wrong, mut witness) = (0, 0, String::new());
     for number in 0..count {
         let ray_kind = Kind::ALL[(number % Kind::ALL.len() as u64) as usize];
-        let ray = rays.next(ray_kind);
+        // Every second ray ends at a finest level of its own, some above the root.
+        let lod = if number % 2 == 0 { 0 } else { (number / 2 % u64::from(n + 3)) as u32 };
+        let ray = RayInput { lod, ..rays.next(ray_kind) };
         let reference = tracers[0].trace(&pyramid, &ray);
         assert!(!reference.limit, "{ray_kind:?} {ray:x?} ran into the limit: {reference:?}");
         total += 1;
@@ -88,7 +90,7 @@ fn all_modes_agree(formats: &[FloatFormat], levels: &[u32], heights: &[u32], til
             }
         }
     }
-    println!("modes: {wrong} of {total} rays depend on the mode (40 modes, seed {seed})");
+    println!("modes: {wrong} of {total} rays depend on the mode (40 modes, each trim, seed {seed})");
     assert!(total > 0, "no rays");
     assert_eq!(wrong, 0, "{first}");
 }

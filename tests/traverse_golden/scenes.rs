@@ -142,7 +142,7 @@ impl Rays {
                 d = [self.field(self.tile as i32 - 1), self.field(self.tile as i32 - 1)];
             }
         }
-        RayInput { u: p[0], v: p[1], du: d[0], dv: d[1] }
+        RayInput { u: p[0], v: p[1], du: d[0], dv: d[1], lod: 0 }
     }
 
     /// A number of random sign and fraction, with a random exponent up to `top` (that of 2^top).

@@ -35,7 +35,7 @@ pub(super) fn model(unit: &str, d: &Design, b: &Binding, x: &[u64]) -> Vec<u64> 
             vec![u64::from(m < t_x && m < t_y), u64::from(t_x <= t_y), t.max(t_x.min(t_y))]
         }
         "ray_setup" => {
-            let o = g.setup(&RayInput { u: x[0], v: x[1], du: x[2], dv: x[3] });
+            let o = g.setup(&RayInput { u: x[0], v: x[1], du: x[2], dv: x[3], lod: 0 });
             let mut out = vec![u64::from(o.valid), u64::from(o.level)];
             for a in [o.u, o.v] {
                 out.extend([a.p, a.s, a.r, u64::from(a.z), u64::from(a.neg), index(a.x)]);

@@ -78,7 +78,7 @@ pub fn model(unit: &str, d: &Design, b: &Binding, x: &[u64]) -> Vec<u64> {
         }
         "ray_scale" => {
             let g = Published::new(d).expect("the set's parameters are legal");
-            let ray = RayInput { u: x[0], v: x[1], du: x[2], dv: x[3] };
+            let ray = RayInput { u: x[0], v: x[1], du: x[2], dv: x[3], lod: 0 };
             let Some(r) = g.route(&ray) else { return vec![0; 8] };
             let axis = |a: &Travel| [a.p, a.d, index(a.x)];
             [&[1, u64::from(d.traverse.levels)][..], &axis(&r.u), &axis(&r.v)].concat()

@@ -1,6 +1,6 @@
 //! The golden model of each unit that computes in floating point.
 use crate::bits::{mask, signed};
-use crate::config::Design;
+use crate::config::{Design, Trim};
 use crate::golden::float as gf;
 use crate::golden::{Golden, RayInput};
 use crate::ir::Binding;
@@ -39,17 +39,36 @@ pub(super) fn model(unit: &str, d: &Design, b: &Binding, x: &[u64]) -> Vec<u64> 
         }
         "ray_setup" => {
             let g = Golden::new(d).expect("the set's parameters are legal");
-            let o = g.setup(&RayInput { u: x[0], v: x[1], du: x[2], dv: x[3] });
+            let o = g.setup(&RayInput {
+                u: x[0],
+                v: x[1],
+                du: x[2],
+                dv: x[3],
+                lod: if d.mode.lod { x[4] as u32 } else { 0 },
+            });
             let mut out = vec![u64::from(o.valid), u64::from(o.level)];
             for a in [o.u, o.v] {
                 out.extend([a.p, a.pb, a.dt, a.r, u64::from(a.never), u64::from(a.neg), index(a.x)]);
+                if d.mode.trim != Trim::None {
+                    out.extend([a.pf, index(a.le)]);
+                }
+            }
+            if d.mode.lod {
+                out.push(u64::from(o.lod));
             }
             out
         }
         "hit_position" => {
             let frac = p("FRAC_W");
             let at = gf::to_fixed(f, gf::add(f, x[0], gf::mul(f, x[1], x[2])), idx + frac, frac);
-            vec![(at - (s(x[3]) << frac)).clamp(0, (1 << frac) - 1) as u64]
+            let kept = super::node_hit(d, frac, at, s(x[3]), if d.mode.lod { x[4] } else { 0 });
+            if d.mode.lod { vec![kept[1], kept[0]] } else { vec![kept[1]] }
+        }
+        "chord_end" => {
+            let far = if x[2] == 1 { -1i64 << (idx - 1) } else { (1 << (idx - 1)) - 1 };
+            let at = || gf::to_int(f, gf::add(f, x[0], gf::mul(f, x[1], x[3])), idx);
+            let infinite = matches!(gf::decode(f, x[3]), gf::Value::Infinite(_) | gf::Value::Nan);
+            vec![index(if infinite { far } else { at() })]
         }
         other => panic!("{other} has no golden model"),
     }

@@ -52,7 +52,7 @@ pub(super) fn encode(d: &Design, [u, v, du, dv]: [f64; 4]) -> RayInput {
         let code = if code.abs() < far as f64 { code as i64 } else { -far };
         code as u64 % (2 * far as u64)
     };
-    RayInput { u: entry(u), v: entry(v), du: travel(du), dv: travel(dv) }
+    RayInput { u: entry(u), v: entry(v), du: travel(du), dv: travel(dv), lod: 0 }
 }
 
 /// A travel's word as a number, in 2^-FRACTION_W tiles.

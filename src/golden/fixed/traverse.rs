@@ -133,6 +133,7 @@ impl Fixed {
             m,
             e_x,
             e_y,
+            chord: None,
             decision: Decision::Hit,
             next_level: k,
             next_x: at.x,

@@ -196,6 +196,7 @@ impl Published {
             m,
             e_x,
             e_y,
+            chord: None,
             decision: Decision::Hit,
             next_level: k,
             next_x: e_x,

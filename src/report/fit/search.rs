@@ -70,8 +70,10 @@ impl Search<'_> {
     }
 
     fn reject(&mut self, t: &Trial, what: String) {
-        let why = if t.keeps(self.budget) {
+        let why = if t.keeps_surely(self.budget) {
             format!("keeps the budget, but takes {} bits", t.cost.bits())
+        } else if t.keeps(self.budget) {
+            format!("{}: too close to the budget for other rays", t.figure(self.budget))
         } else {
             t.figure(self.budget)
         };
@@ -106,7 +108,7 @@ impl Search<'_> {
                     continue;
                 }
                 let t = self.run(&candidate)?;
-                if t.keeps(self.budget) {
+                if t.keeps_surely(self.budget) {
                     if let Some(b) = &before {
                         self.reject(b, name(&b.design));
                     }
@@ -140,7 +142,7 @@ impl Search<'_> {
             let mut d = best.design;
             d.datapath.reciprocal_bits -= 1;
             let t = self.run(&d)?;
-            if !t.keeps(self.budget) {
+            if !t.keeps_surely(self.budget) {
                 self.reject(&t, name(&d));
                 break;
             }
@@ -169,7 +171,7 @@ impl Search<'_> {
                     break;
                 }
                 let t = self.run(&d)?;
-                if !t.keeps(self.budget) {
+                if !t.keeps_surely(self.budget) {
                     self.reject(&t, format!("{key} one less"));
                     break;
                 }
@@ -196,7 +198,7 @@ impl Search<'_> {
             }
         }
         let product = |t: &Trial| t.cost.bits() as f64 * t.steps.mean;
-        all.retain(|t| t.keeps(self.budget));
+        all.retain(|t| t.keeps_surely(self.budget));
         all.sort_by(|a, b| product(a).total_cmp(&product(b)));
         let plain = all.iter().find(|t| t.design.mode == plain()).cloned();
         let mut all = all.into_iter();
@@ -228,7 +230,7 @@ impl Search<'_> {
         d.traverse.frac_bits = fraction;
         d.traverse.step_limit = (best.steps.max * 8).next_power_of_two().clamp(64, 65535);
         let t = self.run(&d)?;
-        if t.keeps(self.budget) {
+        if t.keeps_surely(self.budget) {
             self.reasons.push(format!(
                 "frac_bits = {fraction}, step_limit = {} (8 times the most that was seen)",
                 d.traverse.step_limit

@@ -87,6 +87,8 @@ pub struct Trial {
     pub wrong_own: usize,
     /// Distance to the exact hit, in texels of the given map: the 99th percentile.
     pub uv_p99: f64,
+    /// A percentile above it, by three standard deviations of what a sample of that size may miss.
+    pub uv_sure: f64,
     /// The largest, and its ray.
     pub uv_max: (f64, usize),
     /// Iterations.
@@ -123,6 +125,7 @@ impl Trial {
             witness: wrong.first().copied(),
             wrong_own,
             uv_p99: at(0.99),
+            uv_sure: at(0.99 + 3.0 * (0.99 * 0.01 / far.len().max(1) as f64).sqrt()),
             uv_max: far.last().copied().unwrap_or_default(),
             steps: steps(&hits),
         })
@@ -134,6 +137,18 @@ impl Trial {
             && match budget {
                 Budget::WrongTexel(share) => self.wrong as f64 <= share * self.rays as f64,
                 Budget::UvError(texels) => self.uv_p99 <= texels,
+            }
+    }
+
+    /// True if the budget is kept with room for what other rays of the same scene may do: three standard deviations of the count.
+    pub fn keeps_surely(&self, budget: Budget) -> bool {
+        self.steps.limits == 0
+            && match budget {
+                Budget::WrongTexel(share) => {
+                    let k = self.wrong as f64;
+                    k + 3.0 * (k + 1.0).sqrt() <= share * self.rays as f64
+                }
+                Budget::UvError(texels) => self.uv_sure <= texels,
             }
     }
 

@@ -57,7 +57,8 @@ pub fn pareto(plan: &Plan, dots: &[Dot<'_>], plot: Plot) -> String {
     };
     let cost = |d: &Dot<'_>| if plot == Plot::Size { d.size.unwrap_or(0) as f64 } else { d.pool.cycles() };
     // A design without hardware has no size to be drawn at.
-    let dots: Vec<&Dot<'_>> = dots.iter().filter(|d| plot != Plot::Size || d.size.is_some()).collect();
+    let drawn = |d: &&Dot<'_>| d.comparable() && (plot != Plot::Size || d.size.is_some());
+    let dots: Vec<&Dot<'_>> = dots.iter().filter(drawn).collect();
     let named = headlines(plan);
     let at: Vec<(f64, f64)> = dots.iter().map(|d| (cost(d), error(&d.pool).0)).collect();
     let edge = frontier(at.clone());
@@ -147,7 +148,10 @@ pub fn along(plan: &Plan, all: &[Series<'_>], by: &str, what: &str) -> String {
         let last = s.points.len() - 1;
         let mark = |(k, p): (usize, &super::figures::At<'_>)| {
             let (y, hollow) = value(&p.pool);
-            let short_name = widths.map_or_else(|| s.name.clone(), |exp| format!("EXP_W {exp}"));
+            // There is little room beside a line: the nudge is said in tables.
+            let (before, after) = s.name.split_once(", ").unwrap_or((&s.name, ""));
+            let name = if after == "no nudge" { after } else { before };
+            let short_name = widths.map_or_else(|| name.to_owned(), |exp| format!("EXP_W {exp}"));
             let label = if k == last { short_name } else { String::new() };
             let tip =
                 format!("{}: {}{} of {} rays", s.name, if hollow { "below " } else { "" }, short(y), p.pool.rays());

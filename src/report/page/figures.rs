@@ -114,6 +114,11 @@ impl Dot<'_> {
         format!("{}, {}", self.design.label(), mode_label(&self.design.mode))
     }
 
+    /// Cycles count the rays that end. Where more than 1 of 100 does not, they tell nothing, and the design is in no frontier.
+    pub fn comparable(&self) -> bool {
+        self.pool.limits() * 100 <= self.pool.rays()
+    }
+
     /// Largest 99th percentile of a map and view.
     pub fn uv_p99(&self) -> f64 {
         self.pool.largest(|c| c.uv_all.p99)
@@ -137,8 +142,9 @@ pub fn dots<'a>(plan: &'a Plan, cells: &'a [Cell]) -> Vec<Dot<'a>> {
         .collect();
     let front = |error: &dyn Fn(&Dot<'a>) -> f64| -> Vec<bool> {
         let at: Vec<(f64, f64)> = out.iter().map(|d| (d.pool.cycles(), error(d))).collect();
-        let beaten = |a: &(f64, f64)| at.iter().any(|b| b.0 <= a.0 && b.1 <= a.1 && (b.0 < a.0 || b.1 < a.1));
-        at.iter().map(|a| !beaten(a)).collect()
+        let rivals: Vec<&(f64, f64)> = at.iter().zip(&out).filter(|x| x.1.comparable()).map(|x| x.0).collect();
+        let beaten = |a: &(f64, f64)| rivals.iter().any(|b| b.0 <= a.0 && b.1 <= a.1 && (b.0 < a.0 || b.1 < a.1));
+        at.iter().zip(&out).map(|(a, d)| d.comparable() && !beaten(a)).collect()
     };
     let (rate, uv) = (front(&|d| d.pool.rate_or_bound().0), front(&Dot::uv_p99));
     for (d, (rate, uv)) in out.iter_mut().zip(rate.into_iter().zip(uv)) {

@@ -112,12 +112,19 @@ pub struct Plan {
 pub const BEST: ModeConfig =
     ModeConfig { start_level: true, levels_down: 2, level_up: LevelUp::Selective, trim: Trim::None, lod: false };
 
+/// Iterations after which a ray without nudge is given up: more than any ray of the usual maps needs.
+const STUCK_LIMIT: u32 = 511;
+
 impl DesignSpec {
     fn new(c: &Config, datapath: DatapathConfig, exp: u32, man: u32, mode: ModeConfig) -> Self {
         let fixed = datapath.kind == DatapathKind::Fixed;
         let published = datapath.kind == DatapathKind::Published;
-        // Without its nudge the published datapath may stay in a texel for ever: a lower limit costs no answer, and much less time.
-        let cap = if published { 1023 } else { 8191 };
+        // Without its nudge more than half of the published datapath's rays stay in a texel for ever, and each costs the whole limit.
+        let cap = match (published, datapath.nudge_bits) {
+            (true, 0) => STUCK_LIMIT,
+            (true, _) => 1023,
+            _ => 8191,
+        };
         Self {
             kind: datapath.kind,
             exp: (!fixed).then_some(exp),
@@ -137,8 +144,9 @@ impl DesignSpec {
         let mut c = base.clone();
         (c.map, c.mode) = (MapConfig::default(), self.mode);
         (c.traverse.levels, c.traverse.tile_bits, c.traverse.frac_bits) = (levels, self.tile_bits, self.frac_bits);
-        // A map eight times as wide is eight times as far to walk.
-        c.traverse.step_limit = (self.step_limit << levels.saturating_sub(8).min(4)).min(65535);
+        // A map eight times as wide is eight times as far to walk; who is stuck is stuck on any map.
+        let wider = if self.nudge_bits == Some(0) { 0 } else { levels.saturating_sub(8).min(4) };
+        c.traverse.step_limit = (self.step_limit << wider).min(65535);
         c.datapath = DatapathConfig { kind: self.kind, ..DatapathConfig::default() };
         c.format.exp = self.exp.unwrap_or(c.format.exp);
         c.format.man = self.man.unwrap_or(c.format.man);

@@ -101,5 +101,5 @@ fn along_the_slope(d: &mut Draw) -> Ray {
     let j = d.below(d.numbers.side());
     let travel = d.numbers.tiles(f64::from(d.numbers.top) / f64::from(1 << d.numbers.codes_per_texel()));
     let v = d.numbers.tiles(f64::from(j) + 0.5);
-    [0.0, v, if j % 2 == 0 { travel } else { -travel }, 0.0]
+    [0.0, v, if j.is_multiple_of(2) { travel } else { -travel }, 0.0]
 }

@@ -35,7 +35,13 @@ pub(super) const CASES: &[Case] = &[
         (small(d, |levels, texels| mirrored(levels, &texels)), over_the_border)
     }),
     Case::new("border-clamp", "a map that was continued by its border texels, one level up", |d| {
-        (small(d, |levels, texels| clamped(levels, &texels)), over_the_border)
+        (small(d, |levels, texels| clamped(levels, &texels)), |d| {
+            // From the map in the middle outward over its border, a quarter of a tile behind it at most.
+            let (u, out) = (d.real(0.25, 0.5), d.real(0.0, 0.25));
+            let (v, dv, du) = (d.real(0.25, 0.75), d.travel(0.25), 0.25 - u - out);
+            let (u, du) = if d.coin() { (u, du) } else { (1.0 - u, -du) };
+            if d.coin() { [u, v, du, dv] } else { [v, u, dv, du] }
+        })
     }),
     Case::sized("size-4", 2),
     Case::sized("size-8", 3),

@@ -19,16 +19,16 @@ pub struct Datapath {
     /// Declares the parameters of the number format.
     pub declare: fn(&Builder, &Design) -> Option<FormatParams>,
     /// The words at the ports, with what LEVELS, HEIGHT_W and TILE_W may be.
-    pub numbers: fn(&Builder, Option<FormatParams>, &Expr, &Expr, &Expr) -> Numbers,
+    pub numbers: fn(&Builder, &Design, Option<FormatParams>, &Expr, &Expr, &Expr) -> Numbers,
     /// What a ray carries besides the state that all datapaths have.
     pub constants: fn(&Sizes, &Design) -> Vec<Field>,
-    /// Once per ray: inputs u, v, du, dv; outputs ok, level, first_x, first_y and all that fields start from.
+    /// Once per ray: inputs u, v, du, dv and, with a level of detail, lod; outputs ok, level, then finest, first_x, first_y and all that fields start from.
     pub setup: fn(&Design) -> Arc<Module>,
     /// Clocks through setup, at least 1.
     pub setup_clocks: fn(&Design) -> u32,
     /// One iteration.
     pub iteration: for<'b> fn(&'b Builder, &Sizes, &Design, &Ray<'b>, &Load<'b>) -> Ray<'b>,
-    /// Position of a hit inside its texel along one axis.
+    /// Position of a hit inside its texel along one axis; with a level of detail, the texel (wrapped) after it.
     pub hit: fn(&Design) -> Arc<Module>,
     /// Clocks through `hit`, at least 1.
     pub hit_clocks: fn(&Design) -> u32,

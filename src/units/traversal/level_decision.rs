@@ -1,6 +1,6 @@
 //! `level_decision`: hit, descend or cross; the node, level and parameter of the next iteration (PIDM-HW section 4.2).
 use super::params::{LevelParams, bindings, index_width};
-use crate::config::{DatapathKind, Design};
+use crate::config::{DatapathKind, Design, Trim};
 use crate::ir::{Builder, Module};
 use crate::units::float::FormatParams;
 use std::sync::Arc;
@@ -19,8 +19,16 @@ pub fn level_decision(d: &Design) -> Arc<Module> {
     let idx = index_width(&b, t, Some(&levels));
     let inside = b.input("is_inside", 1, "bit", "the node's height is met before the ray leaves");
     let x_first = b.input("x_first", 1, "bit", "it leaves by the u plane");
-    let up = b.input("up", 1, "bit", "a crossing goes one level up");
-    let level = b.input("level", &level_w, "levels", "level of this node");
+    let trims = d.mode.trim != Trim::None;
+    let up = (!trims).then(|| b.input("up", 1, "bit", "a crossing goes one level up"));
+    let level = b.input(
+        "level",
+        &level_w,
+        "levels",
+        if trims { "level of the node that was read" } else { "level of this node" },
+    );
+    let across = trims.then(|| b.input("level_across", &level_w, "levels", "level of a crossing"));
+    let lod = d.mode.lod.then(|| b.input("lod", &level_w, "levels", "the level at which the ray ends"));
     let level_down = b.input("level_down", &level_w, "levels", "level of a descent");
     let m = b.input("m", &time_w, time_unit, "parameter of a hit or a descent");
     let t_next = b.input("t_next", &time_w, time_unit, "parameter of a crossing");
@@ -38,8 +46,13 @@ pub fn level_decision(d: &Design) -> Arc<Module> {
     let o_y = b.output("y_next", &idx, "texels", "texel of the next node");
     let o_t = b.output("t_out", &time_w, time_unit, "parameter of the next iteration, or of the hit");
 
-    let hit = (inside & level.none()).named("is_hit");
-    let risen = (level + up.zext(&level_w)).named("risen");
+    let finest = lod.map_or_else(|| level.none(), |lod| level.eq(lod));
+    let hit = (inside & finest).named("is_hit");
+    let risen = match (across, up) {
+        (Some(across), _) => across,
+        (None, Some(up)) => (level + up.zext(&level_w)).named("risen"),
+        (None, None) => unreachable!("one of the two is an input"),
+    };
     let next = inside.mux(hit.mux(level, level_down), risen).named("level_chosen");
     let keep_x = (!x_first).named("keep_x");
     let x = inside.mux(hit.mux(axes[0].0, axes[0].1), keep_x.mux(axes[0].0, axes[0].2)).named("x_chosen");

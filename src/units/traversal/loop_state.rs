@@ -1,6 +1,6 @@
 //! What a ray carries round the loop.
 use super::datapath::Datapath;
-use crate::config::{Design, LevelUp};
+use crate::config::{Design, LevelUp, Trim};
 use crate::ir::{Builder, Expr, Sig};
 use crate::units::float::FormatParams;
 
@@ -52,7 +52,7 @@ impl Sizes {
         let step_limit = b.param("STEP_LIMIT", t.step_limit, "iterations after which a ray is given up");
         b.require(2, &levels);
         b.require(&levels, 12);
-        let numbers = (path.numbers)(b, declared, &levels, &height, &tile);
+        let numbers = (path.numbers)(b, d, declared, &levels, &height, &tile);
         b.require(1, &frac);
         b.require(1, &tag);
         b.require(1, &step_limit);
@@ -115,10 +115,13 @@ pub fn fields(s: &Sizes, d: &Design, path: &Datapath) -> Vec<Field> {
         Field::new("crossings", &counter, Start::Zero),
         Field::new("ups", &counter, Start::Zero),
     ]);
-    // A node boundary was crossed already: only several levels down ask. The iteration before was a crossing: only coherent level-up asks.
+    list.extend(d.mode.lod.then(|| Field::new("lod", &s.level_w, Start::Setup("finest"))));
+    // A node boundary was crossed already: only several levels down ask. The iteration before was a crossing: only coherent level-up asks; it
+    // was a descent: only the trim of descents asks.
     let flags = [
         (d.mode.levels_down > 1, "crossed", "has_crossed"),
         (d.mode.level_up == LevelUp::Coherent, "prev", "just_crossed"),
+        (d.mode.trim == Trim::Descent, "descended", "just_descended"),
     ];
     list.extend(flags.iter().filter(|f| f.0).map(|f| Field { net: f.2, ..Field::new(f.1, &bit, Start::Zero) }));
     list

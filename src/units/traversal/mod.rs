@@ -1,6 +1,8 @@
 //! The traversal's units, one file each, and `traverse` on top. Units of one datapath stand in a folder of its name.
 mod census;
+mod chord_trim;
 mod datapath;
+mod finest_level;
 pub mod fixed;
 mod height_address;
 mod height_memory;
@@ -8,6 +10,7 @@ mod level_decision;
 mod level_up;
 mod loop_state;
 mod multi_level_down;
+mod node_hit;
 mod node_planes;
 mod params;
 mod plane_iteration;
@@ -15,16 +18,21 @@ pub mod published;
 mod start_level;
 mod stream_delay;
 mod traverse;
+mod trim_return;
 pub mod watertight;
 
 pub use census::{Census, PUBLISHED, census, difference};
+pub use chord_trim::chord_trim;
 pub use datapath::Datapath;
+pub use finest_level::finest_level;
 pub use height_address::height_address;
 pub use height_memory::{height_memory, pyramid_words};
 pub use level_decision::level_decision;
 pub use level_up::level_up;
 pub use multi_level_down::multi_level_down;
+pub use node_hit::node_hit;
 pub use node_planes::node_planes;
 pub use start_level::start_level;
 pub use stream_delay::stream_delay;
 pub use traverse::{Traverse, traverse};
+pub use trim_return::trim_return;

@@ -18,6 +18,7 @@ pub fn multi_level_down(t: &TraverseConfig, mode: &ModeConfig) -> Arc<Module> {
     let many = u64::from(mode.levels_down);
     let level = b.input("level", &level_w, "levels", "1 .. LEVELS (the result is not used at 0)");
     let crossed = (many > 1).then(|| b.input("crossed", 1, "bit", "the ray has crossed a node boundary already"));
+    let lod = mode.lod.then(|| b.input("lod", &level_w, "levels", "the finest level to go to"));
     let mut axes = Vec::new();
     for axis in ["x", "y"] {
         let low = b.input(&format!("{axis}_low"), &idx, "texels", "least texel of the node that is not behind the ray");
@@ -45,6 +46,10 @@ pub fn multi_level_down(t: &TraverseConfig, mode: &ModeConfig) -> Arc<Module> {
             jump.mux(few.slice(0, &level_w), level - one)
         }
     };
+    let next = lod.map_or(next, |lod| {
+        let next = next.named("next_free");
+        next.lt(lod).mux(lod, next)
+    });
     b.drive(out, next.named("next_level"), None);
     for ((axis, low, high, e), out) in axes.into_iter().zip(outs) {
         b.drive(out, clamp(e, low, high, axis), None);

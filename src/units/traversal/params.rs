@@ -1,5 +1,5 @@
 //! Parameters that the traversal's units share.
-use crate::config::TraverseConfig;
+use crate::config::{Design, TraverseConfig, Trim};
 use crate::ir::{Binding, Builder, Expr};
 use crate::units::float::FormatParams;
 
@@ -23,7 +23,7 @@ impl LevelParams {
 }
 
 /// What the sizes of a ray may be, so that no intermediate result leaves its width (`docs/datapath.md`, Parameters).
-pub fn ray_conditions(b: &Builder, f: &FormatParams, levels: &Expr, height: &Expr, tile: &Expr) {
+pub fn ray_conditions(b: &Builder, d: &Design, f: &FormatParams, levels: &Expr, height: &Expr, tile: &Expr) {
     b.require(2, height);
     b.require(height, 16);
     b.require(height, &f.man + 1);
@@ -33,6 +33,10 @@ pub fn ray_conditions(b: &Builder, f: &FormatParams, levels: &Expr, height: &Exp
     b.require(levels + tile + 1, f.bias());
     b.require(height + 2, f.bias());
     b.require(&f.man, f.bias() + levels);
+    if d.mode.trim != Trim::None {
+        // What underflows must stay below the bias of a chord's end.
+        b.require(&f.man + 4, f.bias());
+    }
 }
 
 /// Declares IDX_W, the width of a signed, unwrapped texel coordinate.

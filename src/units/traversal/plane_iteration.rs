@@ -2,9 +2,12 @@
 use super::loop_state::{Ray, Sizes};
 use super::traverse::Load;
 use super::*;
-use crate::config::{Design, LevelUp};
+use crate::config::{Design, LevelUp, Trim};
 use crate::ir::{Builder, Module, Sig};
 use std::sync::Arc;
+
+/// Two signals, of u or least first.
+pub type Pair<'b> = [Sig<'b>; 2];
 
 /// What such a datapath puts into an iteration. The constants of a ray that a unit reads per axis are named by its port and by the word
 /// that the ray carries, without `_x` or `_y`.
@@ -19,6 +22,9 @@ pub struct PlaneUnits {
     pub predicted_hit: fn(&Design) -> Arc<Module>,
     /// Constants that `predicted_hit` reads.
     pub predicted_inputs: &'static [(&'static str, &'static str)],
+    /// The level to be read instead of the ray's own, where the design trims: given least and greatest texel of a descent and the parameters
+    /// of the exit planes, each u first.
+    pub trim: for<'b> fn(&'b Builder, &Sizes, &Design, &Ray<'b>, [Pair<'b>; 2], Pair<'b>) -> Sig<'b>,
     /// Hit or exit.
     pub node_crossing: fn(&Design) -> Arc<Module>,
 }
@@ -45,29 +51,27 @@ pub fn plane_iteration<'b>(
     };
     let px: Vec<Sig<'b>> = planes("x", ray.get("x"), ray.get("neg_x")).into_iter().map(|i| b.sig(i)).collect();
     let py: Vec<Sig<'b>> = planes("y", ray.get("y"), ray.get("neg_y")).into_iter().map(|i| b.sig(i)).collect();
-    let (i, j) = (ray.get("x").slice(0, &s.levels), ray.get("y").slice(0, &s.levels));
-    let address = b.inst(&height_address(t), "u_address", &[], &[("level", ray.get("level")), ("i", i), ("j", j)])[0]
-        .named("address");
-
-    b.section("height", "");
-    let words = pyramid_words(&s.levels);
-    let addr_w = s.levels.clone() * 2 + 1;
-    let n = t.levels;
-    let memory = height_memory(2 * n + 1, t.height_bits, ((1 << (2 * n + 2)) - 1) / 3);
-    let params = [("ADDR_W", addr_w), ("DATA_W", s.height.clone()), ("DEPTH", words)];
-    let ins = [("write_en", load.en), ("write_addr", load.addr), ("write_data", load.data), ("read_addr", address)];
-    let height = b.inst(&memory, "u_heights", &params, &ins)[0].named("height");
-
-    b.section("plane parameters", "");
     let constants = |axis: &str, names: &[(&'static str, &'static str)]| {
         let of = |(port, word): &(&'static str, &'static str)| (*port, ray.get(&format!("{word}_{axis}")));
         names.iter().map(of).collect::<Vec<_>>()
     };
-    let when = |axis: &str, plane: Sig<'b>| {
-        let ins = [vec![("plane", plane)], constants(axis, units.plane_inputs)].concat();
-        b.inst(&(units.plane_time)(d), &format!("u_time_{axis}"), &idx(), &ins)[0].named(&format!("t_{axis}")).id()
+    let plane_times = || {
+        b.section("plane parameters", "");
+        let when = |axis: &str, plane: Sig<'b>| {
+            let ins = [vec![("plane", plane)], constants(axis, units.plane_inputs)].concat();
+            b.inst(&(units.plane_time)(d), &format!("u_time_{axis}"), &idx(), &ins)[0].named(&format!("t_{axis}")).id()
+        };
+        [b.sig(when("x", px[2])), b.sig(when("y", py[2]))].map(|t| t.id())
     };
-    let (t_x, t_y) = (b.sig(when("x", px[2])), b.sig(when("y", py[2])));
+    let (height, [t_x, t_y], read) = if d.mode.trim == Trim::None {
+        let height = read_height(b, s, d, ray, load, ray.get("level"));
+        (height, plane_times().map(|t| b.sig(t)), ray.get("level"))
+    } else {
+        let times = plane_times().map(|t| b.sig(t));
+        let read = (units.trim)(b, s, d, ray, [[px[0], px[1]], [py[0], py[1]]], times);
+        b.section("address", "");
+        (read_height(b, s, d, ray, load, read), times, read)
+    };
 
     b.section("height test", "");
     let o = b.inst(&(units.height_test)(d), "u_height_test", &[], &[("height", height), ("t", ray.get("t"))]);
@@ -87,8 +91,9 @@ pub fn plane_iteration<'b>(
     let (inside, x_first, t_next) = (o[0].named("is_inside"), o[1].named("x_first"), o[2].named("t_next"));
 
     b.section("multi-level down", "");
-    let mut ins = vec![("level", ray.get("level"))];
+    let mut ins = vec![("level", read)];
     ins.extend(ray.find("crossed").map(|c| ("crossed", c)));
+    ins.extend(ray.find("lod").map(|lod| ("lod", lod)));
     ins.extend([("x_low", px[0]), ("x_high", px[1]), ("x_hit", hit_x)]);
     ins.extend([("y_low", py[0]), ("y_high", py[1]), ("y_hit", hit_y)]);
     let o = b.inst(&multi_level_down(t, &d.mode), "u_down", &idx(), &ins);
@@ -99,12 +104,19 @@ pub fn plane_iteration<'b>(
         None => b.zeros(1),
         Some(unit) => {
             let even = || x_first.mux(px[4], py[4]).named("even");
-            let mut ins = vec![("level", ray.get("level"))];
+            let mut ins = vec![("level", read)];
             match d.mode.level_up {
                 LevelUp::Coherent => ins.extend(ray.find("prev").map(|p| ("prev_crossed", p))),
                 LevelUp::Tevs => ins.push(("even", even())),
                 LevelUp::Selective => {
-                    ins.push(("even", even()));
+                    // The plane of a trimmed node bounds larger ones too.
+                    let leaves = match d.mode.trim {
+                        Trim::None => even(),
+                        Trim::Descent | Trim::Always => {
+                            (even() | read.lt(ray.get("level")).named("is_trimmed")).named("leaves_parent")
+                        }
+                    };
+                    ins.push(("even", leaves));
                     ins.extend([("x_at", ray.get("x")), ("x_hit", hit_x), ("y_at", ray.get("y")), ("y_hit", hit_y)]);
                 }
                 LevelUp::None | LevelUp::Always => {}
@@ -114,15 +126,21 @@ pub fn plane_iteration<'b>(
         }
     };
 
+    let (across, grown) = match (d.mode.trim, d.mode.level_up) {
+        (Trim::None, _) => (("up", up), up),
+        (_, LevelUp::None) => (("level_across", ray.get("level")), up),
+        _ => {
+            let ins = [("level", ray.get("level")), ("level_read", read), ("up", up)];
+            let o = b.inst(&trim_return(d), "u_return", &[], &ins);
+            (("level_across", o[0].named("level_across")), o[1].named("grown"))
+        }
+    };
+
     b.section("level decision", "A ray that is done goes round unchanged.");
     let late = |v: Sig<'b>| if d.latency.decision > 1 { v.cut() } else { v };
-    let mut ins = vec![("is_inside", late(inside)), ("x_first", late(x_first)), ("up", late(up))];
-    ins.extend([
-        ("level", late(ray.get("level"))),
-        ("level_down", late(level_down)),
-        ("m", late(m)),
-        ("t_next", late(t_next)),
-    ]);
+    let mut ins = vec![("is_inside", late(inside)), ("x_first", late(x_first)), (across.0, late(across.1))];
+    ins.extend(ray.find("lod").map(|lod| ("lod", late(lod))));
+    ins.extend([("level", late(read)), ("level_down", late(level_down)), ("m", late(m)), ("t_next", late(t_next))]);
     ins.extend([("x_at", late(ray.get("x"))), ("x_down", late(x_down)), ("x_beyond", late(px[3]))]);
     ins.extend([("y_at", late(ray.get("y"))), ("y_down", late(y_down)), ("y_beyond", late(py[3]))]);
     let o = b.inst(&level_decision(d), "u_decision", &idx(), &ins);
@@ -136,11 +154,13 @@ pub fn plane_iteration<'b>(
     let last_step = steps.eq(limit_value).named("last_step");
     let at_limit = (last_step & !hit).named("at_limit");
     let crossed_now = (crosses & moves).named("crossed_now");
-    let up_now = (up & crossed_now).named("up_now");
+    let up_now = (grown & crossed_now).named("up_now");
     let keep = |new: Sig<'b>, old: &str| (ray.get("done").mux(ray.get(old), new)).id();
     let [level, x, y, t] =
         [(n[0], "level"), (n[1], "x"), (n[2], "y"), (n[3], "t")].map(|(new, old)| b.sig(keep(new, old)));
     let has_crossed = ray.find("crossed").map_or(crossed_now, |c| c | crossed_now);
+    // Of a ray that ends here it does not matter whether it descended.
+    let descended = if ray.find("descended").is_some() { (!crossed_now).named("descended_now") } else { crossed_now };
     ray.with(&[
         ("level", level),
         ("x", x),
@@ -154,5 +174,24 @@ pub fn plane_iteration<'b>(
         ("ups", ray.get("ups") + up_now.zext(16)),
         ("crossed", has_crossed),
         ("prev", crossed_now),
+        ("descended", descended),
     ])
+}
+
+/// The height of the ray's node of a level.
+fn read_height<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>, load: &Load<'b>, level: Sig<'b>) -> Sig<'b> {
+    let t = &d.traverse;
+    let place = |axis: &str| level.stage().map_or(ray.get(axis), |k| ray.get(axis).at(k)).slice(0, &s.levels).id();
+    let (i, j) = (b.sig(place("x")), b.sig(place("y")));
+    let address =
+        b.inst(&height_address(t), "u_address", &[], &[("level", level), ("i", i), ("j", j)])[0].named("address");
+
+    b.section("height", "");
+    let words = pyramid_words(&s.levels);
+    let addr_w = s.levels.clone() * 2 + 1;
+    let n = t.levels;
+    let memory = height_memory(2 * n + 1, t.height_bits, ((1 << (2 * n + 2)) - 1) / 3);
+    let params = [("ADDR_W", addr_w), ("DATA_W", s.height.clone()), ("DEPTH", words)];
+    let ins = [("write_en", load.en), ("write_addr", load.addr), ("write_data", load.data), ("read_addr", address)];
+    b.inst(&memory, "u_heights", &params, &ins)[0].named("height")
 }

@@ -44,6 +44,7 @@ pub fn traverse(d: &Design) -> Traverse {
     let v = b.input("in_v", &entry.0, entry.1, "entry point at the top plane, 0 <= v < 1");
     let du = b.input("in_du", &travel.0, travel.1, "u travelled while the height falls from 1 to 0");
     let dv = b.input("in_dv", &travel.0, travel.1, "v travelled while the height falls from 1 to 0");
+    let lod = d.mode.lod.then(|| b.input("in_lod", &s.level_w, "levels", "the finest level at which the ray may end"));
     let o_valid = b.output("out_valid", 1, "bit", "a result is offered");
     let out_ready = b.input_static("out_ready", 1, "bit", "it is taken at the next edge");
     let o = Outputs::declare(&b, &s);
@@ -64,7 +65,8 @@ pub fn traverse(d: &Design) -> Traverse {
     let setup_valid = b.wire("setup_valid", 1);
     let setup_ce = (!setup_valid | is_free).unstaged().named("setup_ce");
     let module = (path.setup)(d);
-    let ins = [("u", u), ("v", v), ("du", du), ("dv", dv), ("ce", setup_ce)];
+    let mut ins = vec![("u", u), ("v", v), ("du", du), ("dv", dv), ("ce", setup_ce)];
+    ins.extend(lod.map(|lod| ("lod", lod)));
     let outs = b.inst(&module, "u_setup", &[], &ins);
     let names: Vec<&str> = module.data_outputs().map(|(_, p)| p.name.as_str()).collect();
     let outs: Vec<Sig<'_>> =
@@ -91,19 +93,28 @@ pub fn traverse(d: &Design) -> Traverse {
 
     b.section("result", "The ray that leaves, from the state registers.");
     let hit = (path.hit)(d);
-    let mut fractions = Vec::new();
+    let (mut fractions, mut texels) = (Vec::new(), Vec::new());
     for (name, axis) in [("u", "x"), ("v", "y")] {
         let mut ins = (path.hit_inputs)(&back, axis);
         ins.push(("ce", hit_ce));
-        let f = b.inst(&hit, &format!("u_hit_{name}"), &[("IDX_W", s.idx.clone())], &ins)[0];
-        fractions.push(f.unstaged().named(&format!("hit_f{name}")));
+        let o = b.inst(&hit, &format!("u_hit_{name}"), &[("IDX_W", s.idx.clone())], &ins);
+        fractions.push(o[0].unstaged().named(&format!("hit_f{name}")));
+        texels.extend(o.get(1).map(|x| x.unstaged().named(&format!("hit_{}", if axis == "x" { "i" } else { "j" }))));
     }
-    let (i, j) = (back.get("x").slice(0, &s.levels), back.get("y").slice(0, &s.levels));
+    let (i, j) = match texels[..] {
+        // In a node of a coarser level, the hit position says which texel it is.
+        [i, j] => (i, j),
+        _ => (back.get("x").slice(0, &s.levels), back.get("y").slice(0, &s.levels)),
+    };
     let word = |name: &str| back.get(name);
     let parts =
         [word("tag"), i, j, word("t"), word("wall"), word("limit"), word("steps"), word("crossings"), word("ups")];
     let mut outs = Vec::new();
     for (part, name) in parts.iter().zip(Outputs::CARRIED) {
+        if d.mode.lod && (name == "i" || name == "j") {
+            outs.push(*part);
+            continue;
+        }
         let delay = word_delay("hit_delay", clocks_hit, 1);
         let ins = [("in_data", *part), ("ce", hit_ce)];
         let r = b.inst(&delay, &format!("u_hit_{name}"), &[("W", part.width())], &ins);

@@ -55,6 +55,7 @@ const UNITS: PlaneUnits = PlaneUnits {
     height_test,
     predicted_hit,
     predicted_inputs: &[("p", "p"), ("s", "s"), ("neg", "neg")],
+    trim: |_, _, _, _, _, _| panic!("the configuration refuses a chord trim in fixed point"),
     node_crossing,
 };
 
@@ -65,6 +66,7 @@ pub(super) fn time(b: &Builder, d: &Design) -> (Expr, &'static str) {
 
 fn numbers(
     b: &Builder,
+    _: &Design,
     _: Option<crate::units::float::FormatParams>,
     levels: &Expr,
     height: &Expr,

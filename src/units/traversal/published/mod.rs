@@ -50,7 +50,7 @@ pub(super) static DATAPATH: Datapath = Datapath {
         boundary_time::nudge_width(b, d);
         Some(f)
     },
-    numbers: |b, f, levels, height, tile| {
+    numbers: |b, _, f, levels, height, tile| {
         let f = f.expect("declared just before");
         sizes(b, &f, levels, height, tile);
         b.require(levels + tile + 2 + Expr::param("NUDGE_W") + &f.man, 60);

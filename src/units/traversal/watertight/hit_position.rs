@@ -2,7 +2,8 @@
 use crate::config::{Design, LatencyConfig};
 use crate::ir::{Binding, Builder, Module};
 use crate::units::float::{FormatParams, fp_add, fp_mul, fp_to_fixed};
-use crate::units::traversal::params::index_width;
+use crate::units::traversal::node_hit;
+use crate::units::traversal::params::{LevelParams, index_width};
 use std::sync::Arc;
 
 /// Clocks through `hit_position`; at least one, as the valid bit beside it decides whether the pipeline moves.
@@ -10,12 +11,20 @@ pub fn latency(l: &LatencyConfig) -> u32 {
     (l.mul + l.add + l.to_int).max(1)
 }
 
-/// Builds `hit_position`.
+/// Formats at which the unit is verified besides its own.
+const BINDINGS: [(i64, i64); 3] = [(8, 23), (5, 10), (6, 12)];
+
+fn at(exp: i64, man: i64) -> Binding {
+    Binding::from([("EXP_W".into(), exp), ("MAN_W".into(), man)])
+}
+
+/// Builds `hit_position`. With a level of detail the hit is kept in its node, else in its texel.
 pub fn hit_position(d: &Design) -> Arc<Module> {
     let b =
         Builder::new("hit_position", file!(), "position of the hit inside its texel: p + d * t - x, kept in [0, 1)");
     let f = FormatParams::declare(&b, d.format);
-    let idx = index_width(&b, &d.traverse, None);
+    let levels = d.mode.lod.then(|| LevelParams::declare(&b, &d.traverse));
+    let idx = index_width(&b, &d.traverse, levels.as_ref().map(|l| &l.levels));
     let frac = b.param("FRAC_W", d.traverse.frac_bits, "fraction bits of the position");
     b.require(1, &frac);
     b.require(&frac, 16);
@@ -27,7 +36,10 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
     let dir = b.input("d", &f.width, "float, texels per height code", "direction");
     let t = b.input("t", &f.width, "float, height codes", "parameter of the hit");
     let x = b.input("x", &idx, "texels", "hit texel, unwrapped");
+    let lod = levels.as_ref().map(|l| b.input("lod", &l.level_w, "levels", "level of the node that is hit"));
     let out = b.output("fraction", &frac, "1/2^FRAC_W texel", "position inside the texel");
+    let o_texel = levels.as_ref().map(|l| b.output("texel", &l.levels, "texels", "texel of the hit, wrapped"));
+    let coarse = lod.zip(o_texel);
     b.section("position", "");
     let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", t)])[0].named("way");
     let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)])[0].named("position");
@@ -39,12 +51,18 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
     b.section("clamp", "A hit on a wall lies exactly on a border: the integer texel decides, the fraction follows.");
     let wide = &idx + &frac + 1;
     let l = latency(&d.latency);
+    if let Some((lod, o_texel)) = coarse {
+        let ins = [("at", fixed.at(l)), ("x", x.at(l)), ("lod", lod.at(l))];
+        let kept = b.inst(&node_hit(&d.traverse), "u_node_hit", &[("IDX_W", idx)], &ins);
+        b.drive(out, kept[1].named("kept"), Some(l));
+        b.drive(o_texel, kept[0].named("hit_texel"), Some(l));
+        return b.finish(Some(l), &BINDINGS.map(|(e, m)| at(e, m)));
+    }
     let corner = b.cat(&[x.at(l), b.zeros(&frac)]).named("corner");
     let off = (fixed.at(l).sext(&wide) - corner.sext(&wide)).named("offset");
     let past = off.slice(&frac, &idx + 1).any().named("past");
     let inside = off.slice(0, &frac).named("low_part");
     let kept = off.msb().mux(b.zeros(&frac), past.mux(b.ones(&frac), inside)).named("kept");
     b.drive(out, kept, Some(l));
-    let at = |e: i64, m: i64| Binding::from([("EXP_W".into(), e), ("MAN_W".into(), m)]);
-    b.finish(Some(l), &[at(8, 23), at(5, 10), at(6, 12)])
+    b.finish(Some(l), &BINDINGS.map(|(e, m)| at(e, m)))
 }

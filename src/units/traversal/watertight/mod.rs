@@ -1,11 +1,14 @@
 //! The watertight datapath: parameters of integer planes, compared in floating point (`docs/datapath.md`).
+mod chord_end;
 mod height_test;
 mod hit_position;
 mod node_crossing;
 mod plane_time;
 mod predicted_hit;
 mod ray_setup;
+mod trim;
 
+pub use chord_end::chord_end;
 pub use height_test::height_test;
 pub use hit_position::hit_position;
 pub use node_crossing::node_crossing;
@@ -17,7 +20,7 @@ use super::datapath::Datapath;
 use super::loop_state::{Field, Numbers, Sizes, Start};
 use super::params::ray_conditions;
 use super::plane_iteration::{PlaneUnits, plane_iteration};
-use crate::config::Design;
+use crate::config::{Design, Trim};
 use crate::ir::{Expr, Module};
 use crate::units::div_rows::div_rows_module;
 use crate::units::float::{self, FormatParams};
@@ -25,11 +28,15 @@ use std::sync::Arc;
 
 pub(super) static DATAPATH: Datapath = Datapath {
     arithmetic,
-    steps: |d| vec![plane_time(d), height_test(d), predicted_hit(d), node_crossing(d)],
+    steps: |d| {
+        let mut list = vec![plane_time(d), height_test(d), predicted_hit(d), node_crossing(d)];
+        list.extend((d.mode.trim != Trim::None).then(|| chord_end(d)));
+        list
+    },
     declare: |b, d| Some(FormatParams::declare(b, d.format)),
-    numbers: |b, f, levels, height, tile| {
+    numbers: |b, d, f, levels, height, tile| {
         let f = f.expect("declared just before");
-        ray_conditions(b, &f, levels, height, tile);
+        ray_conditions(b, d, &f, levels, height, tile);
         let of = |unit| (f.width.clone(), unit);
         Numbers {
             entry: of("float, tiles"),
@@ -46,7 +53,9 @@ pub(super) static DATAPATH: Datapath = Datapath {
     hit_clocks: |d| hit_position::latency(&d.latency),
     hit_inputs: |ray, axis| {
         let of = |name: &str| ray.get(&format!("{name}_{axis}"));
-        vec![("p", of("p")), ("d", of("d")), ("t", ray.get("t")), ("x", ray.get(axis))]
+        let mut ins = vec![("p", of("p")), ("d", of("d")), ("t", ray.get("t")), ("x", ray.get(axis))];
+        ins.extend(ray.find("lod").map(|lod| ("lod", lod)));
+        ins
     },
 };
 
@@ -56,14 +65,15 @@ const UNITS: PlaneUnits = PlaneUnits {
     height_test,
     predicted_hit,
     predicted_inputs: &[("p_back", "pb"), ("d", "d")],
+    trim: trim::trim,
     node_crossing,
 };
 
 /// Per axis: entry point, the same biased backwards, direction, reciprocal, and how it runs.
-fn constants(s: &Sizes, _: &Design) -> Vec<Field> {
+fn constants(s: &Sizes, d: &Design) -> Vec<Field> {
     let (float, bit) = (s.numbers.time.0.clone(), Expr::from(1));
     let of = |name, width| Field::new(name, width, Start::Setup(name));
-    vec![
+    let mut list = vec![
         of("p_x", &float),
         of("pb_x", &float),
         of("d_x", &float),
@@ -76,7 +86,11 @@ fn constants(s: &Sizes, _: &Design) -> Vec<Field> {
         of("r_y", &float),
         of("never_y", &bit),
         of("neg_y", &bit),
-    ]
+    ];
+    if d.mode.trim != Trim::None {
+        list.extend([of("pf_x", &float), of("le_x", &s.idx), of("pf_y", &float), of("le_y", &s.idx)]);
+    }
+    list
 }
 
 fn arithmetic(d: &Design) -> Vec<Arc<Module>> {

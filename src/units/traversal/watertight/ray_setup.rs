@@ -2,17 +2,18 @@
 //!
 //! Per axis: entry point in texels, the same biased backwards, direction per height code, reciprocal slope, sign, and
 //! first texel; for both: the start level. What each is, to the bit: `docs/datapath.md`, "Once per ray".
-use crate::config::{Design, LatencyConfig};
+use crate::config::{Design, LatencyConfig, Trim};
 use crate::ir::{Binding, Builder, Expr, Module, Sig};
 use crate::units::float::{Fields, FormatParams, fp_add, fp_div, fp_mul, fp_to_int};
-use crate::units::traversal::start_level;
+use crate::units::traversal::{finest_level, start_level};
 use std::sync::Arc;
 
 /// Clocks through `ray_setup`; at least one, so that a ready never follows from a valid in the same clock.
 pub fn latency(d: &Design) -> u32 {
     let l: &LatencyConfig = &d.latency;
     let start = if d.mode.start_level { l.add + l.to_int } else { l.to_int };
-    l.div.max(l.mul).max(l.add).max(start).max(1)
+    let ahead = if d.mode.trim == Trim::None { 0 } else { 2 * l.add + l.to_int };
+    l.div.max(l.mul).max(l.add).max(start).max(ahead).max(1)
 }
 
 /// What setup computes for one axis.
@@ -27,6 +28,8 @@ struct Axis<'b> {
     neg: Sig<'b>,
     first: Sig<'b>,
     last: Option<Sig<'b>>,
+    /// Entry point for a chord's end, and a texel that the ray does not get beyond.
+    ahead: Option<[Sig<'b>; 2]>,
 }
 
 /// Widths and sizes that both axes use.
@@ -48,7 +51,7 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let levels = crate::units::traversal::params::LevelParams::declare(&b, t);
     let height = b.param("HEIGHT_W", t.height_bits, "bits of a height code");
     let tile = b.param("TILE_W", t.tile_bits, "a ray travels less than 2^TILE_W tiles along each axis");
-    crate::units::traversal::params::ray_conditions(&b, &f, &levels.levels, &height, &tile);
+    crate::units::traversal::params::ray_conditions(&b, d, &f, &levels.levels, &height, &tile);
     let idx = b.local("IdxW", &levels.levels + &tile + 2);
     let s = Sizes { f, levels: levels.levels.clone(), height, tile, idx };
     b.clock();
@@ -57,11 +60,12 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let v = b.input("v", &s.f.width, "float, tiles", "entry point at the top plane, 0 <= v < 1");
     let du = b.input("du", &s.f.width, "float, tiles", "u travelled while the height falls from 1 to 0");
     let dv = b.input("dv", &s.f.width, "float, tiles", "v travelled while the height falls from 1 to 0");
+    let lod = d.mode.lod.then(|| b.input("lod", &levels.level_w, "levels", "finest level; above LEVELS it is LEVELS"));
     let o_ok = b.output("ok", 1, "bit", "the ray can be traced: finite, entry in the tile, direction below 2^TILE_W");
     let o_level = b.output("level", &levels.level_w, "levels", "level of the first iteration");
     let outs = ["x", "y"].map(|a| {
         let of = |n: &str, w: &Expr, unit: &str, doc: &str| b.output(&format!("{n}_{a}"), w, unit, doc);
-        [
+        let mut outs = vec![
             of("p", &s.f.width, "float, texels", "entry point"),
             of("pb", &s.f.width, "float, texels", "entry point, biased backwards"),
             of("d", &s.f.width, "float, texels per height code", "direction"),
@@ -69,8 +73,14 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
             of("never", &Expr::from(1), "bit", "the ray does not move along this axis"),
             of("neg", &Expr::from(1), "bit", "it runs toward smaller coordinates"),
             of("first", &s.idx, "texels", "texel of the entry point"),
-        ]
+        ];
+        if d.mode.trim != Trim::None {
+            outs.push(of("pf", &s.f.width, "float, texels", "entry point, biased forward"));
+            outs.push(of("le", &s.idx, "texels", "a texel that the ray does not get beyond"));
+        }
+        outs
     });
+    let o_lod = d.mode.lod.then(|| b.output("finest", &levels.level_w, "levels", "finest level, in the pyramid"));
     let axes = [axis(&b, d, &s, "x", u, du), axis(&b, d, &s, "y", v, dv)];
     b.section("level", "");
     let level = match (axes[0].last, axes[1].last) {
@@ -85,10 +95,17 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let ok = (axes[0].ok & axes[1].ok).named("is_ok").at(l);
     b.drive(o_ok, ok, Some(l));
     let gate = |v: Sig<'_>| -> crate::ir::NodeId { (v.at(l) & ok.rep(v.width())).id() };
+    let mut level = level;
+    if let Some((lod, o_lod)) = lod.zip(o_lod) {
+        let o = b.inst(&finest_level(t), "u_finest", &[], &[("lod", lod), ("start", level)]);
+        level = o[1].named("first_level");
+        b.drive(o_lod, b.sig(gate(o[0].named("finest"))), Some(l));
+    }
     b.drive(o_level, b.sig(gate(level)), Some(l));
     for (a, o) in axes.iter().zip(outs) {
         b.section(&format!("axis {}", a.name), "");
-        for (port, v) in o.into_iter().zip([a.p, a.p_back, a.d, a.r, a.never, a.neg, a.first]) {
+        let words = [a.p, a.p_back, a.d, a.r, a.never, a.neg, a.first];
+        for (port, v) in o.into_iter().zip(words.into_iter().chain(a.ahead.into_iter().flatten())) {
             b.drive(port, b.sig(gate(v)), Some(l));
         }
     }
@@ -154,5 +171,18 @@ fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &'static str, p_in: Sig
         let end = b.inst(&add, &format!("u_{name}_end"), &[], &[("a", p), ("b", dn)])[0].named(&n("end"));
         b.inst(&to, &format!("u_{name}_last"), &int, &[("a", end)])[0].named(&n("last"))
     });
-    Axis { name, ok, p, p_back, d: dt, r, never, neg, first, last }
+    let ahead = (d.mode.trim != Trim::None).then(|| {
+        b.section(
+            &n("ahead"),
+            "The same bias along the direction. A direction too small for a number says nothing: then the whole way.",
+        );
+        let bias = b.cat(&[neg, b_exp.slice(0, f.exp.clone()), b.zeros(&f.man)]).named(&n("bias_ahead"));
+        let moved = b.inst(&add, &format!("u_{name}_ahead"), &[], &[("a", p), ("b", bias)])[0].named(&n("moved"));
+        let begin = dn_zero.mux(p, moved).named(&n("begin"));
+        let end = b.inst(&add, &format!("u_{name}_whole"), &[], &[("a", begin), ("b", dn)])[0].named(&n("whole"));
+        let no_d = dt.slice(f.man.clone(), f.exp.clone()).none().named(&n("no_d"));
+        let le = b.inst(&to, &format!("u_{name}_le"), &int, &[("a", end)])[0].named(&n("le"));
+        [no_d.mux(end, begin).named(&n("pf")), le]
+    });
+    Axis { name, ok, p, p_back, d: dt, r, never, neg, first, last, ahead }
 }

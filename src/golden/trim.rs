@@ -1,0 +1,45 @@
+//! Chord trim: the smallest node that holds the rest of the ray inside the current one (`docs/datapath.md`, "Chord trim").
+use super::float;
+use super::level::start_level;
+use super::record::Chord;
+use super::setup::{Axis, Setup};
+use super::traverse::Golden;
+
+impl Golden {
+    /// Pf and Le of an axis: entry point moved forward by `bias`, and a texel that the ray does not get beyond.
+    pub(super) fn ahead(&self, p: u64, dn: u64, dt: u64, bias: u64) -> (u64, i64) {
+        let fmt = self.design.format;
+        let zero = |x: u64| matches!(float::decode(fmt, x), float::Value::Zero(_));
+        let start = if zero(dn) { p } else { float::add(fmt, p, bias) };
+        let end = float::add(fmt, start, dn);
+        // A travel per height code that is no number any more says nothing about the way: then the whole way is assumed.
+        (if zero(dt) { end } else { start }, float::to_int(fmt, end, self.idx_w))
+    }
+
+    /// The chord from texel `(x, y)` to the exit of its level-k node, whose planes are met at `t_x` and `t_y`.
+    pub(super) fn chord(&self, s: &Setup, k: u32, [x, y]: [i64; 2], [t_x, t_y]: [u64; 2]) -> Chord {
+        // x goes first on a tie.
+        let x_first = !float::lt(self.design.format, t_y, t_x);
+        let end_x = self.chord_end(&s.u, k, x, (!x_first).then_some(t_y));
+        let end_y = self.chord_end(&s.v, k, y, x_first.then_some(t_x));
+        let n = self.design.traverse.levels;
+        Chord { x: end_x, y: end_y, level: start_level(n, self.idx_w, x, y, end_x, end_y).max(s.lod) }
+    }
+
+    /// Along one axis, a texel of the level-k node of `x` that the ray does not get beyond before it leaves the node. It leaves by a plane of
+    /// the other axis at parameter `t`, or by this axis' own plane.
+    fn chord_end(&self, axis: &Axis, k: u32, x: i64, t: Option<u64>) -> i64 {
+        let mask = (1i64 << k) - 1;
+        let reach = t.map_or(axis.le, |t| self.reach(axis, t));
+        if axis.neg { reach.max(axis.le).clamp(x & !mask, x) } else { reach.min(axis.le).clamp(x, x | mask) }
+    }
+
+    /// The texel where the ray is at `t`, or one further on: never one that it has left already.
+    fn reach(&self, axis: &Axis, t: u64) -> i64 {
+        let fmt = self.design.format;
+        match float::decode(fmt, t) {
+            float::Value::Infinite(_) => axis.le,
+            _ => float::to_int(fmt, float::add(fmt, axis.pf, float::mul(fmt, axis.dt, t)), self.idx_w),
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! `chord_trim`: the level of the smallest node that holds the rest of the ray inside the current node.
+//!
+//! The chord runs from the current texel to the last one before the node's exit. That one is exact along the axis by whose plane the ray leaves;
+//! along the other it is an estimate that may lie ahead of the ray and never behind it. The smallest node of both then has the same exit, and its
+//! height is no larger (`docs/datapath.md`, "Chord trim").
+use super::params::{LevelParams, bindings, index_width};
+use super::start_level::start_level;
+use crate::config::{Design, Trim};
+use crate::ir::{Builder, Expr, Module, Sig};
+use std::sync::Arc;
+
+/// Builds `chord_trim`, combinational; integers only, so that it serves every datapath that knows these texels.
+pub fn chord_trim(d: &Design) -> Arc<Module> {
+    let t = &d.traverse;
+    let b = Builder::new("chord_trim", file!(), "level of the smallest node that holds the ray's way through this one");
+    let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
+    let idx = index_width(&b, t, Some(&levels));
+    let level = b.input("level", &level_w, "levels", "level of this node");
+    let enable =
+        (d.mode.trim == Trim::Descent).then(|| b.input("descended", 1, "bit", "trim: this is a descent's child"));
+    let lod = d.mode.lod.then(|| b.input("lod", &level_w, "levels", "the finest level to go to"));
+    let x_first = b.input("x_first", 1, "bit", "the ray leaves by the u plane");
+    let mut axes = Vec::new();
+    for axis in ["x", "y"] {
+        let of = |what: &str, width: &Expr, unit: &str, doc: &str| b.input(&format!("{axis}_{what}"), width, unit, doc);
+        axes.push(Axis {
+            name: axis,
+            at: of("at", &idx, "texels", "the current texel"),
+            low: of("low", &idx, "texels", "least texel of the node that is not behind the ray"),
+            high: of("high", &idx, "texels", "greatest texel of the node that is not behind the ray"),
+            neg: of("neg", &Expr::from(1), "bit", "the ray runs toward smaller coordinates"),
+            reach: of("reach", &idx, "texels", "not behind the ray when it leaves by the other axis' plane"),
+            last: of("last", &idx, "texels", "not behind the ray at its end"),
+        });
+    }
+    let outs = ["x", "y"].map(|a| b.output(&format!("{a}_chord"), &idx, "texels", "the chord's far end"));
+    let out = b.output("level_read", &level_w, "levels", "level of the node to be read");
+
+    let ends = [axes[0].far(x_first), axes[1].far(!x_first)];
+    let ins = [("x", axes[0].at), ("y", axes[1].at), ("x_end", ends[0]), ("y_end", ends[1])];
+    let tight = b.inst(&start_level(t), "u_start_level", &[("IDX_W", idx)], &ins)[0].named("tight");
+    let kept = lod.map_or(tight, |lod| tight.lt(lod).mux(lod, tight).named("kept"));
+    let read = enable.map_or(kept, |e| e.mux(kept, level).named("level_chosen"));
+    if enable.is_none() {
+        b.unused(level);
+    }
+    outs.iter().zip(ends).for_each(|(o, e)| b.drive(*o, e, None));
+    b.drive(out, read, None);
+    b.finish(Some(0), &bindings())
+}
+
+/// What is known of one axis.
+struct Axis<'b> {
+    name: &'static str,
+    at: Sig<'b>,
+    low: Sig<'b>,
+    high: Sig<'b>,
+    neg: Sig<'b>,
+    reach: Sig<'b>,
+    last: Sig<'b>,
+}
+
+impl<'b> Axis<'b> {
+    /// The chord's far end; `exits`: the ray leaves by this axis' plane, so that only its own end keeps it from the texel before the plane.
+    fn far(&self, exits: Sig<'b>) -> Sig<'b> {
+        let n = |what: &str| format!("{}_{what}", self.name);
+        let less = self.reach.slt(self.last).named(&n("reach_less"));
+        let whole = (exits | !(less ^ self.neg)).named(&n("whole"));
+        let end = whole.mux(self.last, self.reach).named(&n("end"));
+        let before = end.slt(self.low).named(&n("before"));
+        let behind = self.high.slt(end).named(&n("behind"));
+        before.mux(self.low, behind.mux(self.high, end)).named(&n("far"))
+    }
+}

@@ -1,0 +1,21 @@
+//! `finest_level`: the level at which a ray may end, and the level at which it starts, which is no finer (PDM section 3.4).
+use super::params::{LevelParams, bindings};
+use crate::config::TraverseConfig;
+use crate::ir::{Builder, Module};
+use std::sync::Arc;
+
+/// Builds `finest_level`, combinational.
+pub fn finest_level(t: &TraverseConfig) -> Arc<Module> {
+    let b = Builder::new("finest_level", file!(), "a ray's finest level, and its first one, which is no finer");
+    let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
+    let asked = b.input("lod", &level_w, "levels", "the finest level that was asked for; above LEVELS: LEVELS");
+    let start = b.input("start", &level_w, "levels", "the first level without that choice");
+    let o_finest = b.output("finest", &level_w, "levels", "the finest level");
+    let o_level = b.output("level", &level_w, "levels", "the first level");
+    let root = b.konst(&levels, &level_w).named("root");
+    let finest = root.lt(asked).mux(root, asked).named("finest_legal");
+    let level = start.lt(finest).mux(finest, start).named("first_level");
+    b.drive(o_finest, finest, None);
+    b.drive(o_level, level, None);
+    b.finish(Some(0), &bindings())
+}

@@ -1,0 +1,44 @@
+//! `chord_end`: the texel coordinate, along one axis, that the ray has reached when it leaves a node by the other axis' plane; never behind it.
+//!
+//! The entry point that comes in is moved forward by more than the estimate can err (`docs/datapath.md`, "Chord trim").
+use crate::config::{Design, LatencyConfig};
+use crate::ir::{Builder, Module};
+use crate::units::float::{FormatParams, bindings, fp_add, fp_mul, fp_to_int};
+use crate::units::traversal::params::index_width;
+use std::sync::Arc;
+
+/// Clocks through `chord_end`.
+pub fn latency(l: &LatencyConfig) -> u32 {
+    l.mul + l.add + l.to_int
+}
+
+/// Builds `chord_end`.
+pub fn chord_end(d: &Design) -> Arc<Module> {
+    let b =
+        Builder::new("chord_end", file!(), "texel coordinate at an exit, never behind the ray: floor(p_ahead + d * t)");
+    let f = FormatParams::declare(&b, d.format);
+    let idx = index_width(&b, &d.traverse, None);
+    b.require(2, &idx);
+    b.clock();
+    b.clock_enable();
+    let p = b.input("p_ahead", &f.width, "float, texels", "entry point, biased forward");
+    let dir = b.input("d", &f.width, "float, texels per height code", "direction");
+    let neg = b.input("neg", 1, "bit", "the ray runs toward smaller coordinates");
+    let t = b.input("t", &f.width, "float, height codes", "parameter of the other axis' exit plane");
+    let out = b.output("reach", &idx, "texels", "signed coordinate; the farthest one if t is infinite");
+    b.section("way", "The position is rounded down to its texel; the bias keeps it from lying behind the ray.");
+    let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", t)])[0].named("way");
+    let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)])[0].named("position");
+    let to = fp_to_int(d.format, d.traverse.idx_bits(), d.latency.to_int);
+    let texel = b.inst(&to, "u_to_int", &[("INT_W", idx.clone())], &[("a", pos)])[0].named("texel");
+
+    b.section(
+        "farthest",
+        "A ray that never leaves: nothing times infinity is no number, and says nothing about the way.",
+    );
+    let l = latency(&d.latency);
+    let never = t.slice(f.man.clone(), f.exp.clone()).all().named("is_never");
+    let farthest = b.cat(&[neg.at(l), (!neg.at(l)).rep(&idx - 1)]).named("farthest");
+    b.drive(out, never.mux(farthest, texel).named("texel_reached"), Some(l));
+    b.finish(Some(l), &bindings())
+}

@@ -1,0 +1,47 @@
+//! The stages between plane parameters and height memory that a chord trim adds to an iteration.
+use super::chord_end;
+use crate::config::Design;
+use crate::ir::{Builder, Sig};
+use crate::units::float::fp_lt;
+use crate::units::traversal::chord_trim;
+use crate::units::traversal::loop_state::{Ray, Sizes};
+
+/// The level of the node to be read instead of the ray's own; `bounds` are least and greatest texel of a descent, `times` the parameters of the
+/// exit planes, each u first.
+pub(super) fn trim<'b>(
+    b: &'b Builder,
+    s: &Sizes,
+    d: &Design,
+    ray: &Ray<'b>,
+    bounds: [[Sig<'b>; 2]; 2],
+    times: [Sig<'b>; 2],
+) -> Sig<'b> {
+    let idx = [("IDX_W", s.idx.clone())];
+    b.section(
+        "chord",
+        "Where the ray is when it leaves by the other axis' plane; which of the two it is, is known meanwhile.",
+    );
+    let reach = |axis: &str, t: Sig<'b>| {
+        let of = |word: &str| ray.get(&format!("{word}_{axis}"));
+        let ins = [("p_ahead", of("pf")), ("d", of("d")), ("neg", of("neg")), ("t", t)];
+        b.inst(&chord_end(d), &format!("u_reach_{axis}"), &idx, &ins)[0].named(&format!("{axis}_reach")).id()
+    };
+    let reaches = [b.sig(reach("x", times[1])), b.sig(reach("y", times[0]))];
+    let lt = fp_lt(d.format, d.latency.compare);
+    let y_first = b.inst(&lt, "u_exit_order", &[], &[("a", times[1]), ("b", times[0])])[0].named("leaves_y");
+
+    b.section("trim", "The smallest node that holds this texel and the chord's end.");
+    let mut ins = vec![("level", ray.get("level")), ("x_first", (!y_first).named("leaves_x"))];
+    ins.extend(ray.find("descended").map(|v| ("descended", v)));
+    ins.extend(ray.find("lod").map(|v| ("lod", v)));
+    let [[x_low, x_high], [y_low, y_high]] = bounds;
+    ins.extend([("x_at", ray.get("x")), ("x_low", x_low), ("x_high", x_high), ("x_neg", ray.get("neg_x"))]);
+    ins.extend([("x_reach", reaches[0]), ("x_last", ray.get("le_x"))]);
+    ins.extend([("y_at", ray.get("y")), ("y_low", y_low), ("y_high", y_high), ("y_neg", ray.get("neg_y"))]);
+    ins.extend([("y_reach", reaches[1]), ("y_last", ray.get("le_y"))]);
+    let o = b.inst(&chord_trim(d), "u_trim", &idx, &ins);
+    b.unused(o[0].named("x_chord"));
+    b.unused(o[1].named("y_chord"));
+    // A stage of its own: leading zeros and memory address are one long path else.
+    o[2].named("level_read").cut()
+}
