@@ -106,6 +106,18 @@ module ray_setup #(
     if (MAN_W > LEVELS + (1 << (EXP_W - 1)) - 1) begin : gen_illegal_13
       must_hold_MAN_W_at_most_LEVELS_plus_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
     end
+    if (EXP_W > 11) begin : gen_illegal_14
+      must_hold_EXP_W_at_most_11 u_illegal ();
+    end
+    if (MAN_W > 28) begin : gen_illegal_15
+      must_hold_MAN_W_at_most_28 u_illegal ();
+    end
+    if (EXP_W > 11) begin : gen_illegal_16
+      must_hold_EXP_W_at_most_11 u_illegal ();
+    end
+    if (MAN_W > 28) begin : gen_illegal_17
+      must_hold_MAN_W_at_most_28 u_illegal ();
+    end
   endgenerate
 
   // ---- stage 0: x_scale -------------------------------------------------- ray_setup.rs

@@ -10,7 +10,7 @@ fn check_all(d: &Design, rows: usize) -> usize {
     for m in units(d) {
         for b in std::iter::once(Binding::new()).chain(bindings(&m)) {
             let set = vector_set(d, &m, &b, Plan { rows, seed: 7 });
-            let report = check_interp(&m, &set).unwrap();
+            let report = check_interp(&m, &set).unwrap_or_else(|e| panic!("{}: {e} (at {b:?})", m.name));
             assert!(report.checked > 0, "{}", m.name);
             report.verdict(&set, &m).unwrap_or_else(|e| panic!("{e} (at {b:?})"));
             checked += report.checked;
@@ -76,7 +76,7 @@ fn small_floats_exhaustively() {
         let m = reliefrtl::catalogue::find(&Design::default(), name).unwrap();
         let b = Binding::from([("EXP_W".into(), 4), ("MAN_W".into(), 3)]);
         let set = vector_set(&d, &m, &b, Plan { rows: 1, seed: 1 });
-        let report = check_interp(&m, &set).unwrap();
+        let report = check_interp(&m, &set).unwrap_or_else(|e| panic!("{}: {e} (at {b:?})", m.name));
         assert_eq!(report.checked, 1 << 16, "{name}: all pairs");
         report.verdict(&set, &m).unwrap();
     }

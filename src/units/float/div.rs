@@ -27,22 +27,11 @@ pub fn fp_div(format: FloatFormat, latency: u32) -> Arc<Module> {
     let a_in = b.input("a", &f.width, "float", "dividend");
     let b_in = b.input("b", &f.width, "float", "divisor");
     let out = b.output("result", &f.width, "float", "a / b");
-    let sizes = rows_per_stage(latency, format.man + 3);
-    let ends: Vec<i64> = sizes
-        .iter()
-        .scan(0, |sum, n| {
-            Some({
-                *sum += i64::from(*n);
-                *sum
-            })
-        })
-        .collect();
-    let all = i64::from(format.man + 3);
-    // Rows are spread in the same proportion at any MAN_W, and every stage must have at least one.
-    let least = i64::from(*sizes.iter().min().expect("at least one group of rows"));
-    b.require((all + least - 1) / least - 3, &f.man);
-    let titles: Vec<String> = (0..sizes.len()).map(|c| format!("rows {c}")).collect();
-    let mut plan: Vec<(&str, u32)> = titles.iter().zip(&sizes).map(|(t, n)| (t.as_str(), ROW * n)).collect();
+    let groups = Groups::of(latency, format.man + 3);
+    b.require(groups.least_rows() - 3, &f.man);
+    let titles: Vec<String> = (0..groups.ends.len()).map(|c| format!("rows {c}")).collect();
+    let mut plan: Vec<(&str, u32)> =
+        titles.iter().enumerate().map(|(c, t)| (t.as_str(), ROW * groups.size(c))).collect();
     plan.extend(TAIL);
     b.plan(latency, &plan);
 
@@ -60,11 +49,11 @@ pub fn fp_div(format: FloatFormat, latency: u32) -> Arc<Module> {
     let mut quot = None;
     for (c, title) in titles.iter().enumerate() {
         b.section(title, "Rows of compare, subtract, double: one quotient bit each, the integer bit first.");
-        let at = |k: usize| match ends[k] {
-            end if end == all => rows.clone(),
-            end => (rows.clone() * end).div(all),
+        let end = |c: usize| match groups.ends[c] {
+            last if last == groups.of => rows.clone(),
+            end => (rows.clone() * i64::from(end)).div(groups.of),
         };
-        let count: Expr = if c == 0 { at(0) } else { at(c) - at(c - 1) };
+        let count: Expr = if c == 0 { end(0) } else { end(c) - end(c - 1) };
         let (r, q) = div_rows(&b, &format!("u_rows_{c}"), rem, div, &p, &count, c);
         rem = r;
         quot = Some(match quot {
@@ -90,16 +79,51 @@ pub fn fp_div(format: FloatFormat, latency: u32) -> Arc<Module> {
     b.finish(Some(latency), &super::bindings())
 }
 
-/// How many of `rows` rows stand in each stage, such that rows and tail together are balanced.
-fn rows_per_stage(latency: u32, rows: u32) -> Vec<u32> {
-    let weights: Vec<u32> = (0..rows).map(|_| ROW).chain(TAIL.iter().map(|t| t.1)).collect();
-    let stages = plan_stages(latency, &weights);
-    let mut sizes = Vec::new();
-    for s in &stages[..rows as usize] {
-        if *s as usize == sizes.len() {
-            sizes.push(0);
-        }
-        *sizes.last_mut().expect("stages start at 0 and are contiguous") += 1;
+/// Rows in groups, one a stage: group c ends behind row `rows * ends[c] / of`, at any number of rows.
+struct Groups {
+    rows: u32,
+    ends: Vec<u32>,
+    of: u32,
+}
+
+impl Groups {
+    /// Groups such that rows and tail together are balanced, or alike where that would ask for longer fractions than alike
+    /// groups do: one short group among many long ones is empty at few rows.
+    fn of(latency: u32, rows: u32) -> Self {
+        let weights: Vec<u32> = (0..rows).map(|_| ROW).chain(TAIL.iter().map(|t| t.1)).collect();
+        let stages = &plan_stages(latency, &weights)[..rows as usize];
+        let ends = (1..=rows).filter(|r| stages.get(*r as usize) != Some(&stages[*r as usize - 1])).collect();
+        let balanced = Self { rows, ends, of: rows };
+        let n = balanced.ends.len() as u32;
+        if balanced.least_rows() <= n.max(5) { balanced } else { Self { rows, ends: (1..=n).collect(), of: n } }
     }
-    sizes
+    /// Rows of a group.
+    fn size(&self, c: usize) -> u32 {
+        let end = |c: usize| self.rows * self.ends[c] / self.of;
+        if c == 0 { end(0) } else { end(c) - end(c - 1) }
+    }
+    /// The number of rows from which on no group is empty, 3 or more.
+    fn least_rows(&self) -> u32 {
+        let step = |c: usize| if c == 0 { self.ends[0] } else { self.ends[c] - self.ends[c - 1] };
+        let least = (0..self.ends.len()).map(step).min().unwrap_or(1);
+        self.of.div_ceil(least).max(3)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Groups;
+
+    #[test]
+    fn every_group_has_a_row() {
+        for rows in 5..=31 {
+            for latency in 0..=32 {
+                let g = Groups::of(latency, rows);
+                assert!(g.ends.len() as u32 <= latency.max(1));
+                assert_eq!((0..g.ends.len()).map(|c| g.size(c)).sum::<u32>(), rows);
+                assert!((0..g.ends.len()).all(|c| g.size(c) > 0), "{rows} rows, {latency} clocks");
+                assert!(g.least_rows() <= latency.clamp(5, rows), "{rows} rows, {latency} clocks");
+            }
+        }
+    }
 }

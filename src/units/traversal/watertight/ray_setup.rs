@@ -136,8 +136,10 @@ fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &'static str, p_in: Sig
     let m_exp = b.konst(f.bias() + &s.height - 1, &f.exp).named("m_exp");
     let m_frac = b.konst(f.man.pow2() - (&f.man - &s.height + 1).pow2(), &f.man).named("m_frac");
     let m = b.cat(&[b.zeros(1), m_exp, m_frac]);
-    let r = b.inst(&fp_div(d.format, d.latency.div), &format!("u_{name}_div"), &[], &[("a", m), ("b", dn)])[0]
-        .named(&n("r"));
+    let div = fp_div(d.format, d.latency.div);
+    // A divider of many stages needs as many rows to cut: what it asks of MAN_W holds here too.
+    div.checks.iter().for_each(|c| b.require(&c.lhs, &c.rhs));
+    let r = b.inst(&div, &format!("u_{name}_div"), &[], &[("a", m), ("b", dn)])[0].named(&n("r"));
     let c_exp = b.konst(f.bias() - &s.height, &f.exp).named("recip_exp");
     let two_m = s.height.pow2() * 2 - 2;
     let c_sig = ((&s.height + &f.man + 1).pow2() + s.height.pow2() - 1).div(two_m);
