@@ -55,13 +55,13 @@ fn modes_have_their_proofs() {
 
 /// A change of one token in an emitted module.
 const SPOILED: [(&str, &str, &str, &str); 9] = [
-    ("lzc", "lzc", "upper_is_zero ? here", "!upper_is_zero ? here"),
+    ("lzc", "lzc", "upper_empty ? lower_lead", "!upper_empty ? lower_lead"),
     ("start_level", "start_level", "(x ^ x_end) | (y", "(x ^ x_end) & (y"),
     ("node_planes", "node_planes", "x | ~keep", "x ^ ~keep"),
     ("multi_level_down", "progress", "behind ? x_high", "behind ? x_hit"),
     ("level_decision", "level_decision", "x_first ? y_at : y_beyond", "x_first ? y_beyond : y_at"),
-    ("fp_lt", "fp_lt", "s0_a_key < s0_b_key", "s0_a_key <= s0_b_key"),
-    ("fp_mul", "fp_mul", "a_is_zero | ", "a_is_zero & "),
+    ("fp_lt", "fp_lt", "s0_left < s0_right", "s0_left <= s0_right"),
+    ("fp_mul", "fp_mul", "s0_a_is_zero | s0_b_is_zero", "s0_a_is_zero & s0_b_is_zero"),
     ("traverse", "traverse", "s0_back_valid & ~s0_leaves", "s0_back_valid"),
     ("setup_delay", "traverse", "s3_data <= s2_data", "s3_data <= s1_data"),
 ];
