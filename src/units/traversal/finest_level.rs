@@ -13,7 +13,10 @@ pub fn finest_level(t: &TraverseConfig) -> Arc<Module> {
     let o_finest = b.output("finest", &level_w, "levels", "the finest level");
     let o_level = b.output("level", &level_w, "levels", "the first level");
     let root = b.konst(&levels, &level_w).named("root");
-    let finest = root.lt(asked).mux(root, asked).named("finest_legal");
+    // The sign of a difference: a comparison would be constant where LEVELS fills its word.
+    let room = (root.zext(&level_w + 1) - asked.zext(&level_w + 1)).named("room");
+    b.unused(room.slice(0, &level_w));
+    let finest = room.msb().mux(root, asked).named("finest_legal");
     let level = start.lt(finest).mux(finest, start).named("first_level");
     b.drive(o_finest, finest, None);
     b.drive(o_level, level, None);
