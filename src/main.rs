@@ -3,7 +3,7 @@ fn main() {
     // A reader that has seen enough (`| head`) is no reason for a backtrace.
     let report = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |panic| {
-        let text = panic.payload_as_str().unwrap_or_default();
+        let text = panic.payload().downcast_ref::<String>().map_or("", String::as_str);
         if text.contains("failed printing to stdout") {
             let broken = text.contains("Broken pipe");
             if !broken {
