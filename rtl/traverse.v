@@ -91,29 +91,41 @@ module traverse #(
     if (1 > TILE_W) begin : gen_illegal_9
       must_hold_1_at_most_TILE_W u_illegal ();
     end
-    if (LEVELS + TILE_W + 2 > 24) begin : gen_illegal_10
+    if (TILE_W > 8) begin : gen_illegal_10
+      must_hold_TILE_W_at_most_8 u_illegal ();
+    end
+    if (LEVELS + TILE_W + 2 > 24) begin : gen_illegal_11
       must_hold_LEVELS_plus_TILE_W_plus_2_at_most_24 u_illegal ();
     end
-    if (LEVELS + TILE_W + 1 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_11
+    if (LEVELS + TILE_W + 1 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_12
       must_hold_LEVELS_plus_TILE_W_plus_1_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
     end
-    if (HEIGHT_W + 2 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_12
+    if (HEIGHT_W + 2 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_13
       must_hold_HEIGHT_W_plus_2_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
     end
-    if (MAN_W > LEVELS + (1 << (EXP_W - 1)) - 1) begin : gen_illegal_13
+    if (MAN_W > LEVELS + (1 << (EXP_W - 1)) - 1) begin : gen_illegal_14
       must_hold_MAN_W_at_most_LEVELS_plus_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
     end
-    if (1 > FRAC_W) begin : gen_illegal_14
+    if (1 > FRAC_W) begin : gen_illegal_15
       must_hold_1_at_most_FRAC_W u_illegal ();
     end
-    if (1 > TAG_W) begin : gen_illegal_15
+    if (FRAC_W > 16) begin : gen_illegal_16
+      must_hold_FRAC_W_at_most_16 u_illegal ();
+    end
+    if (1 > TAG_W) begin : gen_illegal_17
       must_hold_1_at_most_TAG_W u_illegal ();
     end
-    if (1 > STEP_LIMIT) begin : gen_illegal_16
+    if (TAG_W > 32) begin : gen_illegal_18
+      must_hold_TAG_W_at_most_32 u_illegal ();
+    end
+    if (1 > STEP_LIMIT) begin : gen_illegal_19
       must_hold_1_at_most_STEP_LIMIT u_illegal ();
     end
-    if (STEP_LIMIT > 65535) begin : gen_illegal_17
+    if (STEP_LIMIT > 65535) begin : gen_illegal_20
       must_hold_STEP_LIMIT_at_most_65535 u_illegal ();
+    end
+    if (FRAC_W + LEVELS + MAN_W + TILE_W + 2 > 60) begin : gen_illegal_21
+      must_hold_FRAC_W_plus_LEVELS_plus_MAN_W_plus_TILE_W_plus_2_at_most_60 u_illegal ();
     end
   endgenerate
 

@@ -98,3 +98,102 @@ fn the_first_mismatch_is_a_waveform() {
     let out = run(dir.path(), &["check", "--engine", "icarus", "--wave", "w.vcd"]);
     assert_eq!(out.status.code(), Some(2));
 }
+
+const SMALL: [&str; 6] = ["--set", "vectors.arithmetic=100", "--set", "vectors.rays=20", "--set", "view.stride=16"];
+
+/// Runs and returns exit code and both outputs.
+fn said(dir: &Path, args: &[&str]) -> (Option<i32>, String) {
+    let out = run(dir, args);
+    (out.status.code(), String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr))
+}
+
+#[test]
+fn an_output_never_replaces_an_input() {
+    let dir = tempfile::tempdir().unwrap();
+    let rays = "u,v,du,dv\n0.5,0.5,0.1,0.2\n";
+    std::fs::write(dir.path().join("r.csv"), rays).unwrap();
+    let (code, text) = said(dir.path(), &["trace", "--engine", "golden", "--rays", "r.csv", "--out", "./r.csv"]);
+    assert_eq!(code, Some(2), "{text}");
+    assert!(text.contains("would replace the input"), "{text}");
+    assert_eq!(std::fs::read_to_string(dir.path().join("r.csv")).unwrap(), rays);
+    let (code, _) = said(dir.path(), &["render", "--engine", "golden", "--out", "m.png", "--set", "view.stride=16"]);
+    assert_eq!(code, Some(0));
+    let before = std::fs::read(dir.path().join("m.png")).unwrap();
+    let again = ["render", "--engine", "golden", "--map", "m.png", "--resample", "--out", "m.png"];
+    assert_eq!(said(dir.path(), &again).0, Some(2));
+    assert_eq!(std::fs::read(dir.path().join("m.png")).unwrap(), before);
+}
+
+#[test]
+fn rays_without_a_hit_are_told() {
+    let dir = tempfile::tempdir().unwrap();
+    std::fs::write(dir.path().join("far.csv"), "u,v,du,dv\n0.5,0.5,100,0.2\n").unwrap();
+    let args = ["trace", "--engine", "golden", "--rays", "far.csv", "--out", "h.csv"];
+    let (code, text) = said(dir.path(), &args);
+    assert_eq!(code, Some(5), "{text}");
+    assert!(text.contains("1 of 1 can't be traced by this design"), "{text}");
+    std::fs::write(dir.path().join("two.csv"), "u,v,du,dv\n0.5,0.5,100,0.2\n0.5,0.5,0.1,0.2\n").unwrap();
+    let args = ["trace", "--engine", "golden", "--rays", "two.csv", "--out", "h.csv"];
+    let (code, text) = said(dir.path(), &args);
+    assert_eq!(code, Some(0), "{text}");
+    assert!(text.contains("1 of 2 can't be traced by this design"), "{text}");
+}
+
+#[test]
+fn a_tree_that_was_edited_is_not_checked_by_the_interpreter() {
+    let dir = tempfile::tempdir().unwrap();
+    assert_eq!(said(dir.path(), &[&["build"][..], &SMALL].concat()).0, Some(0));
+    let file = dir.path().join("out/rtl/level_up.v");
+    let text = std::fs::read_to_string(&file).unwrap();
+    let check = [&["check", "--dir", "out", "--unit", "level_up"][..], &SMALL].concat();
+    assert_eq!(said(dir.path(), &check).0, Some(0));
+    std::fs::write(&file, text.replacen(" & ", " | ", 1)).unwrap();
+    let (code, told) = said(dir.path(), &check);
+    assert_eq!(code, Some(2), "{told}");
+    assert!(told.contains("level_up.v is not what this configuration emits"), "{told}");
+}
+
+#[test]
+fn a_simulators_mismatch_is_told_as_the_interpreters() {
+    let dir = tempfile::tempdir().unwrap();
+    let args = [&["check", "--unit", "fp_add", "--canary", "flip", "--engine"][..], &["icarus"], &SMALL].concat();
+    let (code, icarus) = said(dir.path(), &args);
+    let interp =
+        said(dir.path(), &args.iter().map(|a| if *a == "icarus" { "interp" } else { *a }).collect::<Vec<_>>()).1;
+    assert_eq!(code, Some(1), "{icarus}");
+    assert!(icarus.contains("(stage 2): expected hex") && icarus.contains("(a hex "), "{icarus}");
+    assert_eq!(icarus.replace("icarus", "interp"), interp);
+}
+
+#[test]
+fn arithmetic_stands_alone_at_formats_that_no_map_fits() {
+    let dir = tempfile::tempdir().unwrap();
+    let format = ["--set", "format.exp=4", "--set", "format.man=3"];
+    let (code, text) = said(dir.path(), &[&["emit", "--unit", "fp_add"][..], &format].concat());
+    assert_eq!(code, Some(0), "{text}");
+    let emitted = std::fs::read_to_string(dir.path().join("out/rtl/fp_add.v")).unwrap();
+    assert!(emitted.contains("EXP_W = 4") && emitted.contains("MAN_W = 3"), "{emitted}");
+    assert_eq!(said(dir.path(), &[&["emit"][..], &format].concat()).0, Some(2));
+    // What holds between keys is a sentence, never a panic of the units.
+    let wide = ["format.exp=8", "format.man=23", "traverse.levels=12", "traverse.tile_bits=8", "traverse.frac_bits=16"];
+    let sets: Vec<&str> = wide.iter().flat_map(|s| ["--set", s]).collect();
+    let (code, text) = said(dir.path(), &[&["list"][..], &sets].concat());
+    assert_eq!(code, Some(2), "{text}");
+    assert!(text.contains("traverse.frac_bits = 16 is too large"), "{text}");
+}
+
+#[test]
+fn a_closed_pipe_ends_quietly() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_reliefrtl"))
+        .args(["config", "--print"])
+        .current_dir(dir.path())
+        .stdout(std::process::Stdio::piped())
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let out = child.wait_with_output().unwrap();
+    assert_eq!(out.status.code(), Some(0));
+    assert!(out.stderr.is_empty(), "{}", String::from_utf8_lossy(&out.stderr));
+}

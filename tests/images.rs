@@ -259,3 +259,13 @@ fn resampling_keeps_the_mean_and_the_constant() {
         }
     }
 }
+
+#[test]
+fn a_floating_point_map_becomes_codes_only_when_asked_for() {
+    let map = HeightMap::new(4, 4, vec![0.3; 16], Depth::Float).unwrap();
+    let refused = to_codes(&map, 2, 8, false).unwrap_err().to_string();
+    assert!(refused.contains("floating-point map into traverse.height_bits = 8"), "{refused}");
+    assert_eq!(to_codes(&map, 2, 8, true).unwrap(), [77; 16]);
+    let made = HeightMap::new(4, 4, vec![0.3; 16], Depth::Formula).unwrap();
+    assert_eq!(to_codes(&made, 2, 8, false).unwrap(), [77; 16]);
+}

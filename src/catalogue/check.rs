@@ -47,15 +47,16 @@ impl CheckReport {
         let format =
             set.params.get("EXP_W").zip(set.params.get("MAN_W")).map(|(e, f)| FloatFormat::new(*e as u32, *f as u32));
         let port = m.port(&x.output).map(|p| p.1);
-        let show = |v: u64| match (format, port) {
+        let word = |name: &str, v: u64| match (format, m.port(name).map(|p| p.1)) {
             (Some(f), Some(p)) if p.unit.starts_with("float") => decode(f, v),
             _ => format!("hex {v:x}"),
         };
+        let show = |v: u64| word(&x.output, v);
         let ins: Vec<String> = set
             .inputs
             .iter()
             .zip(set.stimulus.get(x.vector).map_or(&[][..], Vec::as_slice))
-            .map(|(c, v)| format!("{} {v:x}", c.name))
+            .map(|(c, v)| format!("{} {}", c.name, word(&c.name, *v)))
             .collect();
         Err(Error::Mismatch(format!(
             "{}: {} of {} mismatched in {}; first: vector {} ({}), output {}{}: expected {}, got {}",
@@ -71,6 +72,30 @@ impl CheckReport {
             show(x.got)
         )))
     }
+}
+
+/// What a bench said of its first mismatch, with fields decoded and operands named as [`CheckReport::verdict`] does; other errors as they
+/// are.
+pub fn told(e: Error, engine: &str, set: &VectorSet, m: &Module) -> Error {
+    let Error::Mismatch(text) = &e else { return e };
+    let number = |after: &str| -> Option<usize> {
+        let digits = text.split(after).nth(1)?;
+        digits.split(|c: char| !c.is_ascii_digit()).next()?.parse().ok()
+    };
+    let hex = |after: &str| -> Option<u64> {
+        let word = text.split(after).nth(1)?;
+        u64::from_str_radix(word.split(|c: char| !c.is_ascii_hexdigit()).next()?, 16).ok()
+    };
+    let mismatched = text.split(" of ").next().and_then(|t| t.rsplit(' ').next()).and_then(|t| t.parse().ok());
+    let first = || -> Option<Mismatch> {
+        let vector = number("first: vector ").or_else(|| number("first: ray "))?;
+        let output = text.split("first: ").nth(1)?.split(", ").nth(1)?.split(':').next()?.to_string();
+        Some(Mismatch { vector, output, expected: hex("expected ")?, got: hex("got ")? })
+    };
+    let Some((mismatched, first)) = mismatched.zip(first()) else { return e };
+    let (unit, engine) = (set.unit.clone(), engine.to_string());
+    let report = CheckReport { unit, engine, checked: set.expected.len(), mismatched, first: Some(first) };
+    report.verdict(set, m).err().unwrap_or(e)
 }
 
 /// Compares rows of results with what is expected.

@@ -1,11 +1,10 @@
 //! One entry a unit: its hardware, its model, its vectors. Here alone hardware and golden model meet.
 mod check;
 mod met;
-mod met_fixed;
 mod models;
 mod rays;
 
-pub use check::{CheckReport, Mismatch, check_interp, check_netlist, compare, fits};
+pub use check::{CheckReport, Mismatch, check_interp, check_netlist, compare, fits, told};
 pub use models::model;
 pub use rays::{RaySet, ray_columns, ray_set};
 
@@ -77,7 +76,7 @@ pub fn vector_set(d: &Design, m: &Module, over: &Binding, plan: Plan) -> VectorS
         let idx = b.get("IDX_W").map_or(at.traverse.idx_bits(), |v| *v as u32);
         let (free, kept) = plan_rows(&kinds, Plan { rows: plan.rows - plan.rows / 2, ..plan });
         let mut met = free[..plan.rows / 2].to_vec();
-        let meet = if at.datapath.kind == DatapathKind::Fixed { met_fixed::meet } else { met::meet };
+        let meet = if at.datapath.kind == DatapathKind::Fixed { met::fixed::meet } else { met::meet };
         if meet(&m.name, &names, &at, idx, plan.seed, &mut met) {
             counts = Counts { rays: met.len(), ..kept };
             rows = [free, met].concat();

@@ -76,6 +76,15 @@ pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
         })
         .collect();
     print!("{}", table(&["view", "rays", "mean steps", "max steps", "at ray", "clocks/ray", "given up"], &rows));
+    for (v, s) in views.iter().filter(|(_, s)| s.limits > 0) {
+        println!(
+            "{} of {} rays of the {v} view have no hit: they travel 2^tile_bits = {} tiles or more, or need more than {} iterations",
+            s.limits,
+            s.rays + s.limits,
+            1u32 << c.traverse.tile_bits,
+            c.traverse.step_limit
+        );
+    }
     println!("\nNext, in {}:", a.out.display());
     println!(
         "  iverilog -g2005 -Wall -y rtl -s tb_traverse_top -o tb.vvp testbench/tb_traverse.v testbench/tb_traverse_top.v && vvp -n tb.vvp"

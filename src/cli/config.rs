@@ -8,12 +8,21 @@ use crate::error::{Error, Result};
 /// # Errors
 /// Unknown keys, wrong types, illegal values: one sentence each.
 pub fn load(cli: &Cli) -> Result<Config> {
+    let c = load_ranges(cli)?;
+    c.validate()?;
+    Ok(c)
+}
+
+/// As [`load`], with each value checked by itself and not against the others.
+///
+/// # Errors
+/// As [`load`].
+pub fn load_ranges(cli: &Cli) -> Result<Config> {
     let mut c = match &cli.config {
         Some(path) => Config::load(path)?,
         None => Config::default(),
     };
     cli.sets.iter().try_for_each(|s| c.apply_set(s))?;
-    c.validate()?;
     Ok(c)
 }
 

@@ -6,8 +6,14 @@ use crate::units;
 
 /// Runs `emit`.
 pub fn run(cli: &Cli, a: &EmitArgs) -> Result<()> {
-    let c = super::config::load(cli)?;
-    let all = units::all(&c.design());
+    let c = super::config::load_ranges(cli)?;
+    // Arithmetic stands alone: what a traversal asks of its format does not bind it.
+    let arithmetic = units::arithmetic(&c.design());
+    let alone = a.unit.as_ref().is_some_and(|name| arithmetic.iter().any(|m| m.name == *name));
+    if !alone {
+        c.validate()?;
+    }
+    let all = if alone { arithmetic } else { units::all(&c.design()) };
     let tops = match &a.unit {
         None => all,
         Some(name) => {

@@ -27,6 +27,22 @@ pub fn write_tree(out: &Path, files: &Files) -> Result<()> {
     dir.commit().map(|_| ())
 }
 
+/// Refuses an output that would replace one of the inputs.
+///
+/// # Errors
+/// One sentence that names the file.
+pub fn keep_inputs(out: &Path, inputs: &[Option<&Path>]) -> Result<()> {
+    let whole = |p: &Path| p.canonicalize().ok();
+    let Some(out_file) = whole(out) else { return Ok(()) };
+    if inputs.iter().flatten().any(|i| whole(i).as_deref() == Some(&out_file)) {
+        return Err(Error::input(format!(
+            "--out {} would replace the input of that name: choose another file",
+            out.display()
+        )));
+    }
+    Ok(())
+}
+
 /// A spinner with a text, on a terminal only.
 pub fn spinner(cli: &Cli, text: impl Into<String>) -> ProgressBar {
     let bar = ProgressBar::new_spinner();

@@ -6,10 +6,15 @@ use crate::golden::RayHit;
 use crate::golden::decode_time;
 use crate::project::{Scene, encode};
 use crate::scene::{Camera, Picture, ShadePoint, Shader, ViewRay};
+use std::path::Path;
 
 /// Runs `render`.
 pub fn run(cli: &Cli, a: &RenderArgs) -> Result<()> {
     let c = super::config::load(cli)?;
+    super::output::keep_inputs(
+        &a.out,
+        &[a.map.map.as_deref(), c.map.file.as_deref(), cli.config.as_deref(), Some(Path::new(&a.view))],
+    )?;
     let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
     let (camera, stride) = match a.view.parse::<View>() {
         Ok(view) => (Camera::standard(view, c.view.width, c.view.height), c.view.stride),
@@ -24,11 +29,17 @@ pub fn run(cli: &Cli, a: &RenderArgs) -> Result<()> {
     };
     let (rays, hits) = trace(cli, &c, a.engine, &scene, &camera, stride)?;
     picture(&c, &scene, &camera, stride, &rays, &hits, a.steps)?.save(&a.out)?;
+    let lost = super::trace::Lost::of(&hits);
     if cli.json {
-        println!("{}", serde_json::json!({"rays": hits.len(), "out": a.out}));
+        println!(
+            "{}",
+            serde_json::json!({"rays": hits.len(), "refused": lost.refused, "given_up": lost.given_up, "out": a.out})
+        );
     } else {
-        println!("{} rays traced, picture in {}", hits.len(), a.out.display());
+        println!("{} rays, picture in {}", hits.len(), a.out.display());
+        lost.print(&c, hits.len());
     }
+    lost.verdict(hits.len())?;
     Ok(())
 }
 

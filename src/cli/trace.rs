@@ -16,6 +16,10 @@ use std::time::Duration;
 /// Runs `trace`.
 pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
     let c = super::config::load(cli)?;
+    super::output::keep_inputs(
+        &a.out,
+        &[Some(&a.rays), a.map.map.as_deref(), c.map.file.as_deref(), cli.config.as_deref()],
+    )?;
     let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
     let table = read_rays(&a.rays)?;
     let mut rays: Vec<RayInput> = table.rays.iter().map(|r| project::ray(&c, *r)).collect();
@@ -39,24 +43,58 @@ pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
         record(&c.design(), &scene.pyramid, ray)?.1.save(path, "traverse")?;
     }
     crate::files::write_atomic(&a.out, hits_csv(&c.design(), &hits).as_bytes())?;
+    let lost = Lost::of(&hits);
     if cli.json {
-        println!("{}", serde_json::json!({"rays": hits.len(), "out": a.out}));
+        println!(
+            "{}",
+            serde_json::json!({"rays": hits.len(), "refused": lost.refused, "given_up": lost.given_up, "out": a.out})
+        );
     } else {
         println!("{} rays traced into {}", hits.len(), a.out.display());
-        let refused = hits.iter().filter(|h| h.limit && h.steps == 0).count();
-        let given_up = hits.iter().filter(|h| h.limit && h.steps > 0).count();
-        if refused > 0 {
+        lost.print(&c, hits.len());
+    }
+    lost.verdict(hits.len())
+}
+
+/// Rays without a hit.
+pub struct Lost {
+    /// Not rays of this design: they travel too far.
+    pub refused: usize,
+    /// Ended by the step limit.
+    pub given_up: usize,
+}
+
+impl Lost {
+    /// Counts them.
+    pub fn of(hits: &[RayHit]) -> Self {
+        let count = |started: bool| hits.iter().filter(|h| h.limit && (h.steps > 0) == started).count();
+        Self { refused: count(false), given_up: count(true) }
+    }
+
+    /// A line for each kind that is there.
+    pub fn print(&self, c: &Config, of: usize) {
+        if self.refused > 0 {
             println!(
-                "{refused} of {} can't be traced by this design: they travel 2^tile_bits = {} tiles or more",
-                hits.len(),
+                "{} of {of} can't be traced by this design: they travel 2^tile_bits = {} tiles or more",
+                self.refused,
                 1u32 << c.traverse.tile_bits
             );
         }
-        if given_up > 0 {
-            println!("{given_up} of {} were given up after {} iterations", hits.len(), c.traverse.step_limit);
+        if self.given_up > 0 {
+            println!("{} of {of} were given up after {} iterations", self.given_up, c.traverse.step_limit);
         }
     }
-    Ok(())
+
+    /// An error if there was no hit at all.
+    ///
+    /// # Errors
+    /// [`Error::NothingRan`].
+    pub fn verdict(&self, of: usize) -> Result<()> {
+        if self.refused + self.given_up < of {
+            return Ok(());
+        }
+        Err(Error::NothingRan(format!("none of {of} rays has a hit")))
+    }
 }
 
 /// Traces `rays` with an engine.

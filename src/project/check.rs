@@ -1,6 +1,6 @@
 //! Checks an emitted tree: every unit's vectors replayed by the interpreter or a simulator.
 use crate::bench::{Simulator, run_bench};
-use crate::catalogue::{CheckReport, check_interp, compare, fits, units};
+use crate::catalogue::{CheckReport, check_interp, compare, fits, told, units};
 use crate::config::{Config, Design};
 use crate::error::{Error, Result};
 use crate::golden::{Pyramid, RayInput, address};
@@ -80,6 +80,9 @@ pub fn check_tree(
     if list.is_empty() {
         return Err(Error::NothingRan("the chosen unit has no vectors of its own; nothing was checked".into()));
     }
+    if sim.is_none() {
+        same_text(c, dir)?;
+    }
     let one = |m: &Arc<Module>| {
         let r = unit(&d, dir, m, sim, canary);
         if let Ok(c) = &r {
@@ -93,6 +96,21 @@ pub fn check_tree(
         mismatch_wave(&d, dir, m, canary)?.save(path, &m.name)?;
     }
     all.into_iter().collect()
+}
+
+/// The interpreter runs the datapath that the configuration emits, not the text in `dir`: refuses a tree where the two differ.
+fn same_text(c: &Config, dir: &Path) -> Result<()> {
+    for (name, text) in crate::project::hardware(c)?.files.iter().filter(|(n, _)| n.ends_with(".v")) {
+        let path = dir.join(name);
+        let there = std::fs::read(&path).map_err(|e| Error::file("read", &path, e))?;
+        if there != text.as_bytes() {
+            return Err(Error::input(format!(
+                "{} is not what this configuration emits, and the interpreter would not see the difference: use --engine icarus or verilator",
+                path.display()
+            )));
+        }
+    }
+    Ok(())
 }
 
 /// Clocks around the first mismatch of a unit, from power-up.
@@ -180,7 +198,8 @@ fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary:
                 }
                 from = spoiled.path().to_path_buf();
             }
-            let o = run_bench(s, dir, &m.name, &Binding::new(), &[format!("vectors={}", from.display())])?;
+            let o = run_bench(s, dir, &m.name, &Binding::new(), &[format!("vectors={}", from.display())])
+                .map_err(|e| told(e, s.name(), &set, m))?;
             let note = o.output.lines().find(|l| l.starts_with("slots busy")).unwrap_or_default().to_string();
             Checked { unit: m.name.clone(), rows: o.checked, note }
         }

@@ -56,7 +56,10 @@ fn depth_problem(map: &HeightMap, height_bits: u32) -> Option<String> {
             let keep = if bits <= 16 { format!("set height_bits = {bits} or ") } else { String::new() };
             Some(format!("{bits}-bit map into traverse.height_bits = {height_bits}: {keep}ask for it with --resample"))
         }
-        _ => None,
+        Depth::Float => Some(format!(
+            "floating-point map into traverse.height_bits = {height_bits}: it is rounded to that many bits only with --resample"
+        )),
+        Depth::Bits(_) | Depth::Formula => None,
     }
 }
 

@@ -6,8 +6,10 @@ use crate::error::{Error, Result};
 pub enum Depth {
     /// Whole numbers of this many bits, 1 to 32.
     Bits(u32),
-    /// Floating point, or a formula: no depth of its own.
+    /// Floating point: finer than any code.
     Float,
+    /// A formula: made at whatever depth is asked for.
+    Formula,
 }
 
 /// Heights in [0, 1], row by row; i runs along a row (u), j from row to row (v).

@@ -33,7 +33,7 @@ pub fn procedural(kind: MapKind, levels: u32, seed: u64) -> Result<HeightMap> {
         MapKind::Checker => texels(&|i, j| ((i + j) % 2) as f64),
         MapKind::File => return Err(Error::input("map.kind = \"file\" is read from an image, not made")),
     };
-    HeightMap::new(side, side, samples, Depth::Float)
+    HeightMap::new(side, side, samples, Depth::Formula)
 }
 
 fn sample(side: usize, height: &(dyn Fn(f64, f64) -> f64 + Sync)) -> Vec<f64> {

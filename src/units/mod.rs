@@ -9,13 +9,19 @@ use crate::config::Design;
 use crate::ir::Module;
 use std::sync::Arc;
 
+/// The arithmetic of a design and what it is made of, leaves first: units that stand alone, at any legal format.
+pub fn arithmetic(d: &Design) -> Vec<Arc<Module>> {
+    let mut list = vec![lzc::lzc_module(8), interleave::interleave_module(d.traverse.levels + 1)];
+    list.extend((traversal::Datapath::of(d).arithmetic)(d));
+    list
+}
+
 /// Every unit of a design, leaves first, `traverse` last. What datapath and modes don't need is left out.
 pub fn all(d: &Design) -> Vec<Arc<Module>> {
     let t = &d.traverse;
     let path = traversal::Datapath::of(d);
     let parity = matches!(d.mode.level_up, crate::config::LevelUp::Tevs | crate::config::LevelUp::Selective);
-    let mut list = vec![lzc::lzc_module(8), interleave::interleave_module(t.levels + 1)];
-    list.extend((path.arithmetic)(d));
+    let mut list = arithmetic(d);
     let trims = d.mode.trim != crate::config::Trim::None;
     list.extend((d.mode.start_level || trims).then(|| traversal::start_level(t)));
     if d.mode.lod {

@@ -54,11 +54,16 @@ impl Sizes {
         b.require(&levels, 12);
         let numbers = (path.numbers)(b, d, declared, &levels, &height, &tile);
         b.require(1, &frac);
+        b.require(&frac, 16);
         b.require(1, &tag);
+        b.require(&tag, 32);
         b.require(1, &step_limit);
         b.require(&step_limit, 65535);
         let level_w = b.local("LevelW", (&levels + 1).clog2());
         let idx = b.local("IdxW", &levels + &tile + 2);
+        if let Some(f) = &numbers.float {
+            b.require(&levels + &tile + 2 + &frac + &f.man, 60);
+        }
         Self { numbers, levels, level_w, height, tile, frac, tag, step_limit, idx }
     }
 }

@@ -29,6 +29,7 @@ pub fn ray_conditions(b: &Builder, d: &Design, f: &FormatParams, levels: &Expr, 
     b.require(height, &f.man + 1);
     b.require(7, &f.man);
     b.require(1, tile);
+    b.require(tile, 8);
     b.require(levels + tile + 2, 24);
     b.require(levels + tile + 1, f.bias());
     b.require(height + 2, f.bias());

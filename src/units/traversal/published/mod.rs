@@ -81,6 +81,7 @@ fn sizes(b: &Builder, f: &FormatParams, levels: &Expr, height: &Expr, tile: &Exp
     b.require(height, &f.man + 1);
     b.require(7, &f.man);
     b.require(1, tile);
+    b.require(tile, 8);
     b.require(levels + tile + 2, 24);
     b.require(levels + tile + 1, f.bias());
     b.require(height + 2, f.bias());

@@ -1,5 +1,6 @@
 //! Rows as a traced ray brings them to the units of the traversal. Free combinations of words hardly ever are: most are no ray at all,
 //! or a texel that the ray never sees, and a unit that clamps or refuses them hides what it computes.
+pub(super) mod fixed;
 mod published;
 
 use crate::bits::mask;
