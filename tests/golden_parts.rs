@@ -67,8 +67,8 @@ fn illegal_designs_are_refused() {
     assert!(with(fmt(7, 16), 12, 16, 8) && with(fmt(5, 10), 4, 11, 3) && with(fmt(8, 23), 2, 2, 1));
     assert!(!with(fmt(7, 16), 1, 8, 4) && !with(fmt(7, 16), 13, 8, 4), "levels");
     assert!(!with(fmt(7, 16), 8, 17, 4) && !with(fmt(7, 7), 8, 9, 4), "heights");
-    assert!(!with(fmt(5, 10), 5, 8, 3), "exponents too short for the map");
-    assert!(!with(fmt(5, 15), 2, 8, 1) && with(fmt(5, 14), 2, 8, 1), "exponents too short for the bias");
+    assert!(!with(fmt(5, 10), 7, 8, 8) && with(fmt(5, 10), 7, 8, 7), "exponents too short for the map");
+    assert!(!with(fmt(5, 18), 2, 8, 1) && with(fmt(5, 17), 2, 8, 1), "exponents too short for the bias");
 }
 
 /// The start level as the contract writes it: from the leading one of the differing bits.

@@ -1,5 +1,6 @@
 //! The golden model of each unit, in the order of its ports: those of every datapath here, the others in a file a datapath.
 mod fixed;
+mod float;
 mod published;
 mod watertight;
 
