@@ -10,6 +10,8 @@ struct Port {
     name: String,
     /// `[EXP_W+MAN_W:0]`, or blank for one bit.
     range: String,
+    /// Its number of bits.
+    width: String,
     /// How a 64-bit word is cut to the port.
     select: String,
 }
@@ -73,6 +75,7 @@ fn ports<'a>(ports: impl Iterator<Item = &'a crate::ir::Port>) -> Vec<Port> {
         let one = w.as_const() == Some(1);
         Port {
             name: p.name.clone(),
+            width: text(w.clone()),
             range: if one { String::new() } else { format!("[{}:0]", text(w.clone() - 1)) },
             select: if one { "[0]".into() } else { format!("[{}:0]", text(w - 1)) },
         }

@@ -51,5 +51,6 @@ pub fn print(cli: &Cli, done: &[Checked]) {
         println!("{:<16} 0 of {} mismatched{}{}", x.unit, x.rows, if x.note.is_empty() { "" } else { "; " }, x.note);
     }
     let total: usize = done.iter().map(|x| x.rows).sum();
-    println!("{} units, 0 of {total} vectors mismatched", done.len());
+    let units = if done.len() == 1 { "unit" } else { "units" };
+    println!("{} {units}, 0 of {total} vectors mismatched", done.len());
 }

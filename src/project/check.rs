@@ -6,9 +6,9 @@ use crate::error::{Error, Result};
 use crate::golden::{Pyramid, RayInput, address};
 use crate::interp::{Traffic, Wave, elaborate};
 use crate::ir::{Binding, Module};
-use crate::trace::{Pipeline, diagnose, record_mismatch, record_ray, record_rows};
+use crate::trace::{Pipeline, diagnose, record_mismatch, record_ray, record_rows, wrong_iteration};
 use crate::units::traversal::traverse;
-use crate::vectors::{VectorSet, read_set, set_files};
+use crate::vectors::{Column, Rows, VectorSet, read_csv, read_json, read_set, set_files};
 use rayon::prelude::*;
 use std::path::Path;
 use std::sync::Arc;
@@ -173,6 +173,7 @@ fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary:
             place.display()
         )));
     }
+    same_rows(&place, &set)?;
     fits(m, &set).map_err(|e| Error::input(format!("{}: {e}", place.display())))?;
     if let Some(canary) = canary {
         canary.spoil(&mut set);
@@ -198,8 +199,9 @@ fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary:
                 }
                 from = spoiled.path().to_path_buf();
             }
-            let o = run_bench(s, dir, &m.name, &Binding::new(), &[format!("vectors={}", from.display())])
-                .map_err(|e| told(e, s.name(), &set, m))?;
+            let vectors = format!("vectors={}", from.display());
+            let o = run_bench(s, dir, &m.name, &Binding::new(), std::slice::from_ref(&vectors))
+                .map_err(|e| located(e, d, dir, s, &set, m, vectors))?;
             let note = o.output.lines().find(|l| l.starts_with("slots busy")).unwrap_or_default().to_string();
             Checked { unit: m.name.clone(), rows: o.checked, note }
         }
@@ -211,6 +213,48 @@ fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary:
         )));
     }
     Ok(checked)
+}
+
+/// The exports hold the rows that the hex files hold: whoever reads those checks against the same set.
+fn same_rows(place: &Path, set: &VectorSet) -> Result<()> {
+    type Read = fn(&str, &[Column], &[Column]) -> Result<Rows>;
+    for (name, read) in [("vectors.csv", read_csv as Read), ("rows.json", read_json)] {
+        let path = place.join(name);
+        let text = std::fs::read_to_string(&path).map_err(|e| Error::file("read", &path, e))?;
+        let at = |e: &dyn std::fmt::Display| Error::input(format!("{}: {e}", place.display()));
+        let (stimulus, expected) = read(&text, &set.inputs, &set.outputs).map_err(|e| at(&e))?;
+        let differs = |a: &[Vec<u64>], b: &[Vec<u64>]| a.iter().zip(b).position(|(a, b)| a != b);
+        let row = differs(&stimulus, &set.stimulus).into_iter().chain(differs(&expected, &set.expected)).min();
+        if let Some(row) = row {
+            return Err(at(&format!("{name} and the hex files differ in row {row}")));
+        }
+        if stimulus.len() != set.stimulus.len() {
+            let (here, there) = (stimulus.len(), set.stimulus.len());
+            return Err(at(&format!("{name} has {here} rows, the hex files have {there}")));
+        }
+    }
+    Ok(())
+}
+
+/// What a simulator's bench said, decoded; a mismatch of `traverse` with its first wrong iteration, for which the bench runs once more.
+fn located(e: Error, d: &Design, dir: &Path, sim: Simulator, set: &VectorSet, m: &Arc<Module>, vectors: String) -> Error {
+    let told = told(e, sim.name(), set, m);
+    let Error::Mismatch(text) = &told else { return told };
+    let vector = || text.split("vector ").nth(1)?.split(' ').next()?.parse::<usize>().ok();
+    let again = |number: usize| -> Result<String> {
+        let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
+        let seen = work.path().join("iterations");
+        // It fails as it did before.
+        let _ = run_bench(sim, dir, &m.name, &Binding::new(), &[vectors, format!("iterations={}", seen.display())]);
+        let iterations = std::fs::read_to_string(&seen).map_err(|e| Error::file("read", &seen, e))?;
+        let pyramid = pyramid_of(d, &memory(&dir.join("golden").join(&m.name))?)?;
+        wrong_iteration(d, &pyramid, &ray_of(&set.stimulus[number]), number, &iterations)
+    };
+    match vector().filter(|_| m.latency.is_none()).map(again) {
+        Some(Ok(more)) => Error::Mismatch(format!("{text}; {more}")),
+        // A tree without these signals (a netlist, say) has nothing more to tell.
+        Some(Err(_)) | None => told,
+    }
 }
 
 /// The traverse unit in the interpreter.
@@ -239,6 +283,6 @@ fn rays(d: &Design, place: &Path, m: &Module, set: &VectorSet) -> Result<Checked
         let e = r.verdict(set, m).expect_err("there is a mismatch");
         return Err(Error::Mismatch(format!("{e}; {told}")));
     }
-    let note = format!("slots busy: {} of {} under full load; {} clocks in all", run.busy, run.loaded, run.cycles);
+    let note = format!("slots busy: {} of {} under full load; {} clocks from first ray to last hit", run.busy, run.loaded, run.cycles);
     Ok(Checked { unit: m.name.clone(), rows: r.checked, note })
 }
