@@ -118,7 +118,7 @@ fn faults_of_the_stream_are_told_apart() {
         .map(|k| RayInput::from_f64(d.format, at(k, 0.618), at(k, 0.414), 3.0 * at(k, 0.3), -2.0 * at(k, 0.7)))
         .collect();
     let m = find(&c.design(), "traverse").unwrap();
-    let set = ray_set(&d, &m, &pyramid, &rays, 1).unwrap();
+    let set = ray_set(&d, &pyramid, &rays, 1).unwrap();
     let mut runs = 0;
     for sim in [Simulator::Icarus, Simulator::Verilator] {
         for (fault, taken, body, plusargs, code, needs_x) in FAULTS {

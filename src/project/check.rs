@@ -237,7 +237,15 @@ fn same_rows(place: &Path, set: &VectorSet) -> Result<()> {
 }
 
 /// What a simulator's bench said, decoded; a mismatch of `traverse` with its first wrong iteration, for which the bench runs once more.
-fn located(e: Error, d: &Design, dir: &Path, sim: Simulator, set: &VectorSet, m: &Arc<Module>, vectors: String) -> Error {
+fn located(
+    e: Error,
+    d: &Design,
+    dir: &Path,
+    sim: Simulator,
+    set: &VectorSet,
+    m: &Arc<Module>,
+    vectors: String,
+) -> Error {
     let told = told(e, sim.name(), set, m);
     let Error::Mismatch(text) = &told else { return told };
     let vector = || text.split("vector ").nth(1)?.split(' ').next()?.parse::<usize>().ok();
@@ -283,6 +291,9 @@ fn rays(d: &Design, place: &Path, m: &Module, set: &VectorSet) -> Result<Checked
         let e = r.verdict(set, m).expect_err("there is a mismatch");
         return Err(Error::Mismatch(format!("{e}; {told}")));
     }
-    let note = format!("slots busy: {} of {} under full load; {} clocks from first ray to last hit", run.busy, run.loaded, run.cycles);
+    let note = format!(
+        "slots busy: {} of {} under full load; {} clocks from first ray to last hit",
+        run.busy, run.loaded, run.cycles
+    );
     Ok(Checked { unit: m.name.clone(), rows: r.checked, note })
 }

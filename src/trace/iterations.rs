@@ -30,9 +30,14 @@ pub fn wrong_iteration(d: &Design, pyramid: &Pyramid, ray: &RayInput, number: us
     }
     Ok(match model.len().cmp(&seen.len()) {
         std::cmp::Ordering::Equal => {
-            format!("all {} iterations are right: the fault is in what follows the loop, or in the expected row", seen.len())
+            format!(
+                "all {} iterations are right: the fault is in what follows the loop, or in the expected row",
+                seen.len()
+            )
         }
-        std::cmp::Ordering::Greater => format!("the ray leaves the loop after {} of {} iterations", seen.len(), model.len()),
+        std::cmp::Ordering::Greater => {
+            format!("the ray leaves the loop after {} of {} iterations", seen.len(), model.len())
+        }
         std::cmp::Ordering::Less => {
             format!("the ray goes on after its {} iterations{}", model.len(), before(model.len(), &model))
         }

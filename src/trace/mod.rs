@@ -7,8 +7,8 @@ mod wave;
 
 pub use csv::{HEADER, hits_csv};
 pub use diagnose::{Divergence, decode, diagnose, diagnose_in};
-pub use iterations::wrong_iteration;
 pub use interp::{INPUTS, OUTPUTS, Pipeline, hit, inputs, row, trace_interp};
+pub use iterations::wrong_iteration;
 pub use wave::{Window, record, record_mismatch, record_ray, record_rows};
 
 use crate::config::Design;

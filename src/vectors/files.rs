@@ -145,8 +145,10 @@ pub fn hex(unit: &str, columns: &[Column], rows: &[Vec<u64>]) -> String {
     let cols: Vec<String> = columns.iter().map(|c| format!("{}[{}]", c.name, c.width)).collect();
     let bits: u32 = columns.iter().map(|c| c.width).sum();
     let cols = cols.join(" ");
-    let mut out =
-        format!("// unit {unit}; number of rows and bits of a row, then a row a line: {cols}\n{:x} {bits:x}\n", rows.len());
+    let mut out = format!(
+        "// unit {unit}; number of rows and bits of a row, then a row a line: {cols}\n{:x} {bits:x}\n",
+        rows.len()
+    );
     for r in rows {
         for (i, (v, c)) in r.iter().zip(columns).enumerate() {
             let digits = c.width.div_ceil(4) as usize;
