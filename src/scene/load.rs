@@ -86,23 +86,25 @@ fn unit16(values: &[u16]) -> Vec<f64> {
     values.iter().map(|&value| f64::from(value) / 65535.0).collect()
 }
 
-/// The one channel of `width` x n pixels: a height map holds no colour, and which mixture of three channels would be the height is not ours
-/// to guess.
+/// The one channel of pixels in rows of `width`: a height map holds no colour, and which mixture of three channels would be the height is
+/// not ours to guess. Of a pixel with a channel out of range that channel is taken, for whoever checks the range.
 fn grey(samples: &[f64], channels: usize, width: usize) -> Result<Vec<f64>> {
-    if channels >= 3 {
-        let coloured = |p: &[f64]| p[..3].iter().any(|c| c.to_bits() != p[0].to_bits());
-        if let Some(at) = samples.chunks_exact(channels).position(coloured) {
-            return Err(Error::input(format!(
-                "a picture in colour (pixel ({}, {}) has red, green and blue {}, {}, {}): a height map has one channel, or three that are equal",
-                at % width,
-                at / width,
-                samples[at * channels],
-                samples[at * channels + 1],
-                samples[at * channels + 2]
-            )));
+    let height = |(at, pixel): (usize, &[f64])| match pixel[..channels.min(3)] {
+        [red, green, blue] => {
+            let colours = [red, green, blue];
+            match colours.into_iter().find(|c| !(0.0..=1.0).contains(c)) {
+                Some(illegal) => Ok(illegal),
+                None if red == green && green == blue => Ok(red),
+                None => Err(Error::input(format!(
+                    "a picture in colour (pixel ({}, {}) has red, green and blue {red}, {green}, {blue}): a height map has one channel, or three that are equal",
+                    at % width,
+                    at / width
+                ))),
+            }
         }
-    }
-    Ok(samples.chunks_exact(channels).map(|pixel| pixel[0]).collect())
+        _ => Ok(pixel[0]),
+    };
+    samples.chunks_exact(channels).enumerate().map(height).collect()
 }
 
 /// Grey TIFFs, which `image` reads in 8 and 16 bits only; colour goes through `image`.
