@@ -66,15 +66,22 @@ fn engines_write_the_same_bytes() {
     if !std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
         engines.extend(["icarus", "verilator"]);
     }
-    let mut all = Vec::new();
-    for e in &engines {
-        let out = run(dir.path(), &["trace", "--rays", "r.csv", "--engine", e, "--out", "h.csv"]);
-        assert_eq!(out.status.code(), Some(0), "{e}: {}", String::from_utf8_lossy(&out.stderr));
-        all.push(std::fs::read_to_string(dir.path().join("h.csv")).unwrap());
+    let detail = "u,v,du,dv,lod\n0.1,0.2,0.3,-0.4,0\n0.99999999,0.5,-1.5,0.25,2\n0.5,0.5,0,0,8\n0.3,0.3,15,0,1\n";
+    std::fs::write(dir.path().join("lod.csv"), detail).unwrap();
+    let trims = ["--set", "mode.trim=always", "--set", "mode.lod=true"];
+    let fixed = [&["--set", "datapath.kind=fixed"][..], &trims].concat();
+    for (rays, sets) in [("r.csv", &[][..]), ("lod.csv", &trims), ("lod.csv", &fixed)] {
+        let mut all = Vec::new();
+        for e in &engines {
+            let args = ["trace", "--rays", rays, "--engine", e, "--out", "h.csv"];
+            let out = run(dir.path(), &[&args[..], sets].concat());
+            assert_eq!(out.status.code(), Some(0), "{e}: {}", String::from_utf8_lossy(&out.stderr));
+            all.push(std::fs::read_to_string(dir.path().join("h.csv")).unwrap());
+        }
+        assert!(all.iter().all(|h| h == &all[0]), "{sets:?}");
+        assert_eq!(all[0].lines().count(), 5);
+        assert!(all[0].starts_with("ray,i,j,u,v,t,steps,crossings,ups,wall,limit\n"));
     }
-    assert!(all.iter().all(|h| h == &all[0]));
-    assert_eq!(all[0].lines().count(), 5);
-    assert!(all[0].starts_with("ray,i,j,u,v,t,steps,crossings,ups,wall,limit\n"));
 }
 
 #[test]
