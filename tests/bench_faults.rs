@@ -162,7 +162,7 @@ fn faults_of_a_pipeline_are_mismatches() {
     let m = find(&d, "fp_add").unwrap();
     let set = vector_set(&d, &m, &Binding::new(), Plan { rows: 300, seed: 1 });
     let rtl = reliefrtl::project::hardware(&c).unwrap().files;
-    let benches = reliefrtl::bench::bench_files(std::slice::from_ref(&m), &find(&d, "traverse").unwrap(), 15, "");
+    let benches = reliefrtl::bench::bench_files(std::slice::from_ref(&m), None, "");
     let faults: &[(&str, &[&str], &str, i32)] = &[
         ("none", &[], "", 0),
         ("the clock enable is not connected", &["ce"], "assign inner_ce = 1'b1;", 1),

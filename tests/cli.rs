@@ -232,6 +232,14 @@ fn arithmetic_stands_alone_at_formats_that_no_map_fits() {
     let emitted = std::fs::read_to_string(dir.path().join("out/rtl/fp_add.v")).unwrap();
     assert!(emitted.contains("EXP_W = 4") && emitted.contains("MAN_W = 3"), "{emitted}");
     assert_eq!(said(dir.path(), &[&["emit"][..], &format].concat()).0, Some(2));
+    // All pairs of 8-bit operands, as files and replayed.
+    assert_eq!(said(dir.path(), &[&["vectors", "--unit", "fp_add"][..], &format].concat()).0, Some(0));
+    let rows = std::fs::read_to_string(dir.path().join("out/golden/fp_add/vectors.csv")).unwrap();
+    assert_eq!(rows.lines().count(), 1 + (1 << 16));
+    let (code, text) = said(dir.path(), &[&["check", "--unit", "fp_add"][..], &format].concat());
+    assert_eq!(code, Some(0), "{text}");
+    assert!(text.contains("0 of 65536 vectors mismatched"), "{text}");
+    assert_eq!(said(dir.path(), &[&["check", "--unit", "level_up"][..], &format].concat()).0, Some(2));
     // What holds between keys is a sentence, never a panic of the units.
     let wide = ["format.exp=8", "format.man=23", "traverse.levels=12", "traverse.tile_bits=8", "traverse.frac_bits=16"];
     let sets: Vec<&str> = wide.iter().flat_map(|s| ["--set", s]).collect();

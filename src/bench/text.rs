@@ -22,8 +22,9 @@ struct Param {
     default: i64,
 }
 
-/// The benches of `units` and of `traverse`, whose emitted names start with `prefix`; `warm_up` is the number of clocks until its pipeline can be full.
-pub fn bench_files(units: &[Arc<Module>], traverse: &Module, warm_up: u32, prefix: &str) -> Files {
+/// The benches of `units` and of `traverse`, whose emitted names start with `prefix`; beside `traverse` stands the number of clocks until its
+/// pipeline can be full.
+pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Module, u32)>, prefix: &str) -> Files {
     let mut env = Environment::new();
     env.set_keep_trailing_newline(true);
     let templates = [
@@ -52,6 +53,7 @@ pub fn bench_files(units: &[Arc<Module>], traverse: &Module, warm_up: u32, prefi
         files.insert(format!("testbench/tb_{}.v", m.name), render("unit", value.clone()));
         files.insert(format!("testbench/tb_{}_top.v", m.name), render("top", value));
     }
+    let Some((traverse, warm_up)) = traverse else { return files };
     let named = |names: &[&str]| ports(names.iter().map(|n| traverse.port(n).expect("traverse has its ports").1));
     let value = context! {
         unit => "traverse", dut => format!("{prefix}traverse"), params => params(traverse), warm_up,

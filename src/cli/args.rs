@@ -33,7 +33,7 @@ pub enum Verb {
     /// Writes the Verilog and manifest.json.
     Emit(EmitArgs),
     /// Writes the golden vectors.
-    Vectors(BuildArgs),
+    Vectors(VectorsArgs),
     /// Replays golden vectors in an engine.
     Check(CheckArgs),
     /// Proves the emitted units with SymbiYosys: for every input, not only for the vectors.
@@ -73,6 +73,20 @@ pub struct BuildArgs {
     /// Directory to write to.
     #[arg(long, default_value = "out", value_name = "DIR")]
     pub out: PathBuf,
+    /// The height map.
+    #[command(flatten)]
+    pub map: MapArgs,
+}
+
+/// Options of `vectors`.
+#[derive(Args, Debug)]
+pub struct VectorsArgs {
+    /// Directory to write to.
+    #[arg(long, default_value = "out", value_name = "DIR")]
+    pub out: PathBuf,
+    /// Only this unit's; arithmetic at any format, whatever a traversal asks of its own.
+    #[arg(long, value_name = "NAME")]
+    pub unit: Option<String>,
     /// The height map.
     #[command(flatten)]
     pub map: MapArgs,

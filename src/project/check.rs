@@ -2,6 +2,7 @@
 use crate::bench::{Simulator, run_bench};
 use crate::catalogue::{CheckReport, check_interp, compare, fits, told, units};
 use crate::config::{Config, Design};
+use crate::emit::Files;
 use crate::error::{Error, Result};
 use crate::golden::{Pyramid, RayInput, address};
 use crate::interp::{Traffic, Wave, elaborate};
@@ -71,17 +72,26 @@ pub fn check_tree(
     seen: &(dyn Fn(&Checked) + Sync),
 ) -> Result<Vec<Checked>> {
     let d = c.design();
-    let mut list = units(&d);
-    list.push(traverse(&d).module);
-    if let Some(name) = only {
-        let m = crate::catalogue::find(&d, name)?;
-        list.retain(|x| x.name == m.name);
-    }
+    let alone = only.and_then(|name| super::alone(c, name));
+    let list = match (alone, only) {
+        (Some(m), _) => vec![m],
+        (None, only) => {
+            let mut list = units(&d);
+            list.push(traverse(&d).module);
+            if let Some(name) = only {
+                let m = crate::catalogue::find(&d, name)?;
+                list.retain(|x| x.name == m.name);
+            }
+            list
+        }
+    };
     if list.is_empty() {
         return Err(Error::NothingRan("the chosen unit has no vectors of its own; nothing was checked".into()));
     }
     if sim.is_none() {
-        same_text(c, dir)?;
+        let whole = list.iter().any(|m| m.latency.is_none());
+        let text = if whole { super::hardware(c)?.files } else { text_of(c, &list)? };
+        same_text(&text, dir)?;
     }
     let one = |m: &Arc<Module>| {
         let r = unit(&d, dir, m, sim, canary);
@@ -98,9 +108,14 @@ pub fn check_tree(
     all.into_iter().collect()
 }
 
+/// The Verilog of some units and what they are made of.
+fn text_of(c: &Config, units: &[Arc<Module>]) -> Result<Files> {
+    Ok(crate::emit::rtl(c, &crate::emit::modules(units)?))
+}
+
 /// The interpreter runs the datapath that the configuration emits, not the text in `dir`: refuses a tree where the two differ.
-fn same_text(c: &Config, dir: &Path) -> Result<()> {
-    for (name, text) in crate::project::hardware(c)?.files.iter().filter(|(n, _)| n.ends_with(".v")) {
+fn same_text(files: &Files, dir: &Path) -> Result<()> {
+    for (name, text) in files.iter().filter(|(n, _)| n.ends_with(".v")) {
         let path = dir.join(name);
         let there = std::fs::read(&path).map_err(|e| Error::file("read", &path, e))?;
         if there != text.as_bytes() {

@@ -1,7 +1,9 @@
 //! A whole project from one configuration: scene, Verilog, benches, vectors, manifest; and its check by any engine.
+mod alone;
 mod check;
 mod scene;
 
+pub use alone::{alone, alone_files, alone_hardware, alone_vectors};
 pub use check::{Canary, Checked, check_tree};
 pub use scene::{Scene, encode, ray};
 
@@ -68,7 +70,7 @@ pub fn project(c: &Config, scene: &Scene) -> Result<Project> {
     let mut p = hardware(c)?;
     let d = c.design();
     let depth = p.traverse.setup + p.traverse.slots + p.traverse.finish;
-    p.files.extend(bench_files(&units(&d), &p.traverse.module, depth, &c.emit.prefix));
+    p.files.extend(bench_files(&units(&d), Some((&p.traverse.module, depth)), &c.emit.prefix));
     let names: Vec<String> = p.files.keys().filter_map(|f| f.strip_prefix("rtl/")).map(str::to_string).collect();
     let names: Vec<String> = names.into_iter().filter(|f| f.ends_with(".v")).collect();
     p.files.extend(proof_files(&d, &all(&d), &p.traverse, &c.emit.prefix, &names));

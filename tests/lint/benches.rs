@@ -23,7 +23,7 @@ fn benches(e: &Emitted) -> (Vec<String>, Vec<String>) {
     let d = e.config.design();
     let t = traverse(&d);
     let depth = t.setup + t.slots + t.finish;
-    let files = bench_files(&catalogue::units(&d), &t.module, depth, &e.config.emit.prefix);
+    let files = bench_files(&catalogue::units(&d), Some((&t.module, depth)), &e.config.emit.prefix);
     std::fs::create_dir_all(e.dir.join("testbench")).expect("target is writable");
     for (path, text) in &files {
         std::fs::write(e.dir.join(path), text).expect("target is writable");
