@@ -1,15 +1,16 @@
 //! Checks an emitted tree: every unit's vectors replayed by the interpreter or a simulator.
+use super::stored::{memory, pyramid_of, ray_of, same_rows};
 use crate::bench::{Simulator, run_bench};
 use crate::catalogue::{CheckReport, check_interp, compare, fits, told, units};
 use crate::config::{Config, Design};
 use crate::emit::Files;
 use crate::error::{Error, Result};
-use crate::golden::{Pyramid, RayInput, address};
 use crate::interp::{Traffic, Wave, elaborate};
 use crate::ir::{Binding, Module};
 use crate::trace::{Pipeline, diagnose, record_mismatch, record_ray, record_rows, wrong_iteration};
 use crate::units::traversal::traverse;
-use crate::vectors::{Column, Rows, VectorSet, read_csv, read_json, read_set, set_files};
+use crate::vectors::{VectorSet, read_set, set_files};
+
 use rayon::prelude::*;
 use std::path::Path;
 use std::sync::Arc;
@@ -156,29 +157,6 @@ fn mismatch_wave(d: &Design, dir: &Path, m: &Arc<Module>, canary: Option<Canary>
     }
 }
 
-/// The pyramid of a memory image.
-fn pyramid_of(d: &Design, image: &[u64]) -> Result<Pyramid> {
-    let n = d.traverse.levels;
-    let side = 1u32 << n;
-    let texel = |k: u32| image[address(n, 0, k % side, k / side)] as u32;
-    Pyramid::build(n, d.traverse.height_bits, &(0..side * side).map(texel).collect::<Vec<u32>>())
-}
-
-/// The words of a ray.
-fn ray_of(row: &[u64]) -> RayInput {
-    RayInput { u: row[0], v: row[1], du: row[2], dv: row[3], lod: row.get(4).map_or(0, |v| *v as u32) }
-}
-
-/// The words of a pyramid's image.
-fn memory(place: &Path) -> Result<Vec<u64>> {
-    let path = place.join("memory.hex");
-    let text = std::fs::read_to_string(&path).map_err(|e| Error::file("read", &path, e))?;
-    let bad = || Error::input(format!("{} is not a pyramid image", path.display()));
-    let words = text.lines().map(|l| l.split("//").next().unwrap_or("").trim()).filter(|l| !l.is_empty());
-    let words = words.map(|w| u64::from_str_radix(w, 16).map_err(|_| bad())).collect::<Result<Vec<u64>>>()?;
-    Ok(words.get(1..).ok_or_else(bad)?.to_vec())
-}
-
 fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary: Option<Canary>) -> Result<Checked> {
     let place = dir.join("golden").join(&m.name);
     let (mut set, whole) = read_set(&place)?;
@@ -228,27 +206,6 @@ fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary:
         )));
     }
     Ok(checked)
-}
-
-/// The exports hold the rows that the hex files hold: whoever reads those checks against the same set.
-fn same_rows(place: &Path, set: &VectorSet) -> Result<()> {
-    type Read = fn(&str, &[Column], &[Column]) -> Result<Rows>;
-    for (name, read) in [("vectors.csv", read_csv as Read), ("rows.json", read_json)] {
-        let path = place.join(name);
-        let text = std::fs::read_to_string(&path).map_err(|e| Error::file("read", &path, e))?;
-        let at = |e: &dyn std::fmt::Display| Error::input(format!("{}: {e}", place.display()));
-        let (stimulus, expected) = read(&text, &set.inputs, &set.outputs).map_err(|e| at(&e))?;
-        let differs = |a: &[Vec<u64>], b: &[Vec<u64>]| a.iter().zip(b).position(|(a, b)| a != b);
-        let row = differs(&stimulus, &set.stimulus).into_iter().chain(differs(&expected, &set.expected)).min();
-        if let Some(row) = row {
-            return Err(at(&format!("{name} and the hex files differ in row {row}")));
-        }
-        if stimulus.len() != set.stimulus.len() {
-            let (here, there) = (stimulus.len(), set.stimulus.len());
-            return Err(at(&format!("{name} has {here} rows, the hex files have {there}")));
-        }
-    }
-    Ok(())
 }
 
 /// What a simulator's bench said, decoded; a mismatch of `traverse` with its first wrong iteration, for which the bench runs once more.

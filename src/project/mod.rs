@@ -2,6 +2,7 @@
 mod alone;
 mod check;
 mod scene;
+mod stored;
 
 pub use alone::{alone, alone_files, alone_hardware, alone_vectors};
 pub use check::{Canary, Checked, check_tree};
