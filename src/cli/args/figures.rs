@@ -1,5 +1,5 @@
 //! Options of the verbs that measure.
-use super::MapArgs;
+use super::{Engine, MapArgs};
 use crate::config::View;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -64,6 +64,12 @@ pub struct HardArgs {
     /// Seed of maps and rays.
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
+    /// Asks one thing only, of this many rays in all: does every ray end? They are dealt over the cases, and in each over all modes.
+    #[arg(long, value_name = "RAYS", conflicts_with_all = ["pictures", "engine"])]
+    pub endure: Option<usize>,
+    /// What traces the rays beside the golden model, whose hits it must equal.
+    #[arg(long, default_value = "golden")]
+    pub engine: Engine,
     /// Writes a picture of each case into this directory.
     #[arg(long, value_name = "DIR")]
     pub pictures: Option<PathBuf>,
