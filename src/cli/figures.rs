@@ -21,6 +21,7 @@ pub fn steps(cli: &Cli, a: &StepsArgs) -> Result<()> {
         let scene = Scene::new(&c, None, false)?;
         return print_steps(cli, &c, &scene, None).map(|_| ());
     };
+    c.map.published_border()?;
     let mut sums = vec![0.0; rows().count()];
     let mut cells = Vec::new();
     for p in &PUBLISHED {
@@ -87,7 +88,7 @@ fn print_steps(
         for (v, view) in View::ALL.iter().enumerate() {
             let mut d = c.design();
             d.mode = mode;
-            let rays: Vec<RayInput> = scene.view(c, *view, c.view.stride).iter().map(|x| encode(c, x)).collect();
+            let rays: Vec<RayInput> = scene.view(c, *view, c.view.stride)?.iter().map(|x| encode(c, x)).collect();
             let s: Steps = count(&trace_golden(&d, &scene.pyramid, &rays)?);
             sum += s.mean;
             let published = means.and_then(|m| *m.get(r)?.get(v)?);
@@ -127,7 +128,7 @@ pub fn accuracy(cli: &Cli, a: &MapArgs) -> Result<()> {
         c.map.kind = kind;
         let scene = Scene::new(&c, a.map.as_deref(), a.resample)?;
         for view in View::ALL {
-            let rays: Vec<RayInput> = scene.view(&c, *view, c.view.stride).iter().map(|x| encode(&c, x)).collect();
+            let rays: Vec<RayInput> = scene.view(&c, *view, c.view.stride)?.iter().map(|x| encode(&c, x)).collect();
             let hits = trace_golden(&c.design(), &scene.pyramid, &rays)?;
             let r = crate::report::accuracy(&c.design(), &scene.texels, &rays, &hits)?;
             for w in &r.wrong {
@@ -176,7 +177,7 @@ pub fn bench(cli: &Cli, a: &BenchArgs) -> Result<()> {
     let c = super::config::load(cli)?;
     let d = c.design();
     let scene = Scene::new(&c, None, false)?;
-    let rays: Vec<RayInput> = scene.view(&c, View::Oblique, 2).iter().map(|x| encode(&c, x)).collect();
+    let rays: Vec<RayInput> = scene.view(&c, View::Oblique, 2)?.iter().map(|x| encode(&c, x)).collect();
     if rays.is_empty() || a.rays == 0 {
         return Err(Error::NothingRan("bench needs at least one ray".into()));
     }

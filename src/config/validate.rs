@@ -1,6 +1,6 @@
 //! What must hold of a whole configuration.
 use super::keys::KEYS;
-use super::{Config, DatapathKind, MapKind, Trim, check};
+use super::{Border, Config, DatapathKind, MapKind, Trim, check};
 use crate::error::{Error, Result};
 
 impl Config {
@@ -145,6 +145,12 @@ impl Config {
                 "map.file is set but map.kind = \"{kind}\" does not read it: set map.kind = \"file\" or remove map.file"
             )),
             _ => {}
+        }
+        if self.map.border == Border::Clamp && self.map.repeat != 1 {
+            problems.push(format!(
+                "map.repeat = {} and map.border = \"clamp\" exclude each other: a map that is continued by its border texels lies on the quad once",
+                self.map.repeat
+            ));
         }
     }
 }

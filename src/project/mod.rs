@@ -55,7 +55,7 @@ pub fn vectors(c: &Config, scene: &Scene) -> Result<Files> {
         let set = vector_set(&d, &m, &Binding::new(), plan);
         files.extend(set_files(&set).into_iter().map(|(n, t)| (format!("golden/{}/{n}", m.name), t)));
     }
-    let rays = scene.sample(c);
+    let rays = scene.sample(c)?;
     let set = ray_set(&d, &scene.pyramid, &rays, c.vectors.seed)?;
     files.extend(set_files(&set.set).into_iter().map(|(n, t)| (format!("golden/traverse/{n}"), t)));
     files.insert("golden/traverse/memory.hex".into(), set.memory);

@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use crate::golden::{RayHit, RayInput, decode_time, encode_ray};
 use crate::oracle::{ExactHit, ExactMap, ExactRay};
 use crate::report::{exact_ray, steps};
-use crate::scene::ViewRay;
+use crate::scene::{Camera, ViewRay, border};
 use crate::trace::trace_golden;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -35,7 +35,7 @@ pub struct Witness {
     pub ray: usize,
     /// Column and row of its pixel.
     pub pixel: [u32; 2],
-    /// Entry point and travel, before rounding.
+    /// Entry point and travel in tiles of the map, before rounding.
     pub numbers: [f64; 4],
     /// The words that were traced, in hex.
     pub words: [String; 4],
@@ -121,8 +121,12 @@ pub(super) fn walk(site: &Site, ray: &ExactRay) -> Option<(ExactHit, [f64; 2])> 
 
 impl Reference {
     /// The rays of a view on a map.
-    pub fn new(plan: &Plan, site: &Site, view: View) -> Self {
-        let rays = site.rays(&plan.config, view, plan.stride(view));
+    ///
+    /// # Errors
+    /// As [`Site::rays`].
+    pub fn new(plan: &Plan, site: &Site, view: View) -> Result<Self> {
+        let size = &plan.config.view;
+        let rays = site.rays(&plan.config, &Camera::standard(view, size.width, size.height), plan.stride(view))?;
         let one = 2f64.powi(REFERENCE_BITS as i32);
         let exact = |r: &ViewRay| {
             let entry = [r.u, r.v].map(|x| (x * one).round() as u64 % (1 << REFERENCE_BITS));
@@ -130,7 +134,7 @@ impl Reference {
             walk(site, &ExactRay::fixed(REFERENCE_BITS, entry, travel))
         };
         let exact = rays.par_iter().map(exact).collect();
-        Self { rays, exact }
+        Ok(Self { rays, exact })
     }
 }
 
@@ -214,7 +218,7 @@ impl Cell {
             Witness {
                 ray,
                 pixel: [r.px, r.py],
-                numbers: [r.u, r.v, r.du, r.dv],
+                numbers: border::given(site.spec.border, [r.u, r.v, r.du, r.dv]),
                 words,
                 got: [hits[ray].i, hits[ray].j],
                 exact: truth.map(|x| [x.i, x.j]),
