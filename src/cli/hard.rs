@@ -87,6 +87,9 @@ pub fn run(cli: &Cli, a: &HardArgs) -> Result<()> {
             println!("\nwitnesses, the first of each case:");
             print!("{}", table(&["case", "what", "ray", "u v du dv (hex)", "got", "expected"], &witnesses));
         }
+        if a.engine != Engine::Golden {
+            println!("\n0 of {rays} hits of the engine differ from the golden model's");
+        }
         println!(
             "\n{rays} rays, seed {}: {wrong} wrong texels, and {ties} of {tied} rays on an exact tie; {limits} given up; {differ} depend on the mode",
             a.seed
