@@ -16,6 +16,9 @@ pub fn run(cli: &Cli, a: &RenderArgs) -> Result<()> {
         &a.out,
         &[a.map.map.as_deref(), c.map.file.as_deref(), cli.config.as_deref(), Some(Path::new(&a.view))],
     )?;
+    if a.out.extension().is_none_or(|e| !e.eq_ignore_ascii_case("png")) {
+        return Err(Error::input(format!("--out {}: the picture is a PNG, so its name ends in .png", a.out.display())));
+    }
     let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
     let (camera, stride) = match a.view.parse::<View>() {
         Ok(view) => (Camera::standard(view, c.view.width, c.view.height), c.view.stride),

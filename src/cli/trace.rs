@@ -147,9 +147,9 @@ fn simulate(c: &Config, sim: Simulator, scene: &Scene, rays: &[RayInput]) -> Res
     let d = c.design();
     let p = project::hardware(c)?;
     let t = &p.traverse;
-    let set = ray_set(&d, &t.module, &scene.pyramid, rays, c.vectors.seed)?;
+    let set = ray_set(&d, &scene.pyramid, rays, c.vectors.seed)?;
     let mut files = p.files;
-    files.extend(bench_files(&[], &t.module, t.setup + t.slots + t.finish, &c.emit.prefix));
+    files.extend(bench_files(&[], Some((&t.module, t.setup + t.slots + t.finish)), &c.emit.prefix));
     files.extend(set_files(&set.set).into_iter().map(|(n, text)| (format!("golden/traverse/{n}"), text)));
     files.insert("golden/traverse/memory.hex".into(), set.memory);
     let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;

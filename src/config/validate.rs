@@ -108,14 +108,14 @@ impl Config {
         }
     }
 
-    /// Chord trim and level of detail are made for one datapath so far.
+    /// The published datapath is as it was published: without chord trim and level of detail.
     fn trim_problems(&self, problems: &mut Vec<String>) {
-        if self.datapath.kind == DatapathKind::Watertight {
+        if self.datapath.kind != DatapathKind::Published {
             return;
         }
         for (key, set) in [("mode.trim", self.mode.trim != Trim::None), ("mode.lod", self.mode.lod)] {
             if set {
-                problems.push(format!("{key} is set, but only datapath.kind = \"watertight\" has it"));
+                problems.push(format!("{key} is set, but datapath.kind = \"published\" has no such thing"));
             }
         }
     }
