@@ -62,7 +62,8 @@ fn borders_equal_maps_continued_by_hand() {
     let mirror = |k: i64| k.rem_euclid(2 * SIDE).min(2 * SIDE - 1 - k.rem_euclid(2 * SIDE));
     let clamp = |k: i64| k.clamp(0, SIDE - 1);
     let (texels, rays) = (map(3), rays(3000));
-    let cases: [(Border, fn(i64) -> i64); 2] = [(Border::Mirror, mirror), (Border::Clamp, clamp)];
+    type Folds = fn(i64) -> i64;
+    let cases: [(Border, Folds); 2] = [(Border::Mirror, mirror), (Border::Clamp, clamp)];
     for (border, own) in cases {
         let c = config(DatapathKind::Watertight);
         let (got, expected) = (by_border(&c, border, &texels, &rays), by_hand(&c, &texels, &rays, own));

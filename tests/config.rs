@@ -134,6 +134,17 @@ fn all_problems_come_at_once() {
 }
 
 #[test]
+fn trim_and_level_of_detail_need_planes() {
+    for set in ["mode.trim=always", "mode.trim=descent", "mode.lod=true"] {
+        with(&["datapath.kind=fixed", set]).validate().unwrap();
+        with(&[set]).validate().unwrap();
+        let text = sentence(with(&["datapath.kind=published", set]).validate());
+        let key = set.split('=').next().unwrap();
+        assert_eq!(text, format!("{key} is set, but datapath.kind = \"published\" does not have it"));
+    }
+}
+
+#[test]
 fn what_holds_between_keys() {
     let refused = |assignments: &[&str]| sentence(with(assignments).validate());
     assert_eq!(

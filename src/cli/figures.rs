@@ -1,8 +1,8 @@
 //! Figures: `steps` (the published table), `accuracy` (against the exact oracle), `bench` (speed of the engines).
-use super::args::{BenchArgs, Cli, MapArgs, StepsArgs};
+use super::args::{AccuracyArgs, BenchArgs, Cli, StepsArgs};
 use super::output::{spinner, table};
 use crate::bench::Simulator;
-use crate::config::{Config, MapKind, ModeConfig, View};
+use crate::config::{Config, DatapathKind, MapKind, ModeConfig, View};
 use crate::error::{Error, Result};
 use crate::golden::RayInput;
 use crate::interp::{BLOCK, Traffic};
@@ -22,7 +22,7 @@ pub fn steps(cli: &Cli, a: &StepsArgs) -> Result<()> {
         return print_steps(cli, &c, &scene, None).map(|_| ());
     };
     c.map.published_border()?;
-    let mut sums = vec![0.0; rows().count()];
+    let mut sums = vec![0.0; rows(&c).count()];
     let mut cells = Vec::new();
     for p in &PUBLISHED {
         let mut c = c.clone();
@@ -37,7 +37,7 @@ pub fn steps(cli: &Cli, a: &StepsArgs) -> Result<()> {
         println!("mean over scenes and views, relative to {}:", ROWS[ROWS.len() - 1].0);
         let base = sums[ROWS.len() - 1];
         let row = |(r, s): ((&str, ModeConfig), &f64)| vec![r.0.to_string(), format!("{:.3}", s / base)];
-        println!("{}", table(&["mode", "relative"], &rows().zip(&sums).map(row).collect::<Vec<_>>()));
+        println!("{}", table(&["mode", "relative"], &rows(&c).zip(&sums).map(row).collect::<Vec<_>>()));
         println!("{}", Beside::verdict(&cells));
     }
     Ok(())
@@ -66,9 +66,10 @@ impl Beside {
     }
 }
 
-/// The published rows, then those with fewer iterations.
-fn rows() -> impl Iterator<Item = (&'static str, ModeConfig)> {
-    ROWS.into_iter().chain(TRIM_ROWS)
+/// The published rows, then those with fewer iterations, where the datapath has them.
+fn rows(c: &Config) -> impl Iterator<Item = (&'static str, ModeConfig)> {
+    let trims = c.datapath.kind != DatapathKind::Published;
+    ROWS.into_iter().chain(TRIM_ROWS.into_iter().filter(move |_| trims))
 }
 
 /// Prints a scene's table; returns each row's means, summed over the views, and the means that have a published one beside them.
@@ -82,7 +83,7 @@ fn print_steps(
     let mut lines = Vec::new();
     let mut out = Vec::new();
     let mut sums = Vec::new();
-    for (r, (name, mode)) in rows().enumerate() {
+    for (r, (name, mode)) in rows(c).enumerate() {
         let mut sum = 0.0;
         let mut row = vec![name.to_string()];
         for (v, view) in View::ALL.iter().enumerate() {
@@ -117,8 +118,12 @@ fn print_steps(
 }
 
 /// Runs `accuracy`.
-pub fn accuracy(cli: &Cli, a: &MapArgs) -> Result<()> {
+pub fn accuracy(cli: &Cli, a: &AccuracyArgs) -> Result<()> {
     let c = super::config::load(cli)?;
+    if let Some(dir) = &a.scenes {
+        return super::rates::run(cli, &c, dir);
+    }
+    let a = &a.map;
     let own = a.map.is_none() && c.map.kind != MapKind::File;
     let kinds: Vec<MapKind> =
         if own { MapKind::ALL.iter().copied().filter(|k| *k != MapKind::File).collect() } else { vec![c.map.kind] };

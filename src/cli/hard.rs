@@ -87,6 +87,9 @@ pub fn run(cli: &Cli, a: &HardArgs) -> Result<()> {
             println!("\nwitnesses, the first of each case:");
             print!("{}", table(&["case", "what", "ray", "u v du dv (hex)", "got", "expected"], &witnesses));
         }
+        if a.engine != Engine::Golden {
+            println!("\n0 of {rays} hits of the engine differ from the golden model's");
+        }
         println!(
             "\n{rays} rays, seed {}: {wrong} wrong texels, and {ties} of {tied} rays on an exact tie; {limits} given up; {differ} depend on the mode",
             a.seed
@@ -231,7 +234,7 @@ fn value(name: &str, f: &HardFigures) -> Value {
         "modes_differ": f.differ.len(), "limit_wrong": f.limit_wrong, "worst": worst, "first_that_differs": differ})
 }
 
-fn words(r: &RayInput) -> String {
+pub(super) fn words(r: &RayInput) -> String {
     format!("{:x} {:x} {:x} {:x}", r.u, r.v, r.du, r.dv)
 }
 

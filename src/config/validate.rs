@@ -115,7 +115,7 @@ impl Config {
         }
         for (key, set) in [("mode.trim", self.mode.trim != Trim::None), ("mode.lod", self.mode.lod)] {
             if set {
-                problems.push(format!("{key} is set, but datapath.kind = \"published\" has no such thing"));
+                problems.push(format!("{key} is set, but datapath.kind = \"published\" does not have it"));
             }
         }
     }

@@ -1,5 +1,6 @@
 //! Whether every ray ends: a hard case's rays in all modes in turn, counted, and nothing else asked.
-use crate::config::{DatapathKind, Design, LevelUp, ModeConfig, Trim};
+use super::hard::combinations;
+use crate::config::{DatapathKind, Design, ModeConfig, Trim};
 use crate::error::Result;
 use crate::golden::{Pyramid, RayInput, Tracer, encode_ray};
 use crate::scene::hard::HardScene;
@@ -89,14 +90,5 @@ pub fn modes(design: &Design) -> Vec<ModeConfig> {
         DatapathKind::Watertight => i64::from(design.format.man) + 4 <= i64::from(design.format.bias()),
         DatapathKind::Published => false,
     };
-    let mut out = Vec::new();
-    for &trim in if trims { &Trim::ALL[..] } else { &[Trim::None] } {
-        for start_level in [false, true] {
-            for levels_down in 1..=4 {
-                let mode = |level_up| ModeConfig { start_level, levels_down, level_up, trim, ..design.mode };
-                out.extend(LevelUp::ALL.map(mode));
-            }
-        }
-    }
-    out
+    combinations(design.mode, if trims { &Trim::ALL } else { &[Trim::None] })
 }
