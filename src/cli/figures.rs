@@ -1,5 +1,5 @@
 //! Figures: `steps` (the published table), `accuracy` (against the exact oracle), `bench` (speed of the engines).
-use super::args::{BenchArgs, Cli, MapArgs, StepsArgs};
+use super::args::{AccuracyArgs, BenchArgs, Cli, StepsArgs};
 use super::output::{spinner, table};
 use crate::bench::Simulator;
 use crate::config::{Config, DatapathKind, MapKind, ModeConfig, View};
@@ -118,8 +118,12 @@ fn print_steps(
 }
 
 /// Runs `accuracy`.
-pub fn accuracy(cli: &Cli, a: &MapArgs) -> Result<()> {
+pub fn accuracy(cli: &Cli, a: &AccuracyArgs) -> Result<()> {
     let c = super::config::load(cli)?;
+    if let Some(dir) = &a.scenes {
+        return super::rates::run(cli, &c, dir);
+    }
+    let a = &a.map;
     let own = a.map.is_none() && c.map.kind != MapKind::File;
     let kinds: Vec<MapKind> =
         if own { MapKind::ALL.iter().copied().filter(|k| *k != MapKind::File).collect() } else { vec![c.map.kind] };

@@ -234,7 +234,7 @@ fn value(name: &str, f: &HardFigures) -> Value {
         "modes_differ": f.differ.len(), "limit_wrong": f.limit_wrong, "worst": worst, "first_that_differs": differ})
 }
 
-fn words(r: &RayInput) -> String {
+pub(super) fn words(r: &RayInput) -> String {
     format!("{:x} {:x} {:x} {:x}", r.u, r.v, r.du, r.dv)
 }
 

@@ -12,6 +12,18 @@ pub struct StepsArgs {
     pub scenes: Option<PathBuf>,
 }
 
+/// Options of `accuracy`.
+#[derive(Args, Debug)]
+pub struct AccuracyArgs {
+    /// The height map.
+    #[command(flatten)]
+    pub map: MapArgs,
+    /// Directory with rocks.png, stones.png, four.png, saints.png: rates over all of them, of the floating-point and the fixed-point
+    /// datapath, as they are and resampled to 2048 x 2048.
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["map", "resample"])]
+    pub scenes: Option<PathBuf>,
+}
+
 /// Options of `report`.
 #[derive(Args, Debug)]
 pub struct ReportArgs {

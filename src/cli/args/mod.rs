@@ -48,7 +48,7 @@ pub enum Verb {
     /// Prints iterations per ray for every row of the published table.
     Steps(StepsArgs),
     /// Compares the datapath with the exact oracle: wrong texels with their witnesses.
-    Accuracy(MapArgs),
+    Accuracy(AccuracyArgs),
     /// Measures steps and error of every design and writes a page, JSON and CSV about them.
     Report(ReportArgs),
     /// Finds the smallest design that keeps an error budget on a scene, says why, and writes its configuration.

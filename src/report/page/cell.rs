@@ -3,8 +3,9 @@ use super::plan::{DesignSpec, MapSpec, Plan, Site};
 use super::stats::Spread;
 use crate::config::{Design, View};
 use crate::error::{Error, Result};
-use crate::golden::{RayHit, RayInput, decode_time, encode_ray};
+use crate::golden::{RayInput, decode_time, encode_ray};
 use crate::oracle::{ExactHit, ExactMap, ExactRay};
+use crate::report::accuracy::distance;
 use crate::report::{exact_ray, steps};
 use crate::scene::{Camera, ViewRay, border};
 use crate::trace::trace_golden;
@@ -136,18 +137,6 @@ impl Reference {
         let exact = rays.par_iter().map(exact).collect();
         Ok(Self { rays, exact })
     }
-}
-
-/// Distance of a returned hit and an exact place, in texels, the shorter way round the tile.
-pub(super) fn distance(d: &Design, h: &RayHit, place: [f64; 2]) -> f64 {
-    let side = 2f64.powi(d.traverse.levels as i32);
-    let unit = 2f64.powi(-(d.traverse.frac_bits as i32));
-    let away = |texel: u32, part: u32, exact: f64| {
-        let far = f64::from(texel) + f64::from(part) * unit - exact;
-        far - (far / side).round() * side
-    };
-    let (u, v) = (away(h.i, h.fu, place[0]), away(h.j, h.fv, place[1]));
-    (u * u + v * v).sqrt()
 }
 
 /// The design's words of the rays, and their digest of a few hits.

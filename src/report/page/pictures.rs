@@ -1,10 +1,11 @@
 //! Pictures: a view rendered by the datapath's hits, by the exact ones, and where they differ; the worst pixel enlarged.
-use super::cell::{distance, walk};
+use super::cell::walk;
 use super::plan::{DesignSpec, Plan, Site};
 use crate::config::View;
 use crate::error::Result;
 use crate::golden::{decode_time, encode_ray};
 use crate::oracle::ExactHit;
+use crate::report::accuracy::distance;
 use crate::report::exact_ray;
 use crate::scene::border::tiles;
 use crate::scene::{Camera, Picture, ShadePoint, Shader};
