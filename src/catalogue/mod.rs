@@ -10,7 +10,6 @@ pub use rays::{RaySet, ray_columns, ray_set};
 
 use crate::config::{DatapathKind, Design};
 use crate::error::{Error, Result};
-use crate::format::FloatFormat;
 use crate::interp::elaborate;
 use crate::ir::{Binding, Module};
 use crate::units;
@@ -45,7 +44,7 @@ pub fn design_at(d: &Design, b: &Binding) -> Design {
     let (mut exp, mut man) = (d.format.exp, d.format.man);
     set("EXP_W", &mut exp);
     set("MAN_W", &mut man);
-    d.format = FloatFormat::new(exp, man);
+    d.format = d.format.resized(exp, man);
     set("LEVELS", &mut d.traverse.levels);
     set("HEIGHT_W", &mut d.traverse.height_bits);
     set("TILE_W", &mut d.traverse.tile_bits);

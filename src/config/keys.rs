@@ -106,11 +106,16 @@ const SEED: Legal = Legal::Whole(0, i64::MAX);
 pub const KEYS: &[Key] = &[
     key("format.exp", "EXP_W: exponent bits", Legal::Whole(2, 8)),
     key("format.man", "MAN_W: fraction bits, the hidden one not counted; traversal needs 7", Legal::Whole(2, 23)),
-    key("format.rounding", "rounding: to nearest, ties to even", Legal::Word(&["nearest-even"])),
+    key("format.rounding", "rounding; traversal needs nearest-even", Legal::Word(&["nearest-even"])),
     key(
         "format.subnormals",
-        "numbers below the smallest normal one become zero of their sign",
+        "numbers below the smallest normal one become zero of their sign, or are numbers; traversal needs flush",
         Legal::Word(&["flush"]),
+    ),
+    key(
+        "format.specials",
+        "infinities and NaN, or every code a number and results that saturate; traversal needs ieee",
+        Legal::Word(&["ieee"]),
     ),
     key("format.nan", "one NaN comes out: sign 0, top fraction bit 1, rest 0", Legal::Word(&["canonical"])),
     key("traverse.levels", "LEVELS: the map has 2^levels x 2^levels texels", Legal::Whole(2, 12)),

@@ -12,11 +12,9 @@ pub(crate) mod lines;
 mod source;
 pub(crate) mod validate;
 
+pub use crate::format::{Rounding, Specials, Subnormals};
 pub use design::{DatapathConfig, DatapathKind, Design, LatencyConfig, LevelUp, ModeConfig, TraverseConfig, Trim};
-pub use input::{
-    EmitConfig, FormatConfig, Generator, MapConfig, MapKind, NanRule, Rounding, Subnormals, VectorsConfig, View,
-    ViewConfig,
-};
+pub use input::{EmitConfig, FormatConfig, Generator, MapConfig, MapKind, NanRule, VectorsConfig, View, ViewConfig};
 
 use serde::{Deserialize, Serialize};
 
