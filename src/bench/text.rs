@@ -22,6 +22,21 @@ struct Param {
 
 /// The benches of `units` and of `traverse`, whose emitted names start with `prefix`; `warm_up` is the number of clocks until its pipeline can be full.
 pub fn bench_files(units: &[Arc<Module>], traverse: &Module, warm_up: u32, prefix: &str) -> Files {
+    let mut files = unit_bench_files(units, prefix);
+    let env = templates();
+    let named = |names: &[&str]| ports(names.iter().map(|n| traverse.port(n).expect("traverse has its ports").1));
+    let value = context! {
+        unit => "traverse", dut => format!("{prefix}traverse"), params => params(traverse), warm_up,
+        // The published datapath has rays that never end by themselves.
+        lingers => traverse.params.iter().any(|p| p.name == "NUDGE_W"),
+        inputs => named(&crate::trace::inputs(traverse)), outputs => named(&crate::trace::OUTPUTS),
+    };
+    files.insert("testbench/tb_traverse.v".into(), render(&env, "traverse", value.clone()));
+    files.insert("testbench/tb_traverse_top.v".into(), render(&env, "top", value));
+    files
+}
+
+fn templates() -> Environment<'static> {
     let mut env = Environment::new();
     env.set_keep_trailing_newline(true);
     let templates = [
@@ -32,10 +47,17 @@ pub fn bench_files(units: &[Arc<Module>], traverse: &Module, warm_up: u32, prefi
     for (name, text) in templates {
         env.add_template(name, text).expect("templates are well formed");
     }
-    let render = |name: &str, value: minijinja::Value| {
-        let t = env.get_template(name).expect("template is there");
-        t.render(value).expect("templates use only what they are given")
-    };
+    env
+}
+
+fn render(env: &Environment<'_>, name: &str, value: minijinja::Value) -> String {
+    let t = env.get_template(name).expect("template is there");
+    t.render(value).expect("templates use only what they are given")
+}
+
+/// The benches of units of fixed latency, and what they share.
+pub fn unit_bench_files(units: &[Arc<Module>], prefix: &str) -> Files {
+    let env = templates();
     let mut files = Files::from([(
         "testbench/verilator_main.cpp".to_string(),
         include_str!("templates/verilator_main.cpp").to_string(),
@@ -47,18 +69,9 @@ pub fn bench_files(units: &[Arc<Module>], traverse: &Module, warm_up: u32, prefi
             travel_in => if latency == 0 { "1'b1" } else { "2" },
             inputs => ports(m.data_inputs().map(|p| p.1)), outputs => ports(m.data_outputs().map(|p| p.1)),
         };
-        files.insert(format!("testbench/tb_{}.v", m.name), render("unit", value.clone()));
-        files.insert(format!("testbench/tb_{}_top.v", m.name), render("top", value));
+        files.insert(format!("testbench/tb_{}.v", m.name), render(&env, "unit", value.clone()));
+        files.insert(format!("testbench/tb_{}_top.v", m.name), render(&env, "top", value));
     }
-    let named = |names: &[&str]| ports(names.iter().map(|n| traverse.port(n).expect("traverse has its ports").1));
-    let value = context! {
-        unit => "traverse", dut => format!("{prefix}traverse"), params => params(traverse), warm_up,
-        // The published datapath has rays that never end by themselves.
-        lingers => traverse.params.iter().any(|p| p.name == "NUDGE_W"),
-        inputs => named(&crate::trace::inputs(traverse)), outputs => named(&crate::trace::OUTPUTS),
-    };
-    files.insert("testbench/tb_traverse.v".into(), render("traverse", value.clone()));
-    files.insert("testbench/tb_traverse_top.v".into(), render("top", value));
     files
 }
 

@@ -26,7 +26,8 @@ pub fn units(d: &Design) -> Vec<Arc<Module>> {
 /// # Errors
 /// An unknown name; the sentence offers the nearest one.
 pub fn find(d: &Design, name: &str) -> Result<Arc<Module>> {
-    let all = units::all(d);
+    let mut all = units::all(d);
+    all.extend(units::available(d));
     let near = all.iter().max_by(|a, b| strsim::jaro(&a.name, name).total_cmp(&strsim::jaro(&b.name, name)));
     let near = near.map(|m| m.name.clone()).unwrap_or_default();
     let miss = || Error::input(format!("no unit is named {name}; did you mean {near}? (`reliefrtl list` shows all)"));
@@ -111,7 +112,12 @@ pub fn bindings(m: &Module) -> Vec<Binding> {
     if has("NUDGE_W") {
         out.extend([0, 1, 12, 16].map(|n| of(&[("NUDGE_W", n)])));
     }
-    if has("W") && m.name != "div_rows" {
+    if m.name == "sqrt_rows" {
+        out.extend(
+            [(18, 3, 4), (18, 1, 17), (30, 12, 18), (5, 4, 1)]
+                .map(|(w, f, n)| of(&[("W", w), ("FIRST", f), ("ROWS", n)])),
+        );
+    } else if has("W") && m.name != "div_rows" {
         out.extend([1, 2, 3, 7, 17, 32].map(|w| of(&[("W", w)])));
     }
     // Parameters may be legal for the unit and not for one inside of it: a deep divider needs its rows.

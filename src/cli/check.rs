@@ -2,12 +2,16 @@
 use super::args::{CheckArgs, Cli, Engine};
 use super::output::spinner;
 use crate::error::{Error, Result};
-use crate::project::{Checked, Scene, check_tree, project};
+use crate::project::{self, Checked, Scene, check_tree};
 use std::path::PathBuf;
 
 /// Runs `check`.
 pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
-    let c = super::config::load(cli)?;
+    let c = super::config::load_ranges(cli)?;
+    let alone = a.unit.as_ref().and_then(|name| project::alone(&c, name));
+    if alone.is_none() {
+        c.validate()?;
+    }
     if a.engine == Engine::Golden {
         return Err(Error::input(
             "check --engine golden would compare the golden model with itself: use interp, icarus or verilator",
@@ -21,7 +25,11 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
         Some(dir) => dir.clone(),
         None => {
             let tree = work.path().join("tree");
-            super::output::write_tree(&tree, &project(&c, &Scene::new(&c, None, false)?)?.files)?;
+            let files = match &alone {
+                Some(m) => project::alone_files(&c, m)?,
+                None => project::project(&c, &Scene::new(&c, None, false)?)?.files,
+            };
+            super::output::write_tree(&tree, &files)?;
             tree
         }
     };

@@ -1,41 +1,42 @@
-//! `reliefrtl emit`: the Verilog, the file list and the manifest.
+//! `reliefrtl emit`: the Verilog, the file list and the manifest; of arithmetic alone, bench and vectors, too.
 use super::args::{Cli, EmitArgs};
-use crate::emit;
-use crate::error::{Error, Result};
+use crate::catalogue;
+use crate::config::Config;
+use crate::emit::{self, Files};
+use crate::error::Result;
+use crate::project;
 use crate::units;
 
 /// Runs `emit`.
 pub fn run(cli: &Cli, a: &EmitArgs) -> Result<()> {
     let c = super::config::load_ranges(cli)?;
-    // Arithmetic stands alone: what a traversal asks of its format does not bind it.
-    let arithmetic = units::arithmetic(&c.design());
-    let alone = a.unit.as_ref().is_some_and(|name| arithmetic.iter().any(|m| m.name == *name));
-    if !alone {
-        c.validate()?;
-    }
-    let all = if alone { arithmetic } else { units::all(&c.design()) };
-    let tops = match &a.unit {
-        None => all,
-        Some(name) => {
-            let names: Vec<&str> = all.iter().map(|m| m.name.as_str()).collect();
-            let near = names.iter().max_by(|x, y| strsim::jaro(x, name).total_cmp(&strsim::jaro(y, name)));
-            let miss = || {
-                let near = near.copied().unwrap_or_default();
-                Error::input(format!("no unit is named {name}; did you mean {near}? (`reliefrtl list` shows all)"))
-            };
-            vec![all.iter().find(|m| &m.name == name).cloned().ok_or_else(miss)?]
+    // Arithmetic stands alone: what a traversal asks of its format does not bind it, and it brings bench and vectors along.
+    let (count, files) = match a.unit.as_ref().and_then(|name| project::alone(&c, name)) {
+        Some(m) => (emit::modules(std::slice::from_ref(&m))?.len(), project::alone_files(&c, &m)?),
+        None => {
+            c.validate()?;
+            of_traversal(&c, a.unit.as_deref())?
         }
     };
-    let modules = emit::modules(&tops)?;
-    let mut files = emit::rtl(&c, &modules);
-    let manifest = emit::manifest(&c, &modules, &files);
-    files.insert("manifest.json".into(), serde_json::to_string_pretty(&manifest).expect("plain data") + "\n");
     super::output::write_tree(&a.out, &files)?;
     if cli.json {
         let names: Vec<&String> = files.keys().collect();
         println!("{}", serde_json::json!({"out": a.out, "files": names}));
     } else {
-        println!("{} modules in {}", modules.len(), a.out.join("rtl").display());
+        println!("{count} modules in {}", a.out.join("rtl").display());
     }
     Ok(())
+}
+
+/// Modules and files of a traversal, or of one of its units.
+fn of_traversal(c: &Config, unit: Option<&str>) -> Result<(usize, Files)> {
+    let tops = match unit {
+        None => units::all(&c.design()),
+        Some(name) => vec![catalogue::find(&c.design(), name)?],
+    };
+    let modules = emit::modules(&tops)?;
+    let mut files = emit::rtl(c, &modules);
+    let manifest = emit::manifest(c, &modules, &files);
+    files.insert("manifest.json".into(), serde_json::to_string_pretty(&manifest).expect("plain data") + "\n");
+    Ok((modules.len(), files))
 }

@@ -1,4 +1,5 @@
 //! The sections of the configuration that do not shape the hardware, and the named choices of the number format.
+use super::ExtraUnit;
 use crate::format::{FloatFormat, Rounding, Specials, Subnormals};
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -202,4 +203,6 @@ impl Default for VectorsConfig {
 pub struct EmitConfig {
     /// Put before the name of every emitted module; empty, or a Verilog identifier.
     pub prefix: String,
+    /// Units besides what the traversal needs.
+    pub units: Vec<ExtraUnit>,
 }

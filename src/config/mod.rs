@@ -6,6 +6,7 @@
 pub(crate) mod check;
 mod commented;
 mod design;
+mod extra;
 mod input;
 pub mod keys;
 pub(crate) mod lines;
@@ -14,6 +15,7 @@ pub(crate) mod validate;
 
 pub use crate::format::{Rounding, Specials, Subnormals};
 pub use design::{DatapathConfig, DatapathKind, Design, LatencyConfig, LevelUp, ModeConfig, TraverseConfig, Trim};
+pub use extra::{ExtraUnit, ExtraUnits};
 pub use input::{EmitConfig, FormatConfig, Generator, MapConfig, MapKind, NanRule, VectorsConfig, View, ViewConfig};
 
 use serde::{Deserialize, Serialize};
@@ -51,6 +53,7 @@ impl Config {
             mode: self.mode,
             latency: self.latency,
             datapath: self.datapath,
+            extra: self.emit.units.iter().copied().collect(),
         }
     }
 

@@ -76,12 +76,15 @@ pub fn check_tree(
     if let Some(name) = only {
         let m = crate::catalogue::find(&d, name)?;
         list.retain(|x| x.name == m.name);
+        if list.is_empty() && crate::project::alone(c, name).is_some() {
+            list.push(m);
+        }
     }
     if list.is_empty() {
         return Err(Error::NothingRan("the chosen unit has no vectors of its own; nothing was checked".into()));
     }
     if sim.is_none() {
-        same_text(c, dir)?;
+        same_text(c, dir, only)?;
     }
     let one = |m: &Arc<Module>| {
         let r = unit(&d, dir, m, sim, canary);
@@ -99,8 +102,13 @@ pub fn check_tree(
 }
 
 /// The interpreter runs the datapath that the configuration emits, not the text in `dir`: refuses a tree where the two differ.
-fn same_text(c: &Config, dir: &Path) -> Result<()> {
-    for (name, text) in crate::project::hardware(c)?.files.iter().filter(|(n, _)| n.ends_with(".v")) {
+fn same_text(c: &Config, dir: &Path, only: Option<&str>) -> Result<()> {
+    // Of a unit that stands alone, its own text and that of what it instantiates.
+    let files = match only.and_then(|name| crate::project::alone(c, name)) {
+        Some(m) => crate::emit::rtl(c, &crate::emit::modules(&[m])?),
+        None => crate::project::hardware(c)?.files,
+    };
+    for (name, text) in files.iter().filter(|(n, _)| n.ends_with(".v")) {
         let path = dir.join(name);
         let there = std::fs::read(&path).map_err(|e| Error::file("read", &path, e))?;
         if there != text.as_bytes() {

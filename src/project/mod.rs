@@ -5,15 +5,15 @@ mod scene;
 pub use check::{Canary, Checked, check_tree};
 pub use scene::{Scene, encode, ray};
 
-use crate::bench::bench_files;
+use crate::bench::{bench_files, unit_bench_files};
 use crate::catalogue::{ray_set, units, vector_set};
 use crate::config::Config;
 use crate::emit::{self, Files};
 use crate::error::Result;
 use crate::ir::{Binding, Module};
 use crate::proofs::proof_files;
-use crate::units::all;
 use crate::units::traversal::{Traverse, traverse};
+use crate::units::{all, arithmetic, available};
 use crate::vectors::{Plan, set_files};
 use std::sync::Arc;
 
@@ -58,6 +58,31 @@ pub fn vectors(c: &Config, scene: &Scene) -> Result<Files> {
     files.extend(set_files(&set.set).into_iter().map(|(n, t)| (format!("golden/traverse/{n}"), t)));
     files.insert("golden/traverse/memory.hex".into(), set.memory);
     files.insert("golden/traverse/trace.csv".into(), set.trace);
+    Ok(files)
+}
+
+/// A unit that stands alone at any legal format, whatever a traversal would ask for: arithmetic, and what comes only where it is named.
+pub fn alone(c: &Config, name: &str) -> Option<Arc<Module>> {
+    let d = c.design();
+    let mut list = arithmetic(&d);
+    list.extend(available(&d));
+    list.into_iter().find(|m| m.name == name)
+}
+
+/// All that belongs to such a unit: Verilog, manifest, bench and vectors.
+///
+/// # Errors
+/// A configuration that the unit refuses.
+pub fn alone_files(c: &Config, unit: &Arc<Module>) -> Result<Files> {
+    let d = c.design();
+    let modules = emit::modules(std::slice::from_ref(unit))?;
+    let mut files = emit::rtl(c, &modules);
+    let manifest = emit::manifest(c, &modules, &files);
+    files.insert("manifest.json".into(), serde_json::to_string_pretty(&manifest).expect("plain data") + "\n");
+    files.extend(unit_bench_files(std::slice::from_ref(unit), &c.emit.prefix));
+    let plan = Plan { rows: c.vectors.arithmetic as usize, seed: c.vectors.seed };
+    let set = vector_set(&d, unit, &Binding::new(), plan);
+    files.extend(set_files(&set).into_iter().map(|(n, t)| (format!("golden/{}/{n}", unit.name), t)));
     Ok(files)
 }
 
