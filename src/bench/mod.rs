@@ -3,4 +3,4 @@ mod run;
 mod text;
 
 pub use run::{Outcome, Simulator, run_bench};
-pub use text::{bench_files, unit_bench_files};
+pub use text::bench_files;

@@ -10,6 +10,8 @@ struct Port {
     name: String,
     /// `[EXP_W+MAN_W:0]`, or blank for one bit.
     range: String,
+    /// Its number of bits.
+    width: String,
     /// How a 64-bit word is cut to the port.
     select: String,
 }
@@ -20,23 +22,9 @@ struct Param {
     default: i64,
 }
 
-/// The benches of `units` and of `traverse`, whose emitted names start with `prefix`; `warm_up` is the number of clocks until its pipeline can be full.
-pub fn bench_files(units: &[Arc<Module>], traverse: &Module, warm_up: u32, prefix: &str) -> Files {
-    let mut files = unit_bench_files(units, prefix);
-    let env = templates();
-    let named = |names: &[&str]| ports(names.iter().map(|n| traverse.port(n).expect("traverse has its ports").1));
-    let value = context! {
-        unit => "traverse", dut => format!("{prefix}traverse"), params => params(traverse), warm_up,
-        // The published datapath has rays that never end by themselves.
-        lingers => traverse.params.iter().any(|p| p.name == "NUDGE_W"),
-        inputs => named(&crate::trace::inputs(traverse)), outputs => named(&crate::trace::OUTPUTS),
-    };
-    files.insert("testbench/tb_traverse.v".into(), render(&env, "traverse", value.clone()));
-    files.insert("testbench/tb_traverse_top.v".into(), render(&env, "top", value));
-    files
-}
-
-fn templates() -> Environment<'static> {
+/// The benches of `units` and of `traverse`, whose emitted names start with `prefix`; beside `traverse` stands the number of clocks until its
+/// pipeline can be full.
+pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Module, u32)>, prefix: &str) -> Files {
     let mut env = Environment::new();
     env.set_keep_trailing_newline(true);
     let templates = [
@@ -47,17 +35,10 @@ fn templates() -> Environment<'static> {
     for (name, text) in templates {
         env.add_template(name, text).expect("templates are well formed");
     }
-    env
-}
-
-fn render(env: &Environment<'_>, name: &str, value: minijinja::Value) -> String {
-    let t = env.get_template(name).expect("template is there");
-    t.render(value).expect("templates use only what they are given")
-}
-
-/// The benches of units of fixed latency, and what they share.
-pub fn unit_bench_files(units: &[Arc<Module>], prefix: &str) -> Files {
-    let env = templates();
+    let render = |name: &str, value: minijinja::Value| {
+        let t = env.get_template(name).expect("template is there");
+        t.render(value).expect("templates use only what they are given")
+    };
     let mut files = Files::from([(
         "testbench/verilator_main.cpp".to_string(),
         include_str!("templates/verilator_main.cpp").to_string(),
@@ -69,9 +50,19 @@ pub fn unit_bench_files(units: &[Arc<Module>], prefix: &str) -> Files {
             travel_in => if latency == 0 { "1'b1" } else { "2" },
             inputs => ports(m.data_inputs().map(|p| p.1)), outputs => ports(m.data_outputs().map(|p| p.1)),
         };
-        files.insert(format!("testbench/tb_{}.v", m.name), render(&env, "unit", value.clone()));
-        files.insert(format!("testbench/tb_{}_top.v", m.name), render(&env, "top", value));
+        files.insert(format!("testbench/tb_{}.v", m.name), render("unit", value.clone()));
+        files.insert(format!("testbench/tb_{}_top.v", m.name), render("top", value));
     }
+    let Some((traverse, warm_up)) = traverse else { return files };
+    let named = |names: &[&str]| ports(names.iter().map(|n| traverse.port(n).expect("traverse has its ports").1));
+    let value = context! {
+        unit => "traverse", dut => format!("{prefix}traverse"), params => params(traverse), warm_up,
+        // The published datapath has rays that never end by themselves.
+        lingers => traverse.params.iter().any(|p| p.name == "NUDGE_W"),
+        inputs => named(&crate::trace::inputs(traverse)), outputs => named(&crate::trace::OUTPUTS),
+    };
+    files.insert("testbench/tb_traverse.v".into(), render("traverse", value.clone()));
+    files.insert("testbench/tb_traverse_top.v".into(), render("top", value));
     files
 }
 
@@ -86,6 +77,7 @@ fn ports<'a>(ports: impl Iterator<Item = &'a crate::ir::Port>) -> Vec<Port> {
         let one = w.as_const() == Some(1);
         Port {
             name: p.name.clone(),
+            width: text(w.clone()),
             range: if one { String::new() } else { format!("[{}:0]", text(w.clone() - 1)) },
             select: if one { "[0]".into() } else { format!("[{}:0]", text(w - 1)) },
         }

@@ -2,16 +2,12 @@
 use super::args::{CheckArgs, Cli, Engine};
 use super::output::spinner;
 use crate::error::{Error, Result};
-use crate::project::{self, Checked, Scene, check_tree};
+use crate::project::{Checked, Scene, alone_files, check_tree, project};
 use std::path::PathBuf;
 
 /// Runs `check`.
 pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
-    let c = super::config::load_ranges(cli)?;
-    let alone = a.unit.as_ref().and_then(|name| project::alone(&c, name));
-    if alone.is_none() {
-        c.validate()?;
-    }
+    let (c, alone) = super::config::load_for(cli, a.unit.as_deref())?;
     if a.engine == Engine::Golden {
         return Err(Error::input(
             "check --engine golden would compare the golden model with itself: use interp, icarus or verilator",
@@ -26,8 +22,8 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
         None => {
             let tree = work.path().join("tree");
             let files = match &alone {
-                Some(m) => project::alone_files(&c, m)?,
-                None => project::project(&c, &Scene::new(&c, None, false)?)?.files,
+                Some(m) => alone_files(&c, m)?,
+                None => project(&c, &Scene::new(&c, None, false)?)?.files,
             };
             super::output::write_tree(&tree, &files)?;
             tree
@@ -59,5 +55,6 @@ pub fn print(cli: &Cli, done: &[Checked]) {
         println!("{:<16} 0 of {} mismatched{}{}", x.unit, x.rows, if x.note.is_empty() { "" } else { "; " }, x.note);
     }
     let total: usize = done.iter().map(|x| x.rows).sum();
-    println!("{} units, 0 of {total} vectors mismatched", done.len());
+    let units = if done.len() == 1 { "unit" } else { "units" };
+    println!("{} {units}, 0 of {total} vectors mismatched", done.len());
 }

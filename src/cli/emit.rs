@@ -1,22 +1,20 @@
 //! `reliefrtl emit`: the Verilog, the file list and the manifest; of arithmetic alone, bench and vectors, too.
 use super::args::{Cli, EmitArgs};
-use crate::catalogue;
 use crate::config::Config;
 use crate::emit::{self, Files};
 use crate::error::Result;
-use crate::project;
+use crate::ir::Module;
+use crate::project::alone_files;
 use crate::units;
+use std::sync::Arc;
 
 /// Runs `emit`.
 pub fn run(cli: &Cli, a: &EmitArgs) -> Result<()> {
-    let c = super::config::load_ranges(cli)?;
-    // Arithmetic stands alone: what a traversal asks of its format does not bind it, and it brings bench and vectors along.
-    let (count, files) = match a.unit.as_ref().and_then(|name| project::alone(&c, name)) {
-        Some(m) => (emit::modules(std::slice::from_ref(&m))?.len(), project::alone_files(&c, &m)?),
-        None => {
-            c.validate()?;
-            of_traversal(&c, a.unit.as_deref())?
-        }
+    let (c, alone) = super::config::load_for(cli, a.unit.as_deref())?;
+    let (count, files) = match (&alone, &a.unit) {
+        (Some(m), _) => (emit::modules(std::slice::from_ref(m))?.len(), alone_files(&c, m)?),
+        (None, None) => whole(&c, &units::all(&c.design()))?,
+        (None, Some(name)) => whole(&c, &[crate::catalogue::find(&c.design(), name)?])?,
     };
     super::output::write_tree(&a.out, &files)?;
     if cli.json {
@@ -28,13 +26,9 @@ pub fn run(cli: &Cli, a: &EmitArgs) -> Result<()> {
     Ok(())
 }
 
-/// Modules and files of a traversal, or of one of its units.
-fn of_traversal(c: &Config, unit: Option<&str>) -> Result<(usize, Files)> {
-    let tops = match unit {
-        None => units::all(&c.design()),
-        Some(name) => vec![catalogue::find(&c.design(), name)?],
-    };
-    let modules = emit::modules(&tops)?;
+/// Number of modules under `tops`, and their files.
+fn whole(c: &Config, tops: &[Arc<Module>]) -> Result<(usize, Files)> {
+    let modules = emit::modules(tops)?;
     let mut files = emit::rtl(c, &modules);
     let manifest = emit::manifest(c, &modules, &files);
     files.insert("manifest.json".into(), serde_json::to_string_pretty(&manifest).expect("plain data") + "\n");

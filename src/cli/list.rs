@@ -56,6 +56,11 @@ pub fn run(cli: &Cli) -> Result<()> {
             t.slots
         );
     }
+    let listed = |m: &&Arc<Module>| !modules.iter().any(|u| u.name == m.name);
+    let below: Vec<String> = crate::emit::modules(&modules)?.iter().filter(listed).map(|m| m.name.clone()).collect();
+    if !below.is_empty() {
+        println!("Emitted beside these, without vectors of their own: {} (delay lines of traverse).", below.join(", "));
+    }
     let text = |v: &serde_json::Value| v.as_str().map_or_else(|| v.to_string(), str::to_string);
     let line = |r: &serde_json::Value| ["what", "here", "published", "why"].map(|k| text(&r[k])).to_vec();
     let rows: Vec<Vec<String>> = in_loop(&design, &t).iter().map(line).collect();

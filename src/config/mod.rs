@@ -16,7 +16,9 @@ pub(crate) mod validate;
 pub use crate::format::{Rounding, Specials, Subnormals};
 pub use design::{DatapathConfig, DatapathKind, Design, LatencyConfig, LevelUp, ModeConfig, TraverseConfig, Trim};
 pub use extra::{ExtraUnit, ExtraUnits};
-pub use input::{EmitConfig, FormatConfig, Generator, MapConfig, MapKind, NanRule, VectorsConfig, View, ViewConfig};
+pub use input::{
+    Border, EmitConfig, FormatConfig, Generator, MapConfig, MapKind, NanRule, VectorsConfig, View, ViewConfig,
+};
 
 use serde::{Deserialize, Serialize};
 

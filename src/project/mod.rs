@@ -1,11 +1,14 @@
 //! A whole project from one configuration: scene, Verilog, benches, vectors, manifest; and its check by any engine.
+mod alone;
 mod check;
 mod scene;
+mod stored;
 
+pub use alone::{alone, alone_files, alone_vectors};
 pub use check::{Canary, Checked, check_tree};
 pub use scene::{Scene, encode, ray};
 
-use crate::bench::{bench_files, unit_bench_files};
+use crate::bench::bench_files;
 use crate::catalogue::{ray_set, units, vector_set};
 use crate::config::Config;
 use crate::emit::{self, Files};
@@ -13,7 +16,7 @@ use crate::error::Result;
 use crate::ir::{Binding, Module};
 use crate::proofs::proof_files;
 use crate::units::traversal::{Traverse, traverse};
-use crate::units::{all, arithmetic, available};
+use crate::units::all;
 use crate::vectors::{Plan, set_files};
 use std::sync::Arc;
 
@@ -52,37 +55,11 @@ pub fn vectors(c: &Config, scene: &Scene) -> Result<Files> {
         let set = vector_set(&d, &m, &Binding::new(), plan);
         files.extend(set_files(&set).into_iter().map(|(n, t)| (format!("golden/{}/{n}", m.name), t)));
     }
-    let t = traverse(&d);
-    let rays = scene.sample(c);
-    let set = ray_set(&d, &t.module, &scene.pyramid, &rays, c.vectors.seed)?;
+    let rays = scene.sample(c)?;
+    let set = ray_set(&d, &scene.pyramid, &rays, c.vectors.seed)?;
     files.extend(set_files(&set.set).into_iter().map(|(n, t)| (format!("golden/traverse/{n}"), t)));
     files.insert("golden/traverse/memory.hex".into(), set.memory);
     files.insert("golden/traverse/trace.csv".into(), set.trace);
-    Ok(files)
-}
-
-/// A unit that stands alone at any legal format, whatever a traversal would ask for: arithmetic, and what comes only where it is named.
-pub fn alone(c: &Config, name: &str) -> Option<Arc<Module>> {
-    let d = c.design();
-    let mut list = arithmetic(&d);
-    list.extend(available(&d));
-    list.into_iter().find(|m| m.name == name)
-}
-
-/// All that belongs to such a unit: Verilog, manifest, bench and vectors.
-///
-/// # Errors
-/// A configuration that the unit refuses.
-pub fn alone_files(c: &Config, unit: &Arc<Module>) -> Result<Files> {
-    let d = c.design();
-    let modules = emit::modules(std::slice::from_ref(unit))?;
-    let mut files = emit::rtl(c, &modules);
-    let manifest = emit::manifest(c, &modules, &files);
-    files.insert("manifest.json".into(), serde_json::to_string_pretty(&manifest).expect("plain data") + "\n");
-    files.extend(unit_bench_files(std::slice::from_ref(unit), &c.emit.prefix));
-    let plan = Plan { rows: c.vectors.arithmetic as usize, seed: c.vectors.seed };
-    let set = vector_set(&d, unit, &Binding::new(), plan);
-    files.extend(set_files(&set).into_iter().map(|(n, t)| (format!("golden/{}/{n}", unit.name), t)));
     Ok(files)
 }
 
@@ -94,7 +71,7 @@ pub fn project(c: &Config, scene: &Scene) -> Result<Project> {
     let mut p = hardware(c)?;
     let d = c.design();
     let depth = p.traverse.setup + p.traverse.slots + p.traverse.finish;
-    p.files.extend(bench_files(&units(&d), &p.traverse.module, depth, &c.emit.prefix));
+    p.files.extend(bench_files(&units(&d), Some((&p.traverse.module, depth)), &c.emit.prefix));
     let names: Vec<String> = p.files.keys().filter_map(|f| f.strip_prefix("rtl/")).map(str::to_string).collect();
     let names: Vec<String> = names.into_iter().filter(|f| f.ends_with(".v")).collect();
     p.files.extend(proof_files(&d, &all(&d), &p.traverse, &c.emit.prefix, &names));

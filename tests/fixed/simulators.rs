@@ -2,7 +2,7 @@
 //! A missing simulator fails these tests (`tools/test.sh` installs them) unless RELIEFRTL_NO_SIMULATORS=1.
 use super::{FORMATS, design, hard};
 use reliefrtl::bench::{Simulator, run_bench};
-use reliefrtl::catalogue::{design_at, find, ray_set};
+use reliefrtl::catalogue::{design_at, ray_set};
 use reliefrtl::config::Config;
 use reliefrtl::emit::Files;
 use reliefrtl::ir::Binding;
@@ -66,7 +66,7 @@ fn traverse_at(sim: Simulator, sizes: &[(u32, u32, u32, u32)], plusargs: &[&str]
         let over: Binding = values.iter().map(|(k, v)| (k.to_string(), i64::from(**v))).collect();
         let d = design_at(&c.design(), &over);
         let (pyramid, rays) = hard(&d, 150, u64::from(*levels));
-        let set = ray_set(&d, &find(&d, "traverse").unwrap(), &pyramid, &rays, 1).unwrap();
+        let set = ray_set(&d, &pyramid, &rays, 1).unwrap();
         let place = tempfile::tempdir().unwrap();
         let mut files = set_files(&set.set);
         files.insert("memory.hex".into(), set.memory);

@@ -1,7 +1,7 @@
 //! The traverse unit in the interpreter equals the golden model ray by ray, in every mode; all modes hit alike.
 use super::{FORMATS, design, hard};
 use reliefrtl::catalogue::design_at;
-use reliefrtl::config::{LevelUp, ModeConfig};
+use reliefrtl::config::{LevelUp, ModeConfig, Trim};
 use reliefrtl::golden::{RayHit, Tracer};
 use reliefrtl::interp::Traffic;
 use reliefrtl::ir::Binding;
@@ -35,6 +35,37 @@ fn every_mode_equals_golden_and_hits_alike() {
     assert_eq!(runs, 40);
 }
 
+#[test]
+fn every_trim_equals_golden_and_hits_alike() {
+    let mut d = design(24, 24);
+    d.traverse.levels = 5;
+    let (pyramid, mut rays) = hard(&d, 210, 4);
+    rays.iter_mut().enumerate().for_each(|(k, r)| r.lod = if k % 2 == 0 { 0 } else { (k / 14 % 8) as u32 });
+    let mut first: Option<Vec<RayHit>> = None;
+    let mut runs = 0;
+    for trim in Trim::ALL {
+        for level_up in LevelUp::ALL {
+            for levels_down in 1..=4 {
+                for start_level in [false, true] {
+                    d.mode = ModeConfig { start_level, levels_down, level_up, trim, lod: true };
+                    let g = Tracer::new(&d).unwrap();
+                    let p = Pipeline::new(&d, &Binding::new()).unwrap();
+                    let run = p.run(&pyramid, &rays, 8, Traffic { gaps: 60, stalls: 90, seed: runs }).unwrap();
+                    let hits: Vec<RayHit> = run.results.iter().map(|r| hit(r)).collect();
+                    for (k, (h, r)) in hits.iter().zip(&rays).enumerate() {
+                        assert_eq!(*h, g.trace(&pyramid, r), "ray {k} in {:?}", d.mode);
+                    }
+                    let place = |h: &RayHit| (h.i, h.j, h.fu, h.fv, h.t, h.wall, h.limit);
+                    let base = first.get_or_insert(hits.clone());
+                    assert!(base.iter().map(place).eq(hits.iter().map(place)), "{:?} hits elsewhere", d.mode);
+                    runs += 1;
+                }
+            }
+        }
+    }
+    assert_eq!(runs, 120);
+}
+
 /// One elaborated text at other parameter values: what the emitted Verilog is worth to whoever changes them.
 #[test]
 fn other_parameters_equal_golden() {
@@ -48,7 +79,11 @@ fn other_parameters_equal_golden() {
             let values =
                 [("FRACTION_W", f), ("RECIP_W", w), ("LEVELS", levels), ("HEIGHT_W", height), ("TILE_W", tile)];
             let over: Binding = values.iter().map(|(k, v)| (k.to_string(), i64::from(*v))).collect();
-            let base = design(24, 24);
+            let mut base = design(24, 24);
+            // Every second size with what a trim adds.
+            if levels % 2 == 0 {
+                (base.mode.trim, base.mode.lod) = (Trim::Always, true);
+            }
             let d = design_at(&base, &over);
             let (pyramid, rays) = hard(&d, 120, u64::from(levels));
             let g = Tracer::new(&d).unwrap();
@@ -68,6 +103,7 @@ fn other_latencies_and_full_load() {
         let mut d = design(20, 18);
         d.traverse.levels = 5;
         (d.latency.add, d.latency.mul, d.latency.div, d.latency.decision) = (l, l, 2 * l, 1 + l / 3);
+        d.mode.trim = Trim::ALL[l as usize % 3];
         let (pyramid, rays) = hard(&d, 250, 8);
         let g = Tracer::new(&d).unwrap();
         let p = Pipeline::new(&d, &Binding::new()).unwrap();
@@ -91,6 +127,7 @@ fn every_iteration_equals_the_golden_models() {
     for (f, w) in FORMATS {
         let mut d = design(f, w);
         d.traverse.levels = 5;
+        d.mode.trim = Trim::Always;
         let (pyramid, rays) = hard(&d, 21, 5);
         for r in &rays {
             assert_eq!(diagnose(&d, &pyramid, r).unwrap(), None, "{r:x?}");

@@ -1,7 +1,7 @@
 //! Every unit in the interpreter against the golden model.
 use super::{FORMATS, design};
 use reliefrtl::catalogue::{bindings, check_interp, units, vector_set};
-use reliefrtl::config::{Design, LevelUp, ModeConfig};
+use reliefrtl::config::{Design, LevelUp, ModeConfig, Trim};
 use reliefrtl::ir::Binding;
 use reliefrtl::vectors::Plan;
 
@@ -22,7 +22,10 @@ fn check_all(d: &Design, rows: usize) -> usize {
 #[test]
 fn units_equal_their_models() {
     for (f, w) in FORMATS {
-        let checked = check_all(&design(f, w), 4000);
+        let mut checked = check_all(&design(f, w), 4000);
+        let mut d = design(f, w);
+        (d.mode.trim, d.mode.lod) = (Trim::Always, true);
+        checked += check_all(&d, 1000);
         println!("Q.{f}/{w}: 0 of {checked} mismatched (seed 7)");
         assert!(checked > 150_000, "only {checked} rows were checked");
     }
@@ -33,7 +36,8 @@ fn units_equal_their_models_in_every_mode_and_at_every_latency() {
     for (k, level_up) in LevelUp::ALL.into_iter().enumerate() {
         for levels_down in 1..=4 {
             let mut d = design(24, 24);
-            d.mode = ModeConfig { start_level: levels_down % 2 == 0, levels_down, level_up, ..ModeConfig::default() };
+            let (trim, lod) = (Trim::ALL[(levels_down as usize + k) % 3], levels_down > 2);
+            d.mode = ModeConfig { start_level: levels_down % 2 == 0, levels_down, level_up, trim, lod };
             let l = [0, 1, 2, 3, 5, 8, 16][(5 * levels_down as usize + k) % 7];
             (d.latency.add, d.latency.mul, d.latency.div, d.latency.compare) = (l, l, 2 * l, l);
             check_all(&d, 200);

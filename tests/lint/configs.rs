@@ -113,6 +113,22 @@ const SPREAD: &[&[&str]] = &[
         "latency.div=32",
         "latency.mul=3",
     ],
+    &["datapath.kind=fixed", "mode.trim=always", "mode.lod=true"],
+    &[
+        "datapath.kind=fixed",
+        "mode.trim=descent",
+        "mode.start_level=false",
+        "datapath.fraction_bits=8",
+        "datapath.reciprocal_bits=8",
+        "traverse.tile_bits=8",
+    ],
+    &[
+        "datapath.kind=fixed",
+        "mode.lod=true",
+        "datapath.fraction_bits=28",
+        "datapath.reciprocal_bits=31",
+        "latency.mul=3",
+    ],
     &["datapath.kind=fixed", "latency.add=0", "latency.mul=0", "latency.div=0", "latency.compare=0"],
 ];
 

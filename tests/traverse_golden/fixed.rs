@@ -4,7 +4,8 @@ use super::{answer, modes};
 use rand::seq::IndexedRandom;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use reliefrtl::config::{DatapathConfig, DatapathKind, Design, ModeConfig, TraverseConfig};
+use reliefrtl::config::{DatapathConfig, DatapathKind, Design, TraverseConfig, Trim};
+use reliefrtl::format::FloatFormat;
 use reliefrtl::golden::fixed::Fixed;
 use reliefrtl::golden::{Pyramid, RayHit, RayInput, Tracer, decode_time, encode_ray};
 use reliefrtl::oracle::ExactMap;
@@ -100,15 +101,16 @@ fn ray(d: &Design, kind: Kind, rng: &mut ChaCha8Rng) -> RayInput {
 fn disagreements(base: Design, kind: usize, count: u64, seed: u64) -> (u64, u64, u64, String) {
     let (n, h) = (base.traverse.levels, base.traverse.height_bits);
     let pyramid = Pyramid::build(n, h, &map(kind, n, h, seed)).unwrap();
-    let tracers: Vec<Fixed> = modes(reliefrtl::format::FloatFormat::new(5, 23))
-        .into_iter()
-        .map(|mode| Fixed::new(&Design { mode: ModeConfig { lod: false, ..mode }, ..base }).unwrap())
-        .collect();
+    // No width of a fixed-point design keeps a trim out; 7/16 has them all.
+    let tracers: Vec<Fixed> =
+        modes(FloatFormat::new(7, 16)).into_iter().map(|mode| Fixed::new(&Design { mode, ..base }).unwrap()).collect();
+    assert_eq!(tracers.len(), 120);
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let (mut wrong, mut limits, mut witness) = (0, 0, String::new());
     for number in 0..count {
         let of = Kind::ALL[number as usize % Kind::ALL.len()];
-        let ray = ray(&base, of, &mut rng);
+        let lod = if number % 2 == 0 { 0 } else { (number / 2 % u64::from(n + 3)) as u32 };
+        let ray = RayInput { lod, ..ray(&base, of, &mut rng) };
         let plain = tracers[0].trace(&pyramid, &ray);
         limits += u64::from(plain.limit);
         let other = tracers[1..].iter().find(|t| answer(&t.trace(&pyramid, &ray)) != answer(&plain));
@@ -154,7 +156,7 @@ fn every_mode_returns_the_same_hit_in_fixed_point() {
             first = if first.is_empty() { witness } else { first };
         }
     }
-    println!("fixed: {wrong} of {total} rays depend on the mode, {limits} given up (40 modes, seed {seed})");
+    println!("fixed: {wrong} of {total} rays depend on the mode, {limits} given up (120 modes, seed {seed})");
     assert!(total > 0 && limits == 0, "{limits} of {total} rays were given up");
     assert_eq!(wrong, 0, "{first}");
 }
@@ -188,6 +190,38 @@ fn estimates_are_never_ahead_and_planes_come_in_order() {
     }
     println!("{checked} estimates, {exact} of them behind a plane (seed {seed})");
     assert!(exact * 4 > checked);
+}
+
+/// A chord's end bounds the way: the plane behind it is met later than the parameter of the exit, and that behind the last texel never.
+#[test]
+fn chord_ends_are_never_behind() {
+    let (count, seed) = (env("RELIEFRTL_RAYS", 3000), env("RELIEFRTL_SEED", 1));
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    let (mut checked, mut near) = (0, 0);
+    for (f, w, n, h, tile) in SIZES {
+        let mut d = design(f, w, n, h, tile);
+        d.mode.trim = Trim::Always;
+        let g = Fixed::new(&d).unwrap();
+        let texel = 1i64 << (f - n);
+        let bottom = ((1u64 << h) - 1) << (f + 2 - h);
+        for k in 0..count {
+            let a = g.setup(&ray(&d, Kind::ALL[k as usize % 9], &mut rng)).u;
+            let time = |b: i64| g.plane_time((b * texel - a.p as i64).unsigned_abs(), a.r, a.z);
+            let behind = |e: i64| if a.neg { e } else { e + 1 };
+            // Where a plane is met exactly, or anywhere.
+            let any = rng.random_range(0..=bottom) >> if rng.random() { 0 } else { rng.random_range(0..f) };
+            let plane = g.estimate(&a, any) + rng.random_range(0..2);
+            let t = if rng.random() { time(plane).min(bottom) } else { any };
+            let e = g.reach_at(&a, t);
+            assert!(time(behind(e)) > t, "{d:?} {a:x?} t {t:x}: texel {e}");
+            assert!(time(behind(a.le)) > bottom, "{d:?} {a:x?}: last texel {}", a.le);
+            let met = if a.neg { e + 1 } else { e };
+            near += u64::from(time(met) <= t);
+            checked += 1;
+        }
+    }
+    println!("{checked} ends, {near} of them right behind the last plane that is met (seed {seed})");
+    assert!(near * 3 > checked, "the bound says little: {near} of {checked}");
 }
 
 #[test]

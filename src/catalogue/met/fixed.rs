@@ -21,6 +21,8 @@ pub fn meet(unit: &str, ports: &[&str], d: &Design, idx: u32, seed: u64, rows: &
         "node_crossing",
         "multi_level_down",
         "level_up",
+        "chord_end",
+        "chord_trim",
     ];
     let Some(golden) = Fixed::new(d).ok().filter(|_| of_rays.contains(&unit)) else { return false };
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
@@ -52,6 +54,8 @@ struct Side {
     high: u64,
     plane: u64,
     hit: u64,
+    reach: u64,
+    last: u64,
     t_plane: u64,
     entry: u64,
     end: u64,
@@ -111,6 +115,9 @@ impl Moment {
             (_, "x_high" | "y_high") => s.high,
             (_, "x_at" | "y_at") => s.at,
             (_, "x_hit" | "y_hit") => s.hit,
+            (_, "x_reach" | "y_reach") => s.reach,
+            (_, "x_last" | "y_last") => s.last,
+            (_, "x_neg" | "y_neg") => u64::from(s.a.neg),
             _ => return None,
         })
     }
@@ -134,8 +141,9 @@ impl Side {
         let away = ((plane << (g.design().datapath.fraction_bits - t.levels)) - a.p as i64).unsigned_abs();
         let t_plane = g.plane_time(away, a.r, a.z);
         let index = |v: i64| v as u64 & mask(idx);
-        let [entry, end, at, low, high] = [a.x, a.xa, at, low, high].map(index);
-        Self { a, at, low, high, plane: index(plane), hit: index(hit), t_plane, entry, end }
+        let reach = index(g.reach_at(&a, m));
+        let [entry, end, at, low, high, last] = [a.x, a.xa, at, low, high, a.le].map(index);
+        Self { a, at, low, high, plane: index(plane), hit: index(hit), reach, last, t_plane, entry, end }
     }
 }
 

@@ -176,7 +176,7 @@ pub fn legal(unit: &str, d: &Design, b: &Binding, mut x: Vec<u64>) -> Vec<u64> {
         "height_address" | "node_planes" | "exit_plane" => x[0] %= n + 1,
         "finest_level" => x[1] %= n + 1,
         "node_hit" => x[2] %= n + 1,
-        "hit_position" if d.mode.lod => x[4] %= n + 1,
+        "hit_position" if d.mode.lod && d.datapath.kind == DatapathKind::Watertight => x[4] %= n + 1,
         "trim_return" => {
             x[0] %= n + 1;
             x[1] %= x[0] + 1;
@@ -223,8 +223,11 @@ pub fn legal(unit: &str, d: &Design, b: &Binding, mut x: Vec<u64>) -> Vec<u64> {
             x[4] = x[4].min(u64::from(d.datapath.fraction_bits + d.traverse.tile_bits + 1));
         }
         // A ray's way stays below 2^TILE_W tiles.
-        "hit_position" if d.datapath.kind == DatapathKind::Fixed => {
+        "hit_position" | "chord_end" if d.datapath.kind == DatapathKind::Fixed => {
             x[1] &= mask(d.datapath.fraction_bits + d.traverse.tile_bits);
+            if unit == "hit_position" && d.mode.lod {
+                x[5] %= n + 1;
+            }
         }
         "sqrt_rows" => {
             // Digits below FIRST are still 0; the remainder is below twice the root and the last digit's place.

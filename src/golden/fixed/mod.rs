@@ -3,6 +3,7 @@
 //! Plain integer arithmetic in 128 bits; nothing is narrower than it needs to be, so nothing can overflow unseen.
 mod setup;
 mod traverse;
+mod trim;
 
 pub use setup::{FixedAxis, FixedSetup};
 pub use traverse::Fixed;

@@ -2,6 +2,7 @@
 use super::super::level::start_level;
 use super::super::setup::RayInput;
 use super::{Fixed, GUARD, travel};
+use crate::config::Trim;
 
 /// One axis of a ray after setup. Lengths count in 2^-FRACTION_W tiles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -22,6 +23,8 @@ pub struct FixedAxis {
     pub x: i64,
     /// Xa: texel of the point where the ray meets the bottom plane.
     pub xa: i64,
+    /// Le: a texel that the ray does not get beyond; 0 where nothing is trimmed.
+    pub le: i64,
 }
 
 /// All that setup computes for a ray. Of an invalid ray only `valid` means anything; the rest is 0.
@@ -35,6 +38,8 @@ pub struct FixedSetup {
     pub v: FixedAxis,
     /// The level to start on.
     pub level: u32,
+    /// The finest level to go to.
+    pub lod: u32,
 }
 
 impl Fixed {
@@ -50,7 +55,8 @@ impl Fixed {
         let (u, v) = (self.axis(ray.u, du), self.axis(ray.v, dv));
         let n = d.traverse.levels;
         let level = if d.mode.start_level { start_level(n, d.traverse.idx_bits(), u.x, v.x, u.xa, v.xa) } else { n };
-        FixedSetup { valid: true, u, v, level }
+        let lod = if d.mode.lod { ray.lod.min(n) } else { 0 };
+        FixedSetup { valid: true, u, v, level: level.max(lod), lod }
     }
 
     fn axis(&self, p: u64, d: i64) -> FixedAxis {
@@ -59,7 +65,8 @@ impl Fixed {
         let (r, z) = self.reciprocal(a);
         let x = self.texel(i128::from(p));
         let xa = self.texel(i128::from(p) + i128::from(d));
-        FixedAxis { p, a, neg: d < 0, r, z, s: self.per_code(a), x, xa }
+        let le = if self.design.mode.trim == Trim::None { 0 } else { self.last(p, a, d < 0) };
+        FixedAxis { p, a, neg: d < 0, r, z, s: self.per_code(a), x, xa, le }
     }
 
     /// The texel at a coordinate.

@@ -1,10 +1,10 @@
 //! The traversal in fixed point: from a ray to the texel it hits.
-use super::super::level::{Crossing, descend_levels, level_up};
+use super::super::level::{Crossing, descend_levels, level_up, trim_return};
 use super::super::pyramid::Pyramid;
 use super::super::record::{Decision, Iteration, RayHit};
 use super::super::setup::RayInput;
 use super::{FixedAxis, FixedSetup, GUARD, illegal, time_fraction};
-use crate::config::{Design, LevelUp};
+use crate::config::{Design, LevelUp, Trim};
 use crate::error::{Error, Result};
 
 /// A tracer for one design, with the design's constants at hand.
@@ -75,7 +75,15 @@ impl Fixed {
         if !setup.valid {
             return RayHit { limit: true, ..RayHit::default() };
         }
-        let mut at = Place { level: setup.level, x: setup.u.x, y: setup.v.x, t: 0, crossed: false, prev: false };
+        let mut at = Place {
+            level: setup.level,
+            x: setup.u.x,
+            y: setup.v.x,
+            t: 0,
+            crossed: false,
+            prev: false,
+            descended: false,
+        };
         let mut hit = RayHit::default();
         loop {
             let it = self.iterate::<SEEN>(pyramid, &setup, &at);
@@ -93,6 +101,7 @@ impl Fixed {
                 t: it.next_t,
                 crossed: at.crossed || crossing,
                 prev: crossing,
+                descended: it.decision == Decision::Descend,
             };
             if it.decision == Decision::Hit {
                 hit.wall = it.t > it.t_v;
@@ -104,20 +113,28 @@ impl Fixed {
             }
         }
         hit.t = at.t;
-        (hit.i, hit.fu) = (self.wrap(at.x), self.inside(&setup.u, at.t, at.x));
-        (hit.j, hit.fv) = (self.wrap(at.y), self.inside(&setup.v, at.t, at.y));
+        (hit.i, hit.fu) = self.leave(&setup.u, at.t, at.x, setup.lod);
+        (hit.j, hit.fv) = self.leave(&setup.v, at.t, at.y, setup.lod);
         hit
     }
 
     fn iterate<const SEEN: bool>(&self, pyramid: &Pyramid, setup: &FixedSetup, at: &Place) -> Iteration {
         let (n, k, rule) = (self.design.traverse.levels, at.level, self.design.mode.level_up);
-        let height = pyramid.node(k, self.wrap(at.x) >> k, self.wrap(at.y) >> k);
-        let t_v = self.height_time(u64::from(height));
-        let m = at.t.max(t_v);
         let (b_x, t_x) = self.exit(&setup.u, k, at.x);
         let (b_y, t_y) = self.exit(&setup.v, k, at.y);
+        let trims = match self.design.mode.trim {
+            Trim::None => false,
+            Trim::Descent => at.descended,
+            Trim::Always => true,
+        };
+        let chord = trims.then(|| self.chord(setup, k, [at.x, at.y], [t_x, t_y]));
+        // The node that is read: all else but a descent goes on from the node of level k.
+        let r = chord.map_or(k, |c| c.level);
+        let height = pyramid.node(r, self.wrap(at.x) >> r, self.wrap(at.y) >> r);
+        let t_v = self.height_time(u64::from(height));
+        let m = at.t.max(t_v);
         let inside = m < t_x && m < t_y;
-        let estimates = SEEN || (inside && k > 0) || (!inside && rule == LevelUp::Selective);
+        let estimates = SEEN || (inside && r > setup.lod) || (!inside && rule == LevelUp::Selective);
         let (e_x, e_y) = if estimates { (self.estimate(&setup.u, m), self.estimate(&setup.v, m)) } else { (0, 0) };
         let mut it = Iteration {
             level: k,
@@ -133,19 +150,20 @@ impl Fixed {
             m,
             e_x,
             e_y,
-            chord: None,
+            chord,
             decision: Decision::Hit,
             next_level: k,
             next_x: at.x,
             next_y: at.y,
             next_t: m,
         };
-        if inside && k == 0 {
+        if inside && r == setup.lod {
+            it.next_level = r;
             return it;
         }
         if inside {
             it.decision = Decision::Descend;
-            it.next_level = k - descend_levels(self.design.mode.levels_down, k, at.crossed);
+            it.next_level = (r - descend_levels(self.design.mode.levels_down, r, at.crossed)).max(setup.lod);
             it.next_x = onward(&setup.u, k, at.x, e_x);
             it.next_y = onward(&setup.v, k, at.y, e_y);
             return it;
@@ -160,8 +178,8 @@ impl Fixed {
             (it.decision, it.next_y) = (Decision::CrossY, behind(&setup.v));
         }
         it.next_t = at.t.max(t_x.min(t_y));
-        let c = Crossing { level: k, plane, x: at.x, y: at.y, e_x, e_y, previous: at.prev };
-        it.next_level = n.min(k + u32::from(level_up(rule, &c)));
+        let c = |level| Crossing { level, plane, x: at.x, y: at.y, e_x, e_y, previous: at.prev };
+        it.next_level = if r < k { trim_return(rule, k, &c(r)) } else { n.min(k + u32::from(level_up(rule, &c(k)))) };
         it
     }
 
@@ -193,11 +211,13 @@ impl Fixed {
         i128::from(axis.p) + if axis.neg { -way } else { way }
     }
 
-    /// Position inside texel `x`, in units of 2^-FRAC_W.
-    pub fn inside(&self, axis: &FixedAxis, t: u64, x: i64) -> u32 {
+    /// Wrapped texel, and position inside it in units of 2^-FRAC_W: where the ray is at `t`, kept in the level-`lod` node of texel `x`.
+    pub fn leave(&self, axis: &FixedAxis, t: u64, x: i64, lod: u32) -> (u32, u32) {
         let (below, frac) = (self.fraction - self.design.traverse.levels, self.design.traverse.frac_bits);
-        let off = self.at(axis, t) - (i128::from(x) << below);
-        (off << frac >> below).clamp(0, (1 << frac) - 1) as u32
+        let (first, last) = (x >> lod << lod, x | ((1 << lod) - 1));
+        let at =
+            (self.at(axis, t) << frac >> below).clamp(i128::from(first) << frac, (i128::from(last + 1) << frac) - 1);
+        (self.wrap((at >> frac) as i64), (at & ((1 << frac) - 1)) as u32)
     }
 
     /// The map repeats.
@@ -217,6 +237,8 @@ struct Place {
     crossed: bool,
     /// The last iteration crossed.
     prev: bool,
+    /// The last iteration descended.
+    descended: bool,
 }
 
 /// The texel to go on from inside the level-k node of `x`: the estimate, but in the node, and never before `x`.

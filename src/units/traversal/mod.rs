@@ -14,6 +14,7 @@ mod node_hit;
 mod node_planes;
 mod params;
 mod plane_iteration;
+mod plane_trim;
 pub mod published;
 mod start_level;
 mod stream_delay;

@@ -1,5 +1,6 @@
 //! One iteration of a datapath that compares plane parameters: from the slot's ray to the ray that goes back.
 use super::loop_state::{Ray, Sizes};
+use super::plane_trim::plane_trim;
 use super::traverse::Load;
 use super::*;
 use crate::config::{Design, LevelUp, Trim};
@@ -22,9 +23,12 @@ pub struct PlaneUnits {
     pub predicted_hit: fn(&Design) -> Arc<Module>,
     /// Constants that `predicted_hit` reads.
     pub predicted_inputs: &'static [(&'static str, &'static str)],
-    /// The level to be read instead of the ray's own, where the design trims: given least and greatest texel of a descent and the parameters
-    /// of the exit planes, each u first.
-    pub trim: for<'b> fn(&'b Builder, &Sizes, &Design, &Ray<'b>, [Pair<'b>; 2], Pair<'b>) -> Sig<'b>,
+    /// The texel reached when the ray leaves by the other axis' plane; the parameter `t` there comes beside these constants.
+    pub chord_end: fn(&Design) -> Arc<Module>,
+    /// Constants that `chord_end` reads.
+    pub chord_inputs: &'static [(&'static str, &'static str)],
+    /// The ray leaves by the v plane, given the parameters of the exit planes.
+    pub exit_order: for<'b> fn(&'b Builder, &Design, Pair<'b>) -> Sig<'b>,
     /// Hit or exit.
     pub node_crossing: fn(&Design) -> Arc<Module>,
 }
@@ -68,7 +72,7 @@ pub fn plane_iteration<'b>(
         (height, plane_times().map(|t| b.sig(t)), ray.get("level"))
     } else {
         let times = plane_times().map(|t| b.sig(t));
-        let read = (units.trim)(b, s, d, ray, [[px[0], px[1]], [py[0], py[1]]], times);
+        let read = plane_trim(b, s, d, ray, units, [[px[0], px[1]], [py[0], py[1]]], times);
         b.section("address", "");
         (read_height(b, s, d, ray, load, read), times, read)
     };

@@ -4,9 +4,9 @@
 //! level. What each is, to the bit: `docs/fixed.md`, "Once per ray".
 use super::params::{LENGTH, Params, bindings, shift_width};
 use super::reciprocal::reciprocal;
-use crate::config::Design;
+use crate::config::{Design, Trim};
 use crate::ir::{Builder, Expr, Module, NodeId, Sig};
-use crate::units::traversal::start_level;
+use crate::units::traversal::{finest_level, start_level};
 use std::sync::Arc;
 
 /// Clocks through `ray_setup`; at least one, so that a ready never follows from a valid in the same clock.
@@ -18,7 +18,7 @@ pub fn latency(d: &Design) -> u32 {
 struct Axis<'b> {
     ok: Sig<'b>,
     /// In the order of the ports.
-    words: [Sig<'b>; 6],
+    words: Vec<Sig<'b>>,
     first: Sig<'b>,
     last: Option<Sig<'b>>,
 }
@@ -28,6 +28,8 @@ struct Sizes {
     f: Expr,
     n: Expr,
     h: Expr,
+    w: Expr,
+    tile: Expr,
     reach: Expr,
     idx: Expr,
 }
@@ -51,20 +53,26 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let v = b.input("v", &f, LENGTH, "entry point at the top plane");
     let du = b.input("du", &reach + 1, LENGTH, "u travelled while the height falls from 1 to 0, signed");
     let dv = b.input("dv", &reach + 1, LENGTH, "v travelled while the height falls from 1 to 0, signed");
+    let lod = d.mode.lod.then(|| b.input("lod", &level_w, "levels", "finest level; above LEVELS it is LEVELS"));
     let o_ok = b.output("ok", 1, "bit", "the ray can be traced: no travel is the most negative word");
     let o_level = b.output("level", &level_w, "levels", "level of the first iteration");
     let outs = ["x", "y"].map(|a| {
         let of = |n: &str, w: &Expr, unit: &str, doc: &str| b.output(&format!("{n}_{a}"), w, unit, doc);
-        [
+        let mut outs = vec![
             of("p", &f, LENGTH, "entry point"),
             of("s", &(&reach + 1), "2^-(FRACTION_W+HEIGHT_W) tiles", "travel per height code, its magnitude"),
             of("r", &w, "a number of RECIP_W bits", "reciprocal of the travel"),
             of("z", &shift_w, "bits", "its power of two"),
             of("neg", &Expr::from(1), "bit", "the ray runs toward smaller coordinates"),
             of("first", &idx, "texels", "texel of the entry point"),
-        ]
+        ];
+        if d.mode.trim != Trim::None {
+            outs.push(of("le", &idx, "texels", "a texel that the ray does not get beyond"));
+        }
+        outs
     });
-    let s = Sizes { f, n, h, reach, idx };
+    let o_lod = d.mode.lod.then(|| b.output("finest", &level_w, "levels", "finest level, in the pyramid"));
+    let s = Sizes { f, n, h, w, tile, reach, idx };
     let axes = [axis(&b, d, &s, "x", u, du), axis(&b, d, &s, "y", v, dv)];
     b.section("level", "");
     let level = match (axes[0].last, axes[1].last) {
@@ -79,10 +87,16 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let ok = (axes[0].ok & axes[1].ok).named("is_ok").at(l);
     b.drive(o_ok, ok, Some(l));
     let gate = |v: Sig<'_>| -> NodeId { (v.at(l) & ok.rep(v.width())).id() };
+    let mut level = level;
+    if let Some((lod, o_lod)) = lod.zip(o_lod) {
+        let o = b.inst(&finest_level(&d.traverse), "u_finest", &[], &[("lod", lod), ("start", level)]);
+        level = o[1].named("first_level");
+        b.drive(o_lod, b.sig(gate(o[0].named("finest"))), Some(l));
+    }
     b.drive(o_level, b.sig(gate(level)), Some(l));
     for (name, (a, o)) in ["x", "y"].iter().zip(axes.iter().zip(outs)) {
         b.section(&format!("axis {name}"), "");
-        for (port, v) in o.into_iter().zip(a.words) {
+        for (port, v) in o.into_iter().zip(a.words.iter().copied()) {
             b.drive(port, b.sig(gate(v)), Some(l));
         }
     }
@@ -124,5 +138,19 @@ fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &str, p: Sig<'b>, trave
         end.slice(below, idx.clone()).named(&n("last"))
     });
     let p = p.named(&n("p"));
-    Axis { ok, words: [p, per_code, r, z, neg, first], first, last }
+    let mut words = vec![p, per_code, r, z, neg, first];
+    if d.mode.trim != Trim::None {
+        b.section(&n("end"), "The whole way, and more than a plane's parameter may err (docs/fixed.md, Chord trim).");
+        let long = a.zext(reach + 1).named(&n("a_long"));
+        let part = b.konst((&s.w - 1).smaller(reach), 6).named("recip_bits");
+        let more = b.konst(s.tile.pow2() + 8, &s.tile + 4).named("way_more").zext(reach + 1);
+        let way = (long + long.shift_right(part) + more).named(&n("whole_way"));
+        let wide = reach + 2;
+        let flip = neg.rep(wide.clone()).named(&n("way_flip"));
+        let begin = (b.cat(&[b.zeros(&wide - &s.f), p]) ^ flip).named(&n("way_start"));
+        let end = ((begin + b.cat(&[b.zeros(1), way])) ^ flip).named(&n("way_end"));
+        b.unused(end);
+        words.push(end.slice(&s.f - &s.n, idx.clone()).named(&n("le")));
+    }
+    Axis { ok, words, first, last }
 }
