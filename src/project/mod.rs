@@ -15,8 +15,8 @@ use crate::emit::{self, Files};
 use crate::error::Result;
 use crate::ir::{Binding, Module};
 use crate::proofs::proof_files;
-use crate::units::traversal::{Traverse, traverse};
 use crate::units::all;
+use crate::units::traversal::{Traverse, traverse};
 use crate::vectors::{Plan, set_files};
 use std::sync::Arc;
 

@@ -1,5 +1,5 @@
 //! Tools that read a whole configuration at once and must have nothing to say.
-use super::configs::{Emitted, all, file_count};
+use super::configs::{Emitted, all, extra, file_count};
 use super::no_problems;
 use super::tools::{Said, Tool, run};
 use std::process::Command;
@@ -24,9 +24,9 @@ fn verilate(c: &mut Command, e: &Emitted) {
     c.arg("-Wno-MULTITOP").args(e.verilog());
 }
 
-/// Each unit of the default configuration once more as the top, at its own default parameters.
+/// Each unit of the default configuration, and each that no traversal needs, once more as the top, at its own default parameters.
 fn verilate_each(tool: Tool) {
-    let e = &all()[0];
+    let e = extra();
     let mut problems = Vec::new();
     for name in e.names() {
         let Some(mut c) = tool.command() else { return };
