@@ -12,7 +12,7 @@ use std::sync::Arc;
 pub fn run(cli: &Cli, a: &EmitArgs) -> Result<()> {
     let (c, alone) = super::config::load_for(cli, a.unit.as_deref())?;
     let (count, files) = match (&alone, &a.unit) {
-        (Some(m), _) => (emit::modules(std::slice::from_ref(m))?.len(), alone_files(&c, m)?),
+        (Some(m), _) => (emit::modules(std::slice::from_ref(m))?.len(), alone_files(&c, m, None)?),
         (None, None) => whole(&c, &units::all(&c.design()))?,
         (None, Some(name)) => whole(&c, &[crate::catalogue::find(&c.design(), name)?])?,
     };

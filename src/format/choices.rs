@@ -1,4 +1,4 @@
-//! The named choices of a floating-point format (`docs/float.md`).
+//! The named choices of a floating-point format (`docs/arithmetic.md`).
 use serde::{Deserialize, Serialize};
 
 macro_rules! choice {

@@ -4,7 +4,7 @@ mod choices;
 pub use choices::{Rounding, Specials, Subnormals};
 
 /// A floating-point format: 1 sign bit, `exp` exponent bits, `man` fraction bits (PIDM-HW section 4.3 uses 7 and 16),
-/// and what `docs/float.md` lets one choose.
+/// and what `docs/arithmetic.md` lets one choose.
 ///
 /// Encoded numbers are `u64`s of `1 + exp + man` bits: sign on top, then exponent, then fraction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

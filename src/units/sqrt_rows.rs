@@ -14,7 +14,7 @@ pub fn sqrt_rows_module(width: u32, rows: u32) -> Arc<Module> {
     b.note("rem_in must be less than twice the root and the place of its last digit.");
     let w = b.param("W", width, "bits of the root");
     let n = b.param("ROWS", rows, "digits");
-    let first = b.param("FIRST", 1, "the first digit: those above stand in root_in, the others are 0 there");
+    let first = b.param("FIRST", 1, "the first digit; those above it stand in root_in");
     b.require(2, &w);
     b.require(&w, 61);
     b.require(1, &n);

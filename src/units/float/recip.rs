@@ -1,7 +1,7 @@
 //! `fp_recip`: the reciprocal of a number, rounded once.
 //!
 //! Restoring digit recurrence as in `fp_div`, with a constant dividend: the reciprocal of a significand in (1, 2) lies in
-//! (1/2, 1), so the leading digit is known and a power of 2 is told apart. Specials: `docs/float.md`.
+//! (1/2, 1), so the leading digit is known and a power of 2 is told apart. Specials: `docs/arithmetic.md`.
 use super::fields::FormatParams;
 use super::general::{Classes, Exact, Operand, Range, exponent_width, round};
 use super::rows::Groups;

@@ -2,7 +2,7 @@
 //!
 //! Restoring digit recurrence, `p` rows behind the leading one for `p = MAN_W + 1`. The root of a p-bit number is never
 //! half-way between two numbers (its square would have 2p + 1 bits), so one guard bit rounds to nearest. Rows are spread
-//! over the stages. Specials: `docs/float.md`.
+//! over the stages. Specials: `docs/arithmetic.md`.
 use super::fields::FormatParams;
 use super::general::{Classes, Exact, Operand, Range, exponent_width, round};
 use super::rows::Groups;
@@ -45,9 +45,14 @@ pub fn fp_sqrt(format: FloatFormat, latency: u32) -> Arc<Module> {
         None => (None, (zero | bad).named("give_zero")),
     };
     let inf = a.inf();
-    let half = (exp + b.konst(f.bias(), &e_w).named("bias")).named("exp_sum");
-    let half = half.sar(b.lit(1, 1)).named("half");
-    let half = if normal { half.slice(0, &f.exp).named("root_exp") } else { half };
+    let twice = (exp + b.konst(f.bias(), &e_w).named("bias")).named("exp_sum");
+    let half = if normal {
+        b.unused(twice.bit(0));
+        b.unused(twice.slice(&f.exp + 1, &e_w - 1 - &f.exp));
+        twice.slice(1, &f.exp).named("root_exp")
+    } else {
+        twice.sar(b.lit(1, 1)).named("half")
+    };
     // An even power of 2 and a significand in [1, 4), less the one that is the root's first digit. The bias is odd.
     let (frac, first) = (sig.slice(0, &f.man), sig.bit(&f.man - 1));
     b.unused(sig.msb());

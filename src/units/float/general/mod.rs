@@ -1,5 +1,5 @@
 //! What every choice of rounding, subnormals and specials needs: operands taken apart, one rounding, and the units that
-//! follow the choices where they are not those of `traverse` (`docs/float.md`).
+//! follow the choices where they are not those of `traverse` (`docs/arithmetic.md`).
 mod add;
 mod div;
 mod mul;

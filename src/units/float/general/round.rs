@@ -70,6 +70,9 @@ pub fn round<'b>(b: &'b Builder, f: &FormatParams, x: Exact<'b>, range: Range, c
     let low =
         (!gradual && range == Range::Any).then(|| (x.exp.msb() | (x.exp.none() & !sum.bit(&f.man))).named("too_low"));
     let over = (range != Range::Normal).then(|| over(f, &x, sum));
+    // The place above has said what it had to.
+    let mag_w = &f.exp + &f.man;
+    let sum = if e_w == f.exp { sum } else { sum.slice(0, mag_w).named("in_range") };
     b.section("select", "");
     let over = over.map(|o| any(&[c.nan, c.inf, c.zero]).map_or(o, |s| o & !s).named("overflow"));
     pack(b, f, &x, sum, over, low, c)
