@@ -171,6 +171,32 @@ fn arithmetic_stands_alone_with_every_choice() {
     refused(&["emit", "--set", "emit.units=fp_squirt"], "did you mean \"fp_sqrt\"?");
 }
 
+/// Parts of a campaign are written and replayed one by one; their counts add up.
+#[test]
+fn corners_are_crossed_in_parts() {
+    let dir = tempfile::tempdir().unwrap();
+    let counted = |args: &[&str]| {
+        let (code, text) = said(
+            dir.path(),
+            &[&["vectors", "--unit", "fp_mul", "--level", "1", "--set", "vectors.arithmetic=100"][..], args].concat(),
+        );
+        assert_eq!(code, Some(0), "{text}");
+        let text = std::fs::read_to_string(dir.path().join("out/golden/fp_mul/vectors.json")).unwrap();
+        let d: serde_json::Value = serde_json::from_str(&text).unwrap();
+        (d["rows"].as_u64().unwrap(), d["events"]["tie"].as_u64().unwrap())
+    };
+    let whole = counted(&[]);
+    let (one, two) = (counted(&["--shard", "1/2"]), counted(&["--shard", "2/2"]));
+    assert_eq!((one.0 + two.0, one.1 + two.1), whole);
+    let part = ["check", "--unit", "fp_mul", "--level", "1", "--shard", "2/9"];
+    let (code, text) = said(dir.path(), &part);
+    assert_eq!(code, Some(0), "{text}");
+    assert!(text.contains("1 unit, 0 of"), "{text}");
+    refused(&["vectors", "--unit", "fp_mul", "--level", "1", "--shard", "3/2"], "3/16 is the third of 16 parts");
+    refused(&["vectors", "--unit", "level_up", "--level", "1"], "name one of its units, as --unit fp_add");
+    refused(&["check", "--unit", "fp_mul", "--shard", "1/2"], "--level");
+}
+
 const SMALL: [&str; 6] = ["--set", "vectors.arithmetic=100", "--set", "vectors.rays=20", "--set", "view.stride=16"];
 
 /// Runs and returns exit code and both outputs.

@@ -77,7 +77,7 @@ fn extra(sim: Simulator, formats: &[Binding], rows: usize) {
 #[test]
 fn extra_units_in_icarus() {
     if !skip() {
-        extra(Simulator::Icarus, &[Binding::new(), at(5, 10), at(8, 23), at(4, 3), at(3, 2), at(11, 27)], 2000);
+        extra(Simulator::Icarus, &[Binding::new(), at(5, 10), at(8, 23), at(4, 3), at(3, 5), at(11, 27)], 2000);
     }
 }
 

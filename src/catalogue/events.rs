@@ -45,7 +45,12 @@ pub fn count_events(d: &Design, m: &Module, set: &VectorSet) -> BTreeMap<String,
     } else if matches!(m.name.as_str(), "fp_to_int" | "fp_to_fixed") {
         let largest = crate::bits::mask(set.outputs[0].width) >> 1;
         let is = |v: u64| set.expected.iter().filter(|r| r[0] == v).count();
-        let rows = [("largest", is(largest)), ("smallest", is(largest + 1)), ("zero", is(0)), ("minus one", is(2 * largest + 1))];
+        let rows = [
+            ("largest", is(largest)),
+            ("smallest", is(largest + 1)),
+            ("zero", is(0)),
+            ("minus one", is(2 * largest + 1)),
+        ];
         out.extend(rows.into_iter().filter(|r| r.1 > 0).map(|(n, k)| (n.to_string(), k)));
     }
     out

@@ -85,8 +85,7 @@ pub fn campaign_set(d: &Design, m: &Module, over: &Binding, plan: Plan, campaign
     let b = m.binding_with(over);
     let at = design_at(d, &b);
     let (rows, counts) = campaign_rows(&kinds(m, &at, &b), plan, campaign);
-    let set =
-        VectorSet { seed: plan.seed, counts, campaign: Some(campaign), stimulus: rows, ..VectorSet::default() };
+    let set = VectorSet { seed: plan.seed, counts, campaign: Some(campaign), stimulus: rows, ..VectorSet::default() };
     answered(m, &at, b, set)
 }
 

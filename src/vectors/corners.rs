@@ -118,9 +118,7 @@ pub fn table(kind: Kind) -> Vec<u64> {
             let stripes = [0x5555_5555_5555_5555, 0xaaaa_aaaa_aaaa_aaaa, 0x3333_3333_3333_3333];
             sorted(bits.chain(stripes).chain(landmarks(kind)).collect(), m)
         }
-        Kind::Float(f) => {
-            signed_numbers(f, &exponents(f), &fractions(f))
-        }
+        Kind::Float(f) => signed_numbers(f, &exponents(f), &fractions(f)),
     }
 }
 

@@ -1,5 +1,5 @@
 //! Whole tables of corners: those of every operand crossed with those of every other, in two sizes, and in any number of parts.
-use super::corners::{Kind, SMALL, every, exponents, fractions, landmarks, random_row, signed_numbers, sorted, table};
+use super::corners::{Kind, SMALL, every, fractions, landmarks, random_row, signed_numbers, sorted, table};
 use super::{Counts, Plan};
 use crate::bits::mask;
 use crate::error::{Error, Result};
@@ -11,11 +11,11 @@ use serde::{Deserialize, Serialize};
 /// How large the tables are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
 pub enum Level {
-    /// Up to some 20 thousand rows.
+    /// Up to some 21 thousand rows.
     #[value(name = "1")]
     #[serde(rename = "1")]
     One,
-    /// Up to some 600 thousand.
+    /// Up to some 900 thousand.
     #[value(name = "2")]
     #[serde(rename = "2")]
     Two,
@@ -58,7 +58,8 @@ pub struct Campaign {
 pub fn campaign_rows(columns: &[Kind], plan: Plan, c: Campaign) -> (Vec<Vec<u64>>, Counts) {
     let mine = |k: &usize| *k as u64 % u64::from(c.shard.of) == u64::from(c.shard.index) - 1;
     if columns.iter().map(|k| k.width()).sum::<u32>() <= SMALL {
-        let rows: Vec<Vec<u64>> = every(columns).0.into_iter().enumerate().filter(|r| mine(&r.0)).map(|r| r.1).collect();
+        let rows: Vec<Vec<u64>> =
+            every(columns).0.into_iter().enumerate().filter(|r| mine(&r.0)).map(|r| r.1).collect();
         let exhaustive = rows.len();
         return (rows, Counts { exhaustive, ..Counts::default() });
     }
@@ -93,7 +94,8 @@ fn corners(kind: Kind, level: Level, columns: usize) -> Vec<u64> {
         (Kind::Float(f), _, Level::Two) => numbers(&few_exponents(f), &few_fractions(f)[..4], f),
         (Kind::Integer(w), 1, Level::Two) => {
             let bits = || 0..w;
-            let two = bits().flat_map(|a| bits().flat_map(move |b| [(1u64 << a) + (1 << b), (1 << a) - (1 << b.min(a))]));
+            let two =
+                bits().flat_map(|a| bits().flat_map(move |b| [(1u64 << a) + (1 << b), (1 << a) - (1 << b.min(a))]));
             let two: Vec<u64> = two.flat_map(|v| [v, v.wrapping_neg(), v + 1, v.wrapping_sub(1)]).collect();
             sorted([two, table(kind)].concat(), mask(w))
         }
@@ -101,13 +103,13 @@ fn corners(kind: Kind, level: Level, columns: usize) -> Vec<u64> {
     }
 }
 
-/// Both ends, the neighbourhood of 1, and where one operand no longer reaches another.
+/// Both ends, the neighbourhood of 1, and where one operand no longer reaches another, or just the largest number.
 fn few_exponents(f: FloatFormat) -> Vec<u64> {
-    let (bias, man) = (i64::from(f.bias()), i64::from(f.man));
-    let wanted = [-man - 1, -man, -1, 0, 1, man].map(|k| bias + k);
-    let top = f.exp_max();
-    let ends = [0, 1, 2, top - 1, top];
-    exponents(f).into_iter().filter(|e| ends.contains(e) || wanted.contains(&(*e as i64))).collect()
+    let (bias, man, top) = (i64::from(f.bias()), i64::from(f.man), f.exp_max() as i64);
+    let near_one = [-man - 1, -man, -1, 0, 1, man].map(|k| bias + k);
+    let all = [0, 1, 2, top - man - 2, top - 1, top].into_iter().chain(near_one);
+    let legal = all.filter(|e| (0..=top).contains(e)).map(|e| e as u64).collect();
+    sorted(legal, f.exp_max())
 }
 
 /// 0, all ones, a tie's half and its neighbour; then the lowest bit and all ones but it.

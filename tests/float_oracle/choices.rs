@@ -10,6 +10,7 @@ use dashu::rational::RBig;
 use rayon::prelude::*;
 use reliefrtl::format::{FloatFormat, Rounding, Specials, Subnormals};
 use reliefrtl::golden::float;
+use reliefrtl::vectors::{Campaign, Kind, Level, Plan, Shard, campaign_rows};
 
 /// Every choice but the rounding.
 fn kinds(fmt: FloatFormat) -> impl Iterator<Item = FloatFormat> {
@@ -99,6 +100,24 @@ fn corners_and_random_operands_of_larger_formats() {
     }
     println!("7/16, 5/10, 8/23, all choices: 0 of {compared} mismatched (seed {seed})");
     assert!(compared > 40 * count as usize, "{compared}");
+}
+
+/// The large tables of corners crossed whole: one of `RELIEFRTL_PARTS` parts of them (default 40; 1 is all), every choice.
+#[test]
+fn crossed_corners_of_the_published_format() {
+    let of = env("RELIEFRTL_PARTS", 40) as u32;
+    let campaign = Campaign { level: Level::Two, shard: Shard { index: 1, of } };
+    let mut compared = 0;
+    for kind in kinds(FloatFormat::FP24) {
+        for op in Op::ALL {
+            let columns = vec![Kind::Float(kind); op.arity() as usize];
+            let rows = campaign_rows(&columns, Plan { rows: 0, seed: 1 }, campaign).0;
+            let of_row = |r: &Vec<u64>| [r[0], r.get(1).copied().unwrap_or(0), r.get(2).copied().unwrap_or(0)];
+            compared += agree(op, kind, rows.par_iter().map(of_row));
+        }
+    }
+    println!("7/16, all choices, corners of level 2, part 1 of {of}: 0 of {compared} mismatched");
+    assert!(compared > 40_000_000 / of as usize, "{compared}");
 }
 
 /// A third term that is sometimes nearly what cancels the other two, or far below what they leave.

@@ -68,16 +68,16 @@ impl Events {
 ///
 /// # Panics
 /// If the format has more than 11 exponent bits.
-pub fn events(fmt: FloatFormat, sum: bool, x: &[u64], float: &[bool], op: &dyn Fn(FloatFormat, &[u64]) -> u64) -> Events {
+pub fn events(
+    fmt: FloatFormat,
+    sum: bool,
+    x: &[u64],
+    float: &[bool],
+    op: &dyn Fn(FloatFormat, &[u64]) -> u64,
+) -> Events {
     assert!(fmt.exp <= 11, "{} exponent bits", fmt.exp);
     let at = |man: u32, rounding: Rounding| {
-        let wide = FloatFormat {
-            exp: WIDE,
-            man,
-            rounding,
-            subnormals: Subnormals::Flush,
-            specials: Specials::Ieee,
-        };
+        let wide = FloatFormat { exp: WIDE, man, rounding, subnormals: Subnormals::Flush, specials: Specials::Ieee };
         let row: Vec<u64> = x.iter().zip(float).map(|(v, f)| if *f { widened(fmt, *v, wide) } else { *v }).collect();
         (wide, op(wide, &row))
     };
