@@ -54,33 +54,70 @@ fn build_says_what_it_did() {
     }
 }
 
-#[test]
-fn engines_write_the_same_bytes() {
-    let dir = tempfile::tempdir().unwrap();
-    std::fs::write(
-        dir.path().join("r.csv"),
-        "u,v,du,dv\n0.1,0.2,0.3,-0.4\n0.99999999,0.5,-1.5,0.25\n0.5,0.5,0,0\n0.3,0.3,20,0\n",
-    )
-    .unwrap();
+/// The engines that are there.
+fn engines() -> Vec<&'static str> {
     let mut engines = vec!["golden", "interp"];
     if !std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
         engines.extend(["icarus", "verilator"]);
     }
-    let detail = "u,v,du,dv,lod\n0.1,0.2,0.3,-0.4,0\n0.99999999,0.5,-1.5,0.25,2\n0.5,0.5,0,0,8\n0.3,0.3,15,0,1\n";
-    std::fs::write(dir.path().join("lod.csv"), detail).unwrap();
-    let trims = ["--set", "mode.trim=always", "--set", "mode.lod=true"];
-    let fixed = [&["--set", "datapath.kind=fixed"][..], &trims].concat();
-    for (rays, sets) in [("r.csv", &[][..]), ("lod.csv", &trims), ("lod.csv", &fixed)] {
-        let mut all = Vec::new();
-        for e in &engines {
-            let args = ["trace", "--rays", rays, "--engine", e, "--out", "h.csv"];
-            let out = run(dir.path(), &[&args[..], sets].concat());
-            assert_eq!(out.status.code(), Some(0), "{e}: {}", String::from_utf8_lossy(&out.stderr));
-            all.push(std::fs::read_to_string(dir.path().join("h.csv")).unwrap());
-        }
-        assert!(all.iter().all(|h| h == &all[0]), "{sets:?}");
-        assert_eq!(all[0].lines().count(), 5);
-        assert!(all[0].starts_with("ray,i,j,u,v,t,steps,crossings,ups,wall,limit\n"));
+    engines
+}
+
+/// Traces a file of rays with each of the engines and returns what all of them wrote.
+fn same_bytes(rays: &str, engines: &[&str], sets: &[&str]) -> String {
+    let dir = tempfile::tempdir().unwrap();
+    std::fs::write(dir.path().join("r.csv"), rays).unwrap();
+    let sets: Vec<&str> = sets.iter().flat_map(|s| ["--set", s]).collect();
+    let mut all = Vec::new();
+    for e in engines {
+        let out =
+            run(dir.path(), &[&["trace", "--rays", "r.csv", "--engine", e, "--out", "h.csv"], &sets[..]].concat());
+        assert_eq!(out.status.code(), Some(0), "{e}: {}", String::from_utf8_lossy(&out.stderr));
+        all.push(std::fs::read_to_string(dir.path().join("h.csv")).unwrap());
+    }
+    assert!(all.iter().all(|h| h == &all[0]), "{sets:?}: {all:?}");
+    assert!(all[0].starts_with("ray,i,j,u,v,t,steps,crossings,ups,wall,limit\n"));
+    assert_eq!(all[0].lines().count(), rays.lines().count());
+    all.remove(0)
+}
+
+#[test]
+fn engines_write_the_same_bytes() {
+    same_bytes("u,v,du,dv\n0.1,0.2,0.3,-0.4\n0.99999999,0.5,-1.5,0.25\n0.5,0.5,0,0\n0.3,0.3,20,0\n", &engines(), &[]);
+}
+
+/// Rays with finest levels of their own, one above the root; and the same hits as without a trim, in fewer iterations.
+#[test]
+fn engines_write_the_same_bytes_with_trim_and_level_of_detail() {
+    let mut rays =
+        "u,v,du,dv,lod\n0.1,0.2,0.3,-0.4,0\n0.99999999,0.5,-1.5,0.25,2\n0.5,0.5,0,0,1\n0.3,0.3,20,0,0\n".to_string();
+    for k in 0..60 {
+        let turn = f64::from(k) * 0.61803;
+        rays += &format!(
+            "{:.6},{:.6},{:.6},{:.6},{}\n",
+            turn.fract(),
+            (turn * 1.7).fract(),
+            turn.sin() * 3.0,
+            turn.cos(),
+            k % 8
+        );
+    }
+    for (kind, trim) in [("watertight", "always"), ("fixed", "always"), ("fixed", "descent")] {
+        let kind = format!("datapath.kind={kind}");
+        let of = |trim: &str, engines: &[&str]| {
+            let mode = format!("mode.trim={trim}");
+            same_bytes(&rays, engines, &[&kind, "mode.lod=true", &mode, "traverse.levels=6"])
+        };
+        let (plain, trimmed) = (of("none", &["golden"]), of(trim, &engines()));
+        // ray, i, j, u, v, t; then steps, crossings and ups; then wall and limit.
+        let place = |row: &str| {
+            row.split(',').enumerate().filter(|(k, _)| !(6..9).contains(k)).map(|c| c.1.to_owned()).collect::<Vec<_>>()
+        };
+        assert!(plain.lines().map(place).eq(trimmed.lines().map(place)), "{kind} {trim}");
+        let steps = |text: &str| {
+            text.lines().skip(1).map(|l| l.split(',').nth(6).unwrap().parse::<u32>().unwrap()).sum::<u32>()
+        };
+        assert!(steps(&trimmed) < steps(&plain), "{kind} {trim}: {} of {}", steps(&trimmed), steps(&plain));
     }
 }
 

@@ -169,8 +169,10 @@ fn events_of_known_rows() {
     }
     let all = |e: Events, wanted: &[Events]| wanted.iter().all(|w| e.has(*w));
     let mul = |fmt, a: u64, b: u64| events(fmt, false, &[a, b], &[true, true], &|w, x| float::mul(w, x[0], x[1]));
-    // The example of the format's note: 0x010000 * 0xbeffff rounds to the smallest normal number.
-    assert!(all(mul(f, 0x01_0000, 0xbe_ffff), &[Events::TIE, Events::NOT_UNDERFLOW, Events::CARRY]));
+    // 1.5 times 4/3 cut to 17 bits is 2 - 2^-17: half-way between two numbers, and the even one is the smallest normal number.
+    assert!(all(mul(f, 0x01_8000, 0x3e_5555), &[Events::TIE, Events::NOT_UNDERFLOW, Events::CARRY]));
+    // Exact in 17 bits, so rounding does not save it.
+    assert!(all(mul(f, 0x01_0000, 0x3e_ffff), &[Events::EXACT, Events::UNDERFLOW, Events::VANISHES]));
     assert!(all(mul(f, 1 << 16, power(-3)), &[Events::EXACT, Events::UNDERFLOW, Events::VANISHES]));
     // As a subnormal number it has its places, and ties stand at them.
     let e = mul(soft, 1 << 16, power(-3));

@@ -12,6 +12,7 @@ mod setup;
 mod tracer;
 mod traverse;
 mod trim;
+mod walk;
 
 pub use level::{Crossing, descend_levels, level_up, start_level, trim_return};
 pub use published::{Exit, Published, Route, Travel};

@@ -88,6 +88,19 @@ const ALL: &[Proof] = &[
     proof!("fp_mul", &["fp_mul"], "the exact product, rounded once (4/3)", SMALL),
     proof!("plane_time", &["plane_time", "fp_mul"], "a later plane never has a smaller parameter (4/2)", TINY),
     proof!(
+        "fixed_plane_time",
+        &["plane_time", "reciprocal"],
+        "the product of distance and slope, rounded down, or all ones: monotone in the plane (8/8)",
+        NARROW
+    ),
+    proof!(
+        "fixed_predicted_hit",
+        &["ray_setup", "plane_time", "predicted_hit", "reciprocal"],
+        "an estimate passes no plane before its parameter (8/8)",
+        NARROW
+    )
+    .chained(),
+    proof!(
         "fixed_chord_end",
         &["ray_setup", "plane_time", "chord_end", "reciprocal"],
         "a chord ends behind every plane that is met by its parameter, and so does the ray at the bottom plane (8/8)",

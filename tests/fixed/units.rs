@@ -22,10 +22,7 @@ fn check_all(d: &Design, rows: usize) -> usize {
 #[test]
 fn units_equal_their_models() {
     for (f, w) in FORMATS {
-        let mut checked = check_all(&design(f, w), 4000);
-        let mut d = design(f, w);
-        (d.mode.trim, d.mode.lod) = (Trim::Always, true);
-        checked += check_all(&d, 1000);
+        let checked = check_all(&design(f, w), 4000);
         println!("Q.{f}/{w}: 0 of {checked} mismatched (seed 7)");
         assert!(checked > 150_000, "only {checked} rows were checked");
     }
@@ -36,11 +33,32 @@ fn units_equal_their_models_in_every_mode_and_at_every_latency() {
     for (k, level_up) in LevelUp::ALL.into_iter().enumerate() {
         for levels_down in 1..=4 {
             let mut d = design(24, 24);
-            let (trim, lod) = (Trim::ALL[(levels_down as usize + k) % 3], levels_down > 2);
-            d.mode = ModeConfig { start_level: levels_down % 2 == 0, levels_down, level_up, trim, lod };
+            d.mode = ModeConfig { start_level: levels_down % 2 == 0, levels_down, level_up, ..ModeConfig::default() };
             let l = [0, 1, 2, 3, 5, 8, 16][(5 * levels_down as usize + k) % 7];
             (d.latency.add, d.latency.mul, d.latency.div, d.latency.compare) = (l, l, 2 * l, l);
             check_all(&d, 200);
+        }
+    }
+}
+
+/// Chord trim and level of detail bring units and ports of their own.
+#[test]
+fn units_of_trim_and_detail_equal_their_models() {
+    for (k, (trim, lod)) in [(Trim::Descent, false), (Trim::Always, true), (Trim::None, true)].into_iter().enumerate() {
+        for (f, w) in FORMATS {
+            let mut d = design(f, w);
+            (d.mode.trim, d.mode.lod, d.mode.start_level) = (trim, lod, k != 2);
+            (d.latency.add, d.latency.mul) = ([2, 0, 5][k], [1, 3, 0][k]);
+            let names: Vec<String> = units(&d).iter().map(|m| m.name.clone()).collect();
+            for name in ["chord_end", "chord_trim", "trim_return"] {
+                assert_eq!(names.iter().any(|n| n == name), trim != Trim::None, "{name}");
+            }
+            for name in ["finest_level", "node_hit"] {
+                assert_eq!(names.iter().any(|n| n == name), lod, "{name}");
+            }
+            let checked = check_all(&d, 4000);
+            println!("Q.{f}/{w}, trim {trim:?}, detail {lod}: 0 of {checked} mismatched (seed 7)");
+            assert!(checked > 150_000, "only {checked} rows were checked");
         }
     }
 }

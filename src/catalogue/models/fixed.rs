@@ -47,13 +47,12 @@ pub(super) fn model(unit: &str, d: &Design, b: &Binding, x: &[u64]) -> Vec<u64> 
         }
         "hit_position" => {
             let at = axis(x[0], x[1], x[2]);
-            let lod = if d.mode.lod { x[5] as u32 } else { 0 };
-            let (texel, fraction) = g.leave(&at, x[3], signed(x[4], idx), lod);
-            let mut out = vec![u64::from(fraction)];
-            out.extend(d.mode.lod.then_some(u64::from(texel)));
-            out
+            let place = g.place(&at, x[3]);
+            let kept =
+                super::node_hit(d, d.traverse.frac_bits, place, signed(x[4], idx), if d.mode.lod { x[5] } else { 0 });
+            if d.mode.lod { vec![kept[1], kept[0]] } else { vec![kept[1]] }
         }
-        "chord_end" => vec![index(g.reach_at(&axis(x[0], x[1], x[2]), x[3]))],
+        "chord_end" => vec![index(g.chord_end(&axis(x[0], x[1], x[2]), x[3]))],
         other => panic!("{other} has no golden model (at {b:?})"),
     }
 }

@@ -176,7 +176,7 @@ pub fn legal(unit: &str, d: &Design, b: &Binding, mut x: Vec<u64>) -> Vec<u64> {
         "height_address" | "node_planes" | "exit_plane" => x[0] %= n + 1,
         "finest_level" => x[1] %= n + 1,
         "node_hit" => x[2] %= n + 1,
-        "hit_position" if d.mode.lod && d.datapath.kind == DatapathKind::Watertight => x[4] %= n + 1,
+        "hit_position" if d.mode.lod && d.datapath.kind != DatapathKind::Fixed => x[4] %= n + 1,
         "trim_return" => {
             x[0] %= n + 1;
             x[1] %= x[0] + 1;
@@ -223,9 +223,9 @@ pub fn legal(unit: &str, d: &Design, b: &Binding, mut x: Vec<u64>) -> Vec<u64> {
             x[4] = x[4].min(u64::from(d.datapath.fraction_bits + d.traverse.tile_bits + 1));
         }
         // A ray's way stays below 2^TILE_W tiles.
-        "hit_position" | "chord_end" if d.datapath.kind == DatapathKind::Fixed => {
+        "hit_position" if d.datapath.kind == DatapathKind::Fixed => {
             x[1] &= mask(d.datapath.fraction_bits + d.traverse.tile_bits);
-            if unit == "hit_position" && d.mode.lod {
+            if d.mode.lod {
                 x[5] %= n + 1;
             }
         }
@@ -234,6 +234,10 @@ pub fn legal(unit: &str, d: &Design, b: &Binding, mut x: Vec<u64>) -> Vec<u64> {
             let (w, first) = (b["W"] as u32, b["FIRST"] as u32);
             x[1] = (x[1] | 1 << (w - 1)) & !mask(w - first);
             x[0] %= 2 * x[1] + (1 << (w - first));
+        }
+        // A travel per height code is less than 4/3 of a travel: two height bits make the least M.
+        "chord_end" if d.datapath.kind == DatapathKind::Fixed => {
+            x[1] = x[1].min(mask(d.datapath.fraction_bits + d.traverse.tile_bits) * 4 / 3);
         }
         "div_rows" => {
             let w = b["W"] as u32;

@@ -3,9 +3,8 @@
 //! Plain integer arithmetic in 128 bits; nothing is narrower than it needs to be, so nothing can overflow unseen.
 mod setup;
 mod traverse;
-mod trim;
 
-pub use setup::{FixedAxis, FixedSetup};
+pub use setup::FixedAxis;
 pub use traverse::Fixed;
 
 use super::setup::RayInput;

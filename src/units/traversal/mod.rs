@@ -14,11 +14,11 @@ mod node_hit;
 mod node_planes;
 mod params;
 mod plane_iteration;
-mod plane_trim;
 pub mod published;
 mod start_level;
 mod stream_delay;
 mod traverse;
+mod trim;
 mod trim_return;
 pub mod watertight;
 

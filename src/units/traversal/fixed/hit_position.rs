@@ -31,7 +31,7 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
     let neg = b.input("neg", 1, "bit", "the ray runs toward smaller coordinates");
     let t = b.input("t", &time, TIME, "parameter of the hit");
     let x = b.input("x", &idx, "texels", "hit texel, unwrapped");
-    let lod = level_w.as_ref().map(|w| b.input("lod", w, "levels", "level of the node that is hit"));
+    let lod = level_w.map(|w| b.input("lod", &w, "levels", "level of the node that is hit"));
     let out = b.output("fraction", &frac, "1/2^FRAC_W texel", "position inside the texel");
     let o_texel = d.mode.lod.then(|| b.output("texel", &n, "texels", "texel of the hit, wrapped"));
     let l = latency(&d.latency);
@@ -39,14 +39,14 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
     b.section("way", "");
     let way = way(&b, s, t, &time, &reach);
     b.section("position", "");
-    let at = position(&b, p, way, neg, &reach);
+    let at = position(&b, p, way, neg, &reach, None);
 
     b.section("clamp", "A hit on a wall lies exactly on a border: the integer texel decides, the fraction follows.");
     if let Some((lod, o_texel)) = lod.zip(o_texel) {
         let long = b.cat(&[at, b.zeros(&frac)]).named("position_long");
         b.unused(long);
-        let place = long.slice(&f - &n, &idx + &frac).named("place");
-        let ins = [("at", place), ("x", x), ("lod", lod)];
+        let fixed = long.slice(&f - &n, &idx + &frac).named("fixed");
+        let ins = [("at", fixed), ("x", x), ("lod", lod)];
         let kept = b.inst(&node_hit(&d.traverse), "u_node_hit", &[("IDX_W", idx)], &ins);
         b.drive(out, kept[1].named("kept"), Some(l));
         b.drive(o_texel, kept[0].named("hit_texel"), Some(l));

@@ -66,7 +66,8 @@ const UNITS: PlaneUnits = PlaneUnits {
     predicted_inputs: &[("p", "p"), ("s", "s"), ("neg", "neg")],
     chord_end,
     chord_inputs: &[("p", "p"), ("s", "s"), ("neg", "neg")],
-    exit_order: |_, _, [t_x, t_y]| t_y.lt(t_x),
+    // One comparison beside a multiplication.
+    leaves_y: |_, _, [t_x, t_y]| t_y.lt(t_x),
     node_crossing,
 };
 
@@ -95,7 +96,7 @@ fn numbers(
     Numbers { entry: (f.clone(), LENGTH), travel: (travel, LENGTH), time: (time_width(&f), TIME), float: None }
 }
 
-/// Per axis: entry point, travel per height code, reciprocal of the travel and its shift, and which way it goes.
+/// Per axis: entry point, travel per height code, reciprocal of the travel and its shift, and which way it goes; for a trim, how far at most.
 fn constants(s: &Sizes, d: &Design) -> Vec<Field> {
     let (f, w) = (Expr::param("FRACTION_W"), Expr::param("RECIP_W"));
     let (reach, bit) = (&f + &s.tile, Expr::from(1));

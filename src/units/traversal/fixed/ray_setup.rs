@@ -18,18 +18,19 @@ pub fn latency(d: &Design) -> u32 {
 struct Axis<'b> {
     ok: Sig<'b>,
     /// In the order of the ports.
-    words: Vec<Sig<'b>>,
+    words: [Sig<'b>; 6],
     first: Sig<'b>,
     last: Option<Sig<'b>>,
+    /// A texel that the ray does not get beyond.
+    far: Option<Sig<'b>>,
 }
 
 /// Widths that both axes use.
 struct Sizes {
     f: Expr,
+    w: Expr,
     n: Expr,
     h: Expr,
-    w: Expr,
-    tile: Expr,
     reach: Expr,
     idx: Expr,
 }
@@ -72,7 +73,7 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
         outs
     });
     let o_lod = d.mode.lod.then(|| b.output("finest", &level_w, "levels", "finest level, in the pyramid"));
-    let s = Sizes { f, n, h, w, tile, reach, idx };
+    let s = Sizes { f, w, n, h, reach, idx };
     let axes = [axis(&b, d, &s, "x", u, du), axis(&b, d, &s, "y", v, dv)];
     b.section("level", "");
     let level = match (axes[0].last, axes[1].last) {
@@ -96,7 +97,7 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     b.drive(o_level, b.sig(gate(level)), Some(l));
     for (name, (a, o)) in ["x", "y"].iter().zip(axes.iter().zip(outs)) {
         b.section(&format!("axis {name}"), "");
-        for (port, v) in o.into_iter().zip(a.words.iter().copied()) {
+        for (port, v) in o.into_iter().zip(a.words.into_iter().chain(a.far)) {
             b.drive(port, b.sig(gate(v)), Some(l));
         }
     }
@@ -137,20 +138,28 @@ fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &str, p: Sig<'b>, trave
         b.unused(end);
         end.slice(below, idx.clone()).named(&n("last"))
     });
+    let far = (d.mode.trim != Trim::None).then(|| farthest(b, s, name, p, a, neg));
     let p = p.named(&n("p"));
-    let mut words = vec![p, per_code, r, z, neg, first];
-    if d.mode.trim != Trim::None {
-        b.section(&n("end"), "The whole way, and more than a plane's parameter may err (docs/fixed.md, Chord trim).");
-        let long = a.zext(reach + 1).named(&n("a_long"));
-        let part = b.konst((&s.w - 1).smaller(reach), 6).named("recip_bits");
-        let more = b.konst(s.tile.pow2() + 8, &s.tile + 4).named("way_more").zext(reach + 1);
-        let way = (long + long.shift_right(part) + more).named(&n("whole_way"));
-        let wide = reach + 2;
-        let flip = neg.rep(wide.clone()).named(&n("way_flip"));
-        let begin = (b.cat(&[b.zeros(&wide - &s.f), p]) ^ flip).named(&n("way_start"));
-        let end = ((begin + b.cat(&[b.zeros(1), way])) ^ flip).named(&n("way_end"));
-        b.unused(end);
-        words.push(end.slice(&s.f - &s.n, idx.clone()).named(&n("le")));
-    }
-    Axis { ok, words, first, last }
+    Axis { ok, words: [p, per_code, r, z, neg, first], first, last, far }
+}
+
+/// A texel that the ray does not get beyond, by the parameters of its planes.
+fn farthest<'b>(b: &'b Builder, s: &Sizes, name: &str, p: Sig<'b>, a: Sig<'b>, neg: Sig<'b>) -> Sig<'b> {
+    let n = |what: &str| format!("{name}_{what}");
+    b.section(
+        &n("farthest"),
+        "The travel, and more than what the reciprocal and the rounding of a parameter add to it. No travel stays none.",
+    );
+    let wide = &s.reach + 2;
+    let tall = a.zext(wide.clone()).named(&n("a_tall"));
+    let part = |by: Expr, net: &str| tall.shift_right(b.konst(by.smaller(&s.reach), 6).named(&n(net)));
+    let recip = part(&s.w - 1, "recip_part");
+    let time = part(&s.f + 1, "time_part");
+    let whole = (tall + recip + time + a.any().zext(&wide)).named(&n("whole"));
+    let flip = neg.rep(wide.clone()).named(&n("turn"));
+    // Toward smaller coordinates a texel is left when the ray is at its border.
+    let end = (b.cat(&[b.zeros(&wide - &s.f), p]) ^ flip) + whole + neg.zext(&wide);
+    let end = (end.named(&n("far_turned")) ^ flip).named(&n("far_end"));
+    b.unused(end);
+    end.slice(&s.f - &s.n, s.idx.clone()).named(&n("le"))
 }

@@ -66,8 +66,9 @@ const UNITS: PlaneUnits = PlaneUnits {
     predicted_inputs: &[("p_back", "pb"), ("d", "d")],
     chord_end,
     chord_inputs: &[("p_ahead", "pf"), ("d", "d"), ("neg", "neg")],
-    exit_order: |b, d, [t_x, t_y]| {
-        b.inst(&float::fp_lt(d.format, d.latency.compare), "u_exit_order", &[], &[("a", t_y), ("b", t_x)])[0]
+    leaves_y: |b, d, [t_x, t_y]| {
+        let lt = float::fp_lt(d.format, d.latency.compare);
+        b.inst(&lt, "u_exit_order", &[], &[("a", t_y), ("b", t_x)])[0]
     },
     node_crossing,
 };

@@ -7,7 +7,7 @@ use crate::ir::{Builder, Sig};
 
 /// The level of the node to be read instead of the ray's own; `bounds` are least and greatest texel of a descent, `times` the parameters of the
 /// exit planes, each u first.
-pub(super) fn plane_trim<'b>(
+pub(super) fn trim<'b>(
     b: &'b Builder,
     s: &Sizes,
     d: &Design,
@@ -22,12 +22,11 @@ pub(super) fn plane_trim<'b>(
         "Where the ray is when it leaves by the other axis' plane; which of the two it is, is known meanwhile.",
     );
     let reach = |axis: &str, t: Sig<'b>| {
-        let of = |(port, word): &(&'static str, &'static str)| (*port, ray.get(&format!("{word}_{axis}")));
-        let ins: Vec<_> = units.chord_inputs.iter().map(of).chain([("t", t)]).collect();
+        let ins = [ray.constants(axis, units.chord_inputs), vec![("t", t)]].concat();
         b.inst(&(units.chord_end)(d), &format!("u_reach_{axis}"), &idx, &ins)[0].named(&format!("{axis}_reach")).id()
     };
     let reaches = [b.sig(reach("x", times[1])), b.sig(reach("y", times[0]))];
-    let y_first = (units.exit_order)(b, d, times).named("leaves_y");
+    let y_first = (units.leaves_y)(b, d, times).named("leaves_y");
 
     b.section("trim", "The smallest node that holds this texel and the chord's end.");
     let mut ins = vec![("level", ray.get("level")), ("x_first", (!y_first).named("leaves_x"))];
