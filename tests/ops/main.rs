@@ -120,8 +120,9 @@ fn parameters_at_every_width() {
             let rows = rng.random_range(1..=w - first);
             let b = Binding::from([("W".into(), w), ("ROWS".into(), rows), ("FIRST".into(), first)]);
             let open = w - first;
-            let legal =
-                |row: &[u64]| row[1] >> (w - 1) == 1 && row[1] % (1 << open) == 0 && row[0] < 2 * row[1] + (1 << open);
+            let legal = |row: &[u64]| {
+                row[1] >> (w - 1) == 1 && row[1].is_multiple_of(1 << open) && row[0] < 2 * row[1] + (1 << open)
+            };
             check(&mut batch, &sqrt_rows_module(18, 17), &b, &mut rng, legal);
         }
     }
