@@ -81,7 +81,8 @@ const DIV_ROWS: &str = r#"
 "#;
 
 const SQRT_ROWS: &str = r#"
-  // Each row: double what is left, subtract twice the root and the digit's place if that fits, and then set the digit.
+  // Each row: double what is left, subtract twice the root and the digit's place if that fits,
+  // and then set the digit.
   genvar r;
   generate
     for (r = 0; r < ROWS; r = r + 1) begin : gen_row
