@@ -182,8 +182,10 @@ fn arithmetic_stands_alone_with_every_choice() {
     assert!(text.contains("a traversal needs \"nearest-even\""), "{text}");
     for unit in ["fp_add", "fp_div", "fp_sqrt", "fp_add3", "fp_compare"] {
         let choice = ["--set", "format.rounding=down", "--set", "format.subnormals=gradual", "--set", "format.exp=8"];
-        let (code, text) = ask(&[&["emit", "--unit", unit, "--out", unit], &choice[..]].concat());
-        assert_eq!(code, Some(0), "{text}");
+        for part in ["emit", "vectors"] {
+            let (code, text) = ask(&[&[part, "--unit", unit, "--out", unit], &choice[..]].concat());
+            assert_eq!(code, Some(0), "{text}");
+        }
         let verilog = std::fs::read_to_string(dir.path().join(format!("{unit}/rtl/{unit}.v"))).unwrap();
         let told = verilog.replace("\n//            ", " ");
         assert!(
