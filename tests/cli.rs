@@ -169,6 +169,73 @@ fn the_first_mismatch_is_a_waveform() {
     assert_eq!(out.status.code(), Some(2));
 }
 
+#[test]
+fn arithmetic_stands_alone_with_every_choice() {
+    let dir = tempfile::tempdir().unwrap();
+    let ask = |args: &[&str]| {
+        let out = run(dir.path(), args);
+        let text = String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
+        (out.status.code(), text)
+    };
+    let (code, text) = ask(&["build", "--set", "format.rounding=up"]);
+    assert_eq!(code, Some(2));
+    assert!(text.contains("a traversal needs \"nearest-even\""), "{text}");
+    for unit in ["fp_add", "fp_div", "fp_sqrt", "fp_add3", "fp_compare"] {
+        let choice = ["--set", "format.rounding=down", "--set", "format.subnormals=gradual", "--set", "format.exp=8"];
+        for part in ["emit", "vectors"] {
+            let (code, text) = ask(&[&[part, "--unit", unit, "--out", unit], &choice[..]].concat());
+            assert_eq!(code, Some(0), "{text}");
+        }
+        let verilog = std::fs::read_to_string(dir.path().join(format!("{unit}/rtl/{unit}.v"))).unwrap();
+        let told = verilog.replace("\n//            ", " ");
+        assert!(
+            told.contains("float 8/16 down gradual") && told.contains("rounded toward minus infinity"),
+            "{verilog}"
+        );
+        let manifest = std::fs::read_to_string(dir.path().join(format!("{unit}/manifest.json"))).unwrap();
+        assert!(manifest.contains(&format!("\"name\": \"{unit}\"")));
+        let (code, text) = ask(&[&["check", "--unit", unit, "--dir", unit], &choice[..]].concat());
+        assert_eq!(code, Some(0), "{text}");
+        assert!(text.contains("0 of 2000 mismatched"), "{text}");
+        let (code, text) = ask(&[&["check", "--unit", unit, "--canary", "flip"], &choice[..]].concat());
+        assert_eq!(code, Some(1), "{text}");
+    }
+    let (code, text) = ask(&["list"]);
+    assert_eq!(code, Some(0));
+    let (given, more) = text.split_once("available").expect("list says what could be emitted");
+    assert!(!given.contains("fp_sqrt") && more.contains("fp_sqrt"), "{text}");
+    let (_, text) = ask(&["list", "--set", "emit.units=fp_sqrt,fp_add3"]);
+    let (given, more) = text.split_once("available").expect("list says what could be emitted");
+    assert!(given.contains("fp_sqrt") && !more.contains("fp_add3") && more.contains("fp_recip"), "{text}");
+    refused(&["emit", "--set", "emit.units=fp_squirt"], "did you mean \"fp_sqrt\"?");
+}
+
+/// Parts of a campaign are written and replayed one by one; their counts add up.
+#[test]
+fn corners_are_crossed_in_parts() {
+    let dir = tempfile::tempdir().unwrap();
+    let counted = |args: &[&str]| {
+        let (code, text) = said(
+            dir.path(),
+            &[&["vectors", "--unit", "fp_mul", "--level", "1", "--set", "vectors.arithmetic=100"][..], args].concat(),
+        );
+        assert_eq!(code, Some(0), "{text}");
+        let text = std::fs::read_to_string(dir.path().join("out/golden/fp_mul/vectors.json")).unwrap();
+        let d: serde_json::Value = serde_json::from_str(&text).unwrap();
+        (d["rows"].as_u64().unwrap(), d["events"]["tie"].as_u64().unwrap())
+    };
+    let whole = counted(&[]);
+    let (one, two) = (counted(&["--shard", "1/2"]), counted(&["--shard", "2/2"]));
+    assert_eq!((one.0 + two.0, one.1 + two.1), whole);
+    let part = ["check", "--unit", "fp_mul", "--level", "1", "--shard", "2/9"];
+    let (code, text) = said(dir.path(), &part);
+    assert_eq!(code, Some(0), "{text}");
+    assert!(text.contains("1 unit, 0 of"), "{text}");
+    refused(&["vectors", "--unit", "fp_mul", "--level", "1", "--shard", "3/2"], "3/16 is the third of 16 parts");
+    refused(&["vectors", "--unit", "level_up", "--level", "1"], "name one of its units, as --unit fp_add");
+    refused(&["check", "--unit", "fp_mul", "--shard", "1/2"], "--level");
+}
+
 const SMALL: [&str; 6] = ["--set", "vectors.arithmetic=100", "--set", "vectors.rays=20", "--set", "view.stride=16"];
 
 /// Runs and returns exit code and both outputs.

@@ -107,7 +107,10 @@ fn out_of_range_names_key_value_and_range() {
         set("mode.level_up=coherant"),
         "mode.level_up = \"coherant\" is not one of none, tevs, selective, coherent, always; did you mean \"coherent\"? (--set)"
     );
-    assert_eq!(set("format.rounding=up"), "format.rounding = \"up\" is not nearest-even (--set)");
+    assert_eq!(
+        set("format.rounding=upward"),
+        "format.rounding = \"upward\" is not one of nearest-even, nearest-away, toward-zero, up, down (--set)"
+    );
     assert_eq!(set("view.names=front,front"), "view.names names \"front\" twice: once is enough (--set)");
     assert_eq!(set("view.names=[]"), "view.names is empty: at least one of front, oblique, grazing is needed (--set)");
     assert_eq!(

@@ -1,11 +1,11 @@
 //! Mutants of the datapath: one operation of a unit is replaced by its neighbour, and the committed vectors have to notice.
 //! What survives is listed by name with `cargo test --test mutants -- --nocapture`.
 use rayon::prelude::*;
-use reliefrtl::catalogue::{check_netlist, units, vector_set};
+use reliefrtl::catalogue::{campaign_set, check_netlist, find, units, vector_set};
 use reliefrtl::config::Design;
 use reliefrtl::interp::{FlatOp, Kind, Netlist, elaborate};
 use reliefrtl::ir::{Binding, Module};
-use reliefrtl::vectors::{Plan, VectorSet, read_set};
+use reliefrtl::vectors::{Campaign, Level, Plan, Shard, VectorSet, read_set};
 use std::path::PathBuf;
 
 /// How many mutants of a unit the committed vectors let live, at most. Many of these compute the same as the original (`fp_from_int` is
@@ -118,10 +118,40 @@ fn committed_vectors_kill_the_mutants() {
     assert!(more.is_empty(), "{}", more.join("\n"));
 }
 
+/// As [`LIVE`], of the units that no traversal needs and have no committed vectors, on the small tables of corners and 2000 random rows.
+const EXTRA_LIVE: &[(&str, usize)] = &[("fp_sqrt", 45), ("fp_recip", 26), ("fp_compare", 2), ("fp_add3", 42)];
+
+/// Mutants of these units on tables of a level; their number and how many live in each.
+fn others(level: Level, rows: usize) -> (usize, Vec<(&'static str, usize)>) {
+    let d = Design::default();
+    let campaign = Campaign { level, shard: Shard::WHOLE };
+    let (mut total, mut lives) = (0, Vec::new());
+    for (unit, _) in EXTRA_LIVE {
+        let m = find(&d, unit).unwrap();
+        let set = campaign_set(&d, &m, &Binding::new(), Plan { rows, seed: 1 }, campaign);
+        let net = elaborate(&m, &Binding::new()).unwrap();
+        let (n, survivors) = mutate(&net, m.latency.unwrap() as usize, &set);
+        println!("{unit:<17} {} of {n} killed", n - survivors.len());
+        survivors.iter().for_each(|s| println!("    lives: {s}"));
+        total += n;
+        lives.push((*unit, survivors.len()));
+    }
+    (total, lives)
+}
+
+#[test]
+fn crossed_corners_kill_the_mutants_of_the_other_units() {
+    let (total, lives) = others(Level::One, 2000);
+    assert!(total > 500, "only {total} mutants");
+    let more: Vec<_> = lives.iter().zip(EXTRA_LIVE).filter(|(l, before)| l.1 > before.1).collect();
+    assert!(more.is_empty(), "unit, live, live before: {more:?}");
+}
+
 /// What twenty times the rows would kill: the rest computes the same, as far as anybody can tell.
 #[test]
 #[ignore = "a minute; for whoever changes the plans"]
 fn many_more_rows_kill() {
     let d = Design::default();
     all_units(|m| vector_set(&d, m, &Binding::new(), Plan { rows: 40_000, seed: 99 }));
+    others(Level::Two, 100_000);
 }

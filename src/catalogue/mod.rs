@@ -1,20 +1,21 @@
 //! One entry a unit: its hardware, its model, its vectors. Here alone hardware and golden model meet.
 mod check;
+mod events;
 mod met;
 mod models;
 mod rays;
 
 pub use check::{CheckReport, Mismatch, check_interp, check_netlist, compare, fits, told};
+pub use events::count_events;
 pub use models::model;
 pub use rays::{RaySet, ray_columns, ray_set};
 
 use crate::config::{DatapathKind, Design};
 use crate::error::{Error, Result};
-use crate::format::FloatFormat;
 use crate::interp::elaborate;
 use crate::ir::{Binding, Module};
 use crate::units;
-use crate::vectors::{Column, Counts, Kind, Plan, VectorSet, plan_rows};
+use crate::vectors::{Campaign, Column, Counts, Kind, Plan, VectorSet, campaign_rows, plan_rows};
 use std::sync::Arc;
 
 /// The units that have vectors of their own, leaves first: all but the memory and `traverse`, which ray sets exercise.
@@ -27,7 +28,8 @@ pub fn units(d: &Design) -> Vec<Arc<Module>> {
 /// # Errors
 /// An unknown name; the sentence offers the nearest one.
 pub fn find(d: &Design, name: &str) -> Result<Arc<Module>> {
-    let all = units::all(d);
+    let mut all = units::all(d);
+    all.extend(units::available(d));
     let near = all.iter().max_by(|a, b| strsim::jaro(&a.name, name).total_cmp(&strsim::jaro(&b.name, name)));
     let near = near.map(|m| m.name.clone()).unwrap_or_default();
     let miss = || Error::input(format!("no unit is named {name}; did you mean {near}? (`reliefrtl list` shows all)"));
@@ -45,7 +47,7 @@ pub fn design_at(d: &Design, b: &Binding) -> Design {
     let (mut exp, mut man) = (d.format.exp, d.format.man);
     set("EXP_W", &mut exp);
     set("MAN_W", &mut man);
-    d.format = FloatFormat::new(exp, man);
+    d.format = d.format.resized(exp, man);
     set("LEVELS", &mut d.traverse.levels);
     set("HEIGHT_W", &mut d.traverse.height_bits);
     set("TILE_W", &mut d.traverse.tile_bits);
@@ -61,18 +63,11 @@ pub fn design_at(d: &Design, b: &Binding) -> Design {
 pub fn vector_set(d: &Design, m: &Module, over: &Binding, plan: Plan) -> VectorSet {
     let b = m.binding_with(over);
     let at = design_at(d, &b);
-    let column = |p: &crate::ir::Port| Column { name: p.name.clone(), width: p.width.eval(&b) as u32 };
-    let inputs: Vec<Column> = m.data_inputs().map(|(_, p)| column(p)).collect();
-    let outputs: Vec<Column> = m.data_outputs().map(|(_, p)| column(p)).collect();
-    let kind = |(_, p): (usize, &crate::ir::Port)| match p.unit.starts_with("float") {
-        true => Kind::Float(at.format),
-        false => Kind::Integer(p.width.eval(&b) as u32),
-    };
-    let kinds: Vec<Kind> = m.data_inputs().map(kind).collect();
+    let kinds = kinds(m, &at, &b);
     let (mut rows, mut counts) = plan_rows(&kinds, plan);
     if counts.exhaustive == 0 {
         // Where a ray can come by, half of the rows are what it brings.
-        let names: Vec<&str> = inputs.iter().map(|c| c.name.as_str()).collect();
+        let names: Vec<&str> = m.data_inputs().map(|(_, p)| p.name.as_str()).collect();
         let idx = b.get("IDX_W").map_or(at.traverse.idx_bits(), |v| *v as u32);
         let (free, kept) = plan_rows(&kinds, Plan { rows: plan.rows - plan.rows / 2, ..plan });
         let mut met = free[..plan.rows / 2].to_vec();
@@ -82,9 +77,35 @@ pub fn vector_set(d: &Design, m: &Module, over: &Binding, plan: Plan) -> VectorS
             rows = [free, met].concat();
         }
     }
-    let rows: Vec<Vec<u64>> = rows.into_iter().map(|r| models::legal(&m.name, &at, &b, r)).collect();
-    let expected = rows.iter().map(|r| model(&m.name, &at, &b, r)).collect();
-    VectorSet { unit: m.name.clone(), params: b, seed: plan.seed, counts, inputs, outputs, stimulus: rows, expected }
+    answered(m, &at, b, VectorSet { seed: plan.seed, counts, stimulus: rows, ..VectorSet::default() })
+}
+
+/// As [`vector_set`], with tables of corners crossed whole, and the part of it that is asked for.
+pub fn campaign_set(d: &Design, m: &Module, over: &Binding, plan: Plan, campaign: Campaign) -> VectorSet {
+    let b = m.binding_with(over);
+    let at = design_at(d, &b);
+    let (rows, counts) = campaign_rows(&kinds(m, &at, &b), plan, campaign);
+    let set = VectorSet { seed: plan.seed, counts, campaign: Some(campaign), stimulus: rows, ..VectorSet::default() };
+    answered(m, &at, b, set)
+}
+
+/// What each input column means.
+fn kinds(m: &Module, at: &Design, b: &Binding) -> Vec<Kind> {
+    let kind = |p: &crate::ir::Port| match p.unit.starts_with("float") {
+        true => Kind::Float(at.format),
+        false => Kind::Integer(p.width.eval(b) as u32),
+    };
+    m.data_inputs().map(|(_, p)| kind(p)).collect()
+}
+
+/// A set with unit, columns and the golden model's results; rows that the unit does not allow are made such that it does.
+fn answered(m: &Module, at: &Design, b: Binding, set: VectorSet) -> VectorSet {
+    let column = |p: &crate::ir::Port| Column { name: p.name.clone(), width: p.width.eval(&b) as u32 };
+    let inputs: Vec<Column> = m.data_inputs().map(|(_, p)| column(p)).collect();
+    let outputs: Vec<Column> = m.data_outputs().map(|(_, p)| column(p)).collect();
+    let stimulus: Vec<Vec<u64>> = set.stimulus.into_iter().map(|r| models::legal(&m.name, at, &b, r)).collect();
+    let expected = stimulus.iter().map(|r| model(&m.name, at, &b, r)).collect();
+    VectorSet { unit: m.name.clone(), params: b, inputs, outputs, stimulus, expected, ..set }
 }
 
 /// Parameter values, besides the defaults, at which a unit's vectors are checked.
@@ -112,7 +133,12 @@ pub fn bindings(m: &Module) -> Vec<Binding> {
     if has("NUDGE_W") {
         out.extend([0, 1, 12, 16].map(|n| of(&[("NUDGE_W", n)])));
     }
-    if has("W") && m.name != "div_rows" {
+    if m.name == "sqrt_rows" {
+        out.extend(
+            [(18, 3, 4), (18, 1, 17), (30, 12, 18), (5, 4, 1)]
+                .map(|(w, f, n)| of(&[("W", w), ("FIRST", f), ("ROWS", n)])),
+        );
+    } else if has("W") && m.name != "div_rows" {
         out.extend([1, 2, 3, 7, 17, 32].map(|w| of(&[("W", w)])));
     }
     // Parameters may be legal for the unit and not for one inside of it: a deep divider needs its rows.

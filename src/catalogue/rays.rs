@@ -63,6 +63,7 @@ pub fn ray_set(d: &Design, pyramid: &Pyramid, rays: &[RayInput], seed: u64) -> R
         outputs,
         stimulus: rays.iter().map(|r| row(&names, r)).collect(),
         expected,
+        ..VectorSet::default()
     };
     let mut memory = format!(
         "// height pyramid: number of words, then level 0 first, the root last\n{:x}\n",

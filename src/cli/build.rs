@@ -100,9 +100,10 @@ pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
 /// Runs `vectors`.
 pub fn vectors(cli: &Cli, a: &VectorsArgs) -> Result<()> {
     let (c, alone) = super::config::load_for(cli, a.unit.as_deref())?;
+    let campaign = a.campaign.campaign(alone.is_some())?;
     let bar = spinner(cli, "computing vectors");
     let files = match (&alone, &a.unit) {
-        (Some(m), _) => project::alone_vectors(&c, m),
+        (Some(m), _) => project::alone_vectors(&c, m, campaign),
         (None, unit) => {
             let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
             let mut files = project::vectors(&c, &scene)?;

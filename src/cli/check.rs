@@ -16,13 +16,14 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
     if a.wave.is_some() && a.engine != Engine::Interp {
         return Err(Error::input("check --wave records the interpreter: leave out --engine, or set it to interp"));
     }
+    let campaign = a.campaign.campaign(alone.is_some())?;
     let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
     let dir: PathBuf = match &a.dir {
         Some(dir) => dir.clone(),
         None => {
             let tree = work.path().join("tree");
             let files = match &alone {
-                Some(m) => alone_files(&c, m)?,
+                Some(m) => alone_files(&c, m, campaign)?,
                 None => project(&c, &Scene::new(&c, None, false)?)?.files,
             };
             super::output::write_tree(&tree, &files)?;

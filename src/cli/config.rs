@@ -33,7 +33,7 @@ pub fn load_for(cli: &Cli, unit: Option<&str>) -> Result<(Config, Option<Arc<Mod
 ///
 /// # Errors
 /// As [`load`].
-fn load_ranges(cli: &Cli) -> Result<Config> {
+pub(super) fn load_ranges(cli: &Cli) -> Result<Config> {
     let mut c = match &cli.config {
         Some(path) => Config::load(path)?,
         None => Config::default(),

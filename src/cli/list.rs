@@ -24,23 +24,28 @@ pub fn run(cli: &Cli) -> Result<()> {
                 json!({"unit": m.name, "summary": m.summary, "latency": m.latency, "parameters": params})
             })
             .collect();
-        let rows = json!({"units": rows, "loop": in_loop(&design, &t)});
+        let more: Vec<_> =
+            more(&design).iter().map(|m| json!({"unit": m.name, "summary": m.summary, "latency": m.latency})).collect();
+        let rows = json!({"units": rows, "available": more, "loop": in_loop(&design, &t)});
         println!("{}", serde_json::to_string_pretty(&rows).expect("plain data"));
         return Ok(());
     }
-    let rows: Vec<Vec<String>> = modules
-        .iter()
-        .map(|m| {
-            let params: Vec<String> = m.params.iter().map(|p| format!("{}={}", p.name, p.default)).collect();
-            let latency = match m.latency {
-                Some(0) => "comb.".to_string(),
-                Some(k) => k.to_string(),
-                None => format!("{}+{}n+{}", t.setup, t.slots, t.finish),
-            };
-            vec![m.name.clone(), latency, params.join(" "), m.summary.clone()]
-        })
-        .collect();
+    let row = |m: &Arc<Module>| {
+        let params: Vec<String> = m.params.iter().map(|p| format!("{}={}", p.name, p.default)).collect();
+        let latency = match m.latency {
+            Some(0) => "comb.".to_string(),
+            Some(k) => k.to_string(),
+            None => format!("{}+{}n+{}", t.setup, t.slots, t.finish),
+        };
+        vec![m.name.clone(), latency, params.join(" "), m.summary.clone()]
+    };
+    let rows: Vec<Vec<String>> = modules.iter().map(row).collect();
     print!("{}", table(&["unit", "clocks", "parameters", "what it does"], &rows));
+    let rows: Vec<Vec<String>> = more(&design).iter().map(row).collect();
+    if !rows.is_empty() {
+        println!("\navailable, and emitted where `emit.units` or `emit --unit` names them:");
+        print!("{}", table(&["unit", "clocks", "parameters", "what it does"], &rows));
+    }
     println!(
         "\ntraverse: {} clocks of setup, {} for each of n iterations, {} to the result.",
         t.setup, t.slots, t.finish
@@ -65,6 +70,13 @@ pub fn run(cli: &Cli) -> Result<()> {
     );
     print!("{}", table(&["what", "here", "published", "why"], &rows));
     Ok(())
+}
+
+/// Units that are not emitted with this design but could be.
+fn more(d: &Design) -> Vec<Arc<Module>> {
+    let mut list = units::available(d);
+    list.retain(|m| !units::arithmetic(d).iter().any(|o| o.name == m.name));
+    list
 }
 
 /// Floating-point units and stages of the loop beside the published ones, with the reason where they differ.

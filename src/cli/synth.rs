@@ -4,12 +4,17 @@ use super::output::{spinner, table};
 use crate::catalogue;
 use crate::config::LatencyConfig;
 use crate::error::{Error, Result};
+use crate::project;
 use crate::synth::{Figures, Target, measure};
 use std::path::PathBuf;
 
 /// Runs `synth`.
 pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
-    let d = super::config::load(cli)?.design();
+    let c = super::config::load_ranges(cli)?;
+    if !a.unit.iter().all(|name| project::alone(&c, name).is_some()) {
+        c.validate()?;
+    }
+    let d = c.design();
     let all: Vec<String> = catalogue::units(&d).into_iter().map(|m| m.name.clone()).collect();
     let names = if a.unit == ["all"] { all } else { a.unit.clone() };
     let target = target(a)?;
@@ -22,7 +27,17 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
             let mut d = d;
             if let Some(l) = *latency {
                 let decision = d.latency.decision;
-                d.latency = LatencyConfig { add: l, mul: l, div: l, compare: l, from_int: l, to_int: l, decision };
+                d.latency = LatencyConfig {
+                    add: l,
+                    mul: l,
+                    div: l,
+                    compare: l,
+                    from_int: l,
+                    to_int: l,
+                    sqrt: l,
+                    add3: l,
+                    decision,
+                };
             }
             let unit = catalogue::find(&d, name)?;
             let bar = spinner(cli, format!("{name} at {latency:?} for {}", target.name()));

@@ -25,8 +25,11 @@ pub(crate) fn problem(key: &Key, value: &Value) -> Option<String> {
         (Legal::Path, _) => Some(format!("{path} = {shown} is not a path in quotes")),
         (Legal::Word(words), Value::String(word)) => word_problem(path, word, words),
         (Legal::Word(_), _) => Some(format!("{path} = {shown} is not one of {legal}")),
-        (Legal::Words(words), Value::Array(list)) => words_problem(path, list, words),
-        (Legal::Words(_), _) => Some(format!("{path} = {shown} is not a list in brackets of {legal}")),
+        (Legal::SomeWords(_), Value::Array(list)) if list.is_empty() => None,
+        (Legal::Words(words) | Legal::SomeWords(words), Value::Array(list)) => words_problem(path, list, words),
+        (Legal::Words(_) | Legal::SomeWords(_), _) => {
+            Some(format!("{path} = {shown} is not a list in brackets of {legal}"))
+        }
         (Legal::Prefix, Value::String(text)) if is_prefix(text) => None,
         (Legal::Prefix, _) => Some(format!("{path} = {shown} can't stand before a module's name: {legal}")),
     }

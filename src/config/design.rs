@@ -1,4 +1,5 @@
 //! What is to be generated: format, traversal parameters, modes, latencies.
+use super::ExtraUnits;
 use crate::format::FloatFormat;
 use serde::{Deserialize, Serialize};
 
@@ -149,21 +150,25 @@ pub struct LatencyConfig {
     pub add: u32,
     /// `fp_mul`.
     pub mul: u32,
-    /// `fp_div`.
+    /// `fp_div`, `fp_recip`.
     pub div: u32,
-    /// `fp_lt`.
+    /// `fp_lt`, `fp_compare`.
     pub compare: u32,
     /// `fp_from_int`, `fp_from_fixed`.
     pub from_int: u32,
     /// `fp_to_int`, `fp_to_fixed`.
     pub to_int: u32,
+    /// `fp_sqrt`.
+    pub sqrt: u32,
+    /// `fp_add3`.
+    pub add3: u32,
     /// `level_decision` and what stands before it.
     pub decision: u32,
 }
 
 impl Default for LatencyConfig {
     fn default() -> Self {
-        Self { add: 2, mul: 1, div: 2, compare: 1, from_int: 1, to_int: 1, decision: 1 }
+        Self { add: 2, mul: 1, div: 2, compare: 1, from_int: 1, to_int: 1, sqrt: 4, add3: 4, decision: 1 }
     }
 }
 
@@ -180,6 +185,8 @@ pub struct Design {
     pub latency: LatencyConfig,
     /// Arithmetic of the traversal.
     pub datapath: DatapathConfig,
+    /// Units besides what the traversal needs.
+    pub extra: ExtraUnits,
 }
 
 impl Default for Design {
@@ -190,6 +197,7 @@ impl Default for Design {
             mode: ModeConfig::default(),
             latency: LatencyConfig::default(),
             datapath: DatapathConfig::default(),
+            extra: ExtraUnits::default(),
         }
     }
 }

@@ -1,25 +1,8 @@
 //! The sections of the configuration that do not shape the hardware, and the named choices of the number format.
-use crate::format::FloatFormat;
+use super::ExtraUnit;
+use crate::format::{FloatFormat, Rounding, Specials, Subnormals};
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
-
-/// How results are rounded.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Rounding {
-    /// To the nearest number, ties to the even one.
-    #[default]
-    NearestEven,
-}
-
-/// What becomes of numbers below the smallest normal one.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Subnormals {
-    /// Zero of their sign, as operand and as result.
-    #[default]
-    Flush,
-}
 
 /// Which NaN comes out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
@@ -42,14 +25,17 @@ pub struct FormatConfig {
     pub rounding: Rounding,
     /// Numbers below the smallest normal one.
     pub subnormals: Subnormals,
+    /// Whether there are infinities and NaN.
+    pub specials: Specials,
     /// The NaN of results.
     pub nan: NanRule,
 }
 
 impl FormatConfig {
-    /// The format's two widths.
+    /// The format's widths and choices.
     pub const fn float(&self) -> FloatFormat {
-        FloatFormat::new(self.exp, self.man)
+        let Self { exp, man, rounding, subnormals, specials, .. } = *self;
+        FloatFormat { exp, man, rounding, subnormals, specials }
     }
 }
 
@@ -60,6 +46,7 @@ impl Default for FormatConfig {
             man: FloatFormat::FP24.man,
             rounding: Rounding::NearestEven,
             subnormals: Subnormals::Flush,
+            specials: Specials::Ieee,
             nan: NanRule::Canonical,
         }
     }
@@ -266,4 +253,6 @@ impl Default for VectorsConfig {
 pub struct EmitConfig {
     /// Put before the name of every emitted module; empty, or a Verilog identifier.
     pub prefix: String,
+    /// Units besides what the traversal needs.
+    pub units: Vec<ExtraUnit>,
 }

@@ -1,7 +1,7 @@
 //! Every key of the configuration in one table: its meaning, its legal values.
 //!
 //! The commented file, the schema's ranges, the checks and their sentences all come from here.
-use super::{Border, MapKind, View};
+use super::{Border, ExtraUnit, MapKind, Rounding, Specials, Subnormals, View};
 use std::fmt;
 
 /// What a key accepts.
@@ -17,6 +17,8 @@ pub enum Legal {
     Word(&'static [&'static str]),
     /// One or more of these words, none twice.
     Words(&'static [&'static str]),
+    /// Any number of these words, none twice.
+    SomeWords(&'static [&'static str]),
     /// A path; the key may be absent.
     Path,
     /// Nothing, or a Verilog identifier of at most 32 characters.
@@ -30,7 +32,7 @@ impl fmt::Display for Legal {
             Self::Whole(low, high) => write!(f, "{low} to {high}"),
             Self::Real(low, high) => write!(f, "{low} to {high}"),
             Self::Flag => f.write_str("true or false"),
-            Self::Word(words) | Self::Words(words) => f.write_str(&words.join(", ")),
+            Self::Word(words) | Self::Words(words) | Self::SomeWords(words) => f.write_str(&words.join(", ")),
             Self::Path => f.write_str("a path"),
             Self::Prefix => f.write_str(
                 "empty, or letters, digits and _ with no digit first, at most 32; not tb_ or fv_, as benches are named",
@@ -53,6 +55,9 @@ impl Legal {
             }
             Self::Words(_) => {
                 entry.insert("minItems".into(), 1.into());
+                entry.insert("uniqueItems".into(), true.into());
+            }
+            Self::SomeWords(_) => {
                 entry.insert("uniqueItems".into(), true.into());
             }
             Self::Prefix => {
@@ -108,11 +113,16 @@ const SEED: Legal = Legal::Whole(0, i64::MAX);
 pub const KEYS: &[Key] = &[
     key("format.exp", "EXP_W: exponent bits", Legal::Whole(2, 8)),
     key("format.man", "MAN_W: fraction bits, the hidden one not counted; traversal needs 7", Legal::Whole(2, 23)),
-    key("format.rounding", "rounding: to nearest, ties to even", Legal::Word(&["nearest-even"])),
+    key("format.rounding", "rounding; traversal needs nearest-even", Legal::Word(Rounding::WORDS)),
     key(
         "format.subnormals",
-        "numbers below the smallest normal one become zero of their sign",
-        Legal::Word(&["flush"]),
+        "numbers below the smallest normal one become zero of their sign, or are numbers; traversal needs flush",
+        Legal::Word(Subnormals::WORDS),
+    ),
+    key(
+        "format.specials",
+        "infinities and NaN, or every code a number and results that saturate; traversal needs ieee",
+        Legal::Word(Specials::WORDS),
     ),
     key("format.nan", "one NaN comes out: sign 0, top fraction bit 1, rest 0", Legal::Word(&["canonical"])),
     key("traverse.levels", "LEVELS: the map has 2^levels x 2^levels texels", Legal::Whole(2, 12)),
@@ -148,10 +158,12 @@ pub const KEYS: &[Key] = &[
     key("mode.lod", "the finest level is an input of each ray", Legal::Flag),
     key("latency.add", "fp_add, in clocks", CLOCKS),
     key("latency.mul", "fp_mul, in clocks", CLOCKS),
-    key("latency.div", "fp_div, in clocks", Legal::Whole(0, 32)),
-    key("latency.compare", "fp_lt, in clocks", CLOCKS),
+    key("latency.div", "fp_div and fp_recip, in clocks", Legal::Whole(0, 32)),
+    key("latency.compare", "fp_lt and fp_compare, in clocks", CLOCKS),
     key("latency.from_int", "fp_from_int and fp_from_fixed, in clocks", CLOCKS),
     key("latency.to_int", "fp_to_int and fp_to_fixed, in clocks", CLOCKS),
+    key("latency.sqrt", "fp_sqrt, in clocks", Legal::Whole(0, 32)),
+    key("latency.add3", "fp_add3, in clocks", CLOCKS),
     key("latency.decision", "level_decision and what stands before it, in clocks", Legal::Whole(1, 4)),
     key("map.kind", "a procedural map, or file", Legal::Word(MapKind::WORDS)),
     key("map.file", "the image if kind is file; relative to this file", Legal::Path),
@@ -173,6 +185,7 @@ pub const KEYS: &[Key] = &[
     key("vectors.arithmetic", "vectors of each arithmetic unit", Legal::Whole(1, 1_000_000)),
     key("vectors.rays", "rays of each view", Legal::Whole(1, 1_000_000)),
     key("emit.prefix", "put before the name of every emitted module", Legal::Prefix),
+    key("emit.units", "units besides what the traversal needs", Legal::SomeWords(ExtraUnit::WORDS)),
 ];
 
 /// The key of this path.

@@ -6,16 +6,18 @@
 pub(crate) mod check;
 mod commented;
 mod design;
+mod extra;
 mod input;
 pub mod keys;
 pub(crate) mod lines;
 mod source;
 pub(crate) mod validate;
 
+pub use crate::format::{Rounding, Specials, Subnormals};
 pub use design::{DatapathConfig, DatapathKind, Design, LatencyConfig, LevelUp, ModeConfig, TraverseConfig, Trim};
+pub use extra::{ExtraUnit, ExtraUnits};
 pub use input::{
-    Border, EmitConfig, FormatConfig, Generator, MapConfig, MapKind, NanRule, Rounding, Subnormals, VectorsConfig,
-    View, ViewConfig,
+    Border, EmitConfig, FormatConfig, Generator, MapConfig, MapKind, NanRule, VectorsConfig, View, ViewConfig,
 };
 
 use serde::{Deserialize, Serialize};
@@ -53,6 +55,7 @@ impl Config {
             mode: self.mode,
             latency: self.latency,
             datapath: self.datapath,
+            extra: self.emit.units.iter().copied().collect(),
         }
     }
 

@@ -108,7 +108,8 @@ fn parse(text: &str, legal: Legal) -> Value {
     match (legal, value) {
         // `map.file=1` or `emit.prefix=true` is a name that happens to read as something else.
         (Legal::Path | Legal::Word(_) | Legal::Prefix, value) if !value.is_str() => Value::String(text.to_owned()),
-        (Legal::Words(_), Value::String(words)) => Value::Array(
+        (Legal::SomeWords(_), Value::String(words)) if words.is_empty() => Value::Array(Vec::new()),
+        (Legal::Words(_) | Legal::SomeWords(_), Value::String(words)) => Value::Array(
             words.trim_matches(['[', ']']).split(',').map(|word| Value::String(word.trim().to_owned())).collect(),
         ),
         (_, value) => value,

@@ -12,6 +12,7 @@ impl Config {
         let mut problems = self.range_problems()?;
         // A sum of numbers that are out of range themselves tells nothing new.
         if problems.is_empty() {
+            self.choice_problems(&mut problems);
             self.width_problems(&mut problems);
             self.published_problems(&mut problems);
             self.trim_problems(&mut problems);
@@ -35,6 +36,26 @@ impl Config {
                 check::problem(key, value(section, name)?)
             })
             .collect())
+    }
+
+    /// A traversal in floating point is watertight by an argument about one choice of the format (`docs/datapath.md`).
+    fn choice_problems(&self, problems: &mut Vec<String>) {
+        if self.datapath.kind == DatapathKind::Fixed {
+            return;
+        }
+        let plain = Config::default().format;
+        let chosen = [
+            ("rounding", self.format.rounding.word(), plain.rounding.word()),
+            ("subnormals", self.format.subnormals.word(), plain.subnormals.word()),
+            ("specials", self.format.specials.word(), plain.specials.word()),
+        ];
+        for (key, word, needed) in chosen {
+            if word != needed {
+                problems.push(format!(
+                    "format.{key} = \"{word}\" is for arithmetic alone (`emit --unit fp_add`, `check --unit fp_add`): a traversal needs \"{needed}\""
+                ));
+            }
+        }
     }
 
     /// The bounds that keep every intermediate result of the datapath inside its width (`docs/datapath.md`, Parameters).

@@ -5,7 +5,7 @@ mod manifest;
 
 pub use manifest::manifest;
 
-use crate::config::{Config, DatapathKind, Trim};
+use crate::config::{Config, DatapathKind, ExtraUnit, Trim};
 use crate::error::{Error, Result};
 use crate::ir::Module;
 use crate::verilog::{Style, print_module};
@@ -39,6 +39,12 @@ pub fn modules(tops: &[Arc<Module>]) -> Result<Vec<Arc<Module>>> {
 /// The line of each banner that names the configuration.
 pub fn config_line(c: &Config) -> String {
     let (t, m, l) = (&c.traverse, &c.mode, &c.latency);
+    let mut clocks = String::new();
+    for (unit, n) in [(ExtraUnit::Sqrt, l.sqrt), (ExtraUnit::Add3, l.add3)] {
+        if c.emit.units.contains(&unit) {
+            clocks += &format!(" {} {n}", ExtraUnit::WORDS[unit as usize].trim_start_matches("fp_"));
+        }
+    }
     let trim = match m.trim {
         Trim::None => "",
         Trim::Descent => ", trim after descents",
@@ -58,7 +64,7 @@ pub fn config_line(c: &Config) -> String {
         DatapathKind::Fixed => "fixed datapath, ",
     };
     format!(
-        "{path}{numbers}, levels {}, heights {} bits, {start}, {} down, up {}{more}; clocks add {} mul {} div {} compare {} from_int {} to_int {}",
+        "{path}{numbers}, levels {}, heights {} bits, {start}, {} down, up {}{more}; clocks add {} mul {} div {} compare {} from_int {} to_int {}{clocks}",
         t.levels,
         t.height_bits,
         m.levels_down,

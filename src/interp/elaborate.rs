@@ -80,6 +80,14 @@ impl Flat {
                 let q = self.op(Kind::DivQuot, &args, wq, rows);
                 BTreeMap::from([(kr, r), (kq, q)])
             }
+            Prim::SqrtRows => {
+                let ((kr, _), (kq, w)) = (o("rem_out"), o("root_out"));
+                let (mut rem, mut root) = (i("rem_in"), i("root_in"));
+                for r in 0..b["ROWS"] as u32 {
+                    (rem, root) = self.sqrt_row(rem, root, w, 1 << (w - 1 - b["FIRST"] as u32 - r));
+                }
+                BTreeMap::from([(kr, rem), (kq, root)])
+            }
             Prim::Memory => {
                 let (k, w) = o("read_data");
                 let read_data = self.source(w);
@@ -94,6 +102,22 @@ impl Flat {
                 BTreeMap::from([(k, read_data)])
             }
         }
+    }
+
+    /// One row of square root: `mark` is the digit's place in the root's `w` bits.
+    fn sqrt_row(&mut self, rem: Slot, root: Slot, w: u32, mark: u64) -> (Slot, Slot) {
+        let zero = self.constant(0, 1);
+        let twice = self.op(Kind::Join, &[rem, zero], w + 2, 1);
+        let doubled = self.op(Kind::Join, &[root, zero], w + 1, 1);
+        let doubled = self.op(Kind::Slice, &[doubled], w + 2, 0);
+        let place = self.constant(mark, w + 2);
+        let trial = self.op(Kind::Or, &[doubled, place], w + 2, 0);
+        let below = self.op(Kind::Ult, &[twice, trial], 1, 0);
+        let diff = self.op(Kind::Sub, &[twice, trial], w + 2, 0);
+        let next = self.op(Kind::Mux, &[below, twice, diff], w + 2, 0);
+        let digit = self.constant(mark, w);
+        let more = self.op(Kind::Or, &[root, digit], w, 0);
+        (self.op(Kind::Slice, &[next], w + 1, 0), self.op(Kind::Mux, &[below, root, more], w, 0))
     }
 
     fn graph(

@@ -226,6 +226,8 @@ pub enum Prim {
     Interleave,
     /// `rem_in` \[W+1\], `div` \[W\] to `rem_out` \[W+1\], `quot` \[ROWS\].
     DivRows,
+    /// `rem_in` \[W+1\], `root_in` \[W\] to `rem_out` \[W+1\], `root_out` \[W\], digits FIRST to FIRST + ROWS - 1.
+    SqrtRows,
     /// Single read, single write memory with registered read.
     Memory,
 }

@@ -1,23 +1,29 @@
 //! A unit of arithmetic by itself, for people who need nothing else: at any format, whatever a traversal asks of its own.
 use crate::bench::bench_files;
-use crate::catalogue::vector_set;
+use crate::catalogue::{campaign_set, count_events, vector_set};
 use crate::config::Config;
 use crate::emit::{self, Files};
 use crate::error::Result;
 use crate::ir::{Binding, Module};
-use crate::units::arithmetic;
-use crate::vectors::{Plan, set_files};
+use crate::units::{arithmetic, available};
+use crate::vectors::{Campaign, Plan, set_files};
 use std::sync::Arc;
 
-/// The unit of arithmetic of that name; `None` if there is none.
+/// The unit of arithmetic of that name, those included that come only where they are named; `None` if there is none.
 pub fn alone(c: &Config, name: &str) -> Option<Arc<Module>> {
-    arithmetic(&c.design()).into_iter().find(|m| m.name == name)
+    let d = c.design();
+    arithmetic(&d).into_iter().chain(available(&d)).find(|m| m.name == name)
 }
 
-/// Its vectors, under `golden/`.
-pub fn alone_vectors(c: &Config, m: &Module) -> Files {
+/// Its vectors, under `golden/`; of a campaign, or the usual choice.
+pub fn alone_vectors(c: &Config, m: &Module, campaign: Option<Campaign>) -> Files {
+    let (d, b) = (c.design(), Binding::new());
     let plan = Plan { rows: c.vectors.arithmetic as usize, seed: c.vectors.seed };
-    let set = vector_set(&c.design(), m, &Binding::new(), plan);
+    let mut set = match campaign {
+        None => vector_set(&d, m, &b, plan),
+        Some(campaign) => campaign_set(&d, m, &b, plan, campaign),
+    };
+    set.events = count_events(&d, m, &set);
     set_files(&set).into_iter().map(|(n, t)| (format!("golden/{}/{n}", m.name), t)).collect()
 }
 
@@ -38,8 +44,8 @@ pub fn alone_text(c: &Config, m: &Arc<Module>) -> Result<Files> {
 ///
 /// # Errors
 /// As [`alone_text`].
-pub fn alone_files(c: &Config, m: &Arc<Module>) -> Result<Files> {
+pub fn alone_files(c: &Config, m: &Arc<Module>, campaign: Option<Campaign>) -> Result<Files> {
     let mut files = alone_text(c, m)?;
-    files.extend(alone_vectors(c, m));
+    files.extend(alone_vectors(c, m, campaign));
     Ok(files)
 }

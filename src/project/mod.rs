@@ -9,7 +9,7 @@ pub use check::{Canary, Checked, check_tree};
 pub use scene::{Scene, encode, ray};
 
 use crate::bench::bench_files;
-use crate::catalogue::{ray_set, units, vector_set};
+use crate::catalogue::{count_events, ray_set, units, vector_set};
 use crate::config::Config;
 use crate::emit::{self, Files};
 use crate::error::Result;
@@ -52,7 +52,8 @@ pub fn vectors(c: &Config, scene: &Scene) -> Result<Files> {
     let plan = Plan { rows: c.vectors.arithmetic as usize, seed: c.vectors.seed };
     let mut files = Files::new();
     for m in units(&d) {
-        let set = vector_set(&d, &m, &Binding::new(), plan);
+        let mut set = vector_set(&d, &m, &Binding::new(), plan);
+        set.events = count_events(&d, &m, &set);
         files.extend(set_files(&set).into_iter().map(|(n, t)| (format!("golden/{}/{n}", m.name), t)));
     }
     let rays = scene.sample(c)?;

@@ -3,9 +3,10 @@ pub mod div_rows;
 pub mod float;
 pub mod interleave;
 pub mod lzc;
+pub mod sqrt_rows;
 pub mod traversal;
 
-use crate::config::Design;
+use crate::config::{Design, ExtraUnit, ExtraUnits};
 use crate::ir::Module;
 use std::sync::Arc;
 
@@ -13,6 +14,28 @@ use std::sync::Arc;
 pub fn arithmetic(d: &Design) -> Vec<Arc<Module>> {
     let mut list = vec![lzc::lzc_module(8), interleave::interleave_module(d.traverse.levels + 1)];
     list.extend((traversal::Datapath::of(d).arithmetic)(d));
+    list.extend(chosen(d, d.extra));
+    list
+}
+
+/// Units that no traversal needs and that only come where `emit.units` or a command names them, leaves first.
+pub fn available(d: &Design) -> Vec<Arc<Module>> {
+    chosen(d, ExtraUnits::ALL)
+}
+
+fn chosen(d: &Design, units: ExtraUnits) -> Vec<Arc<Module>> {
+    let (f, l) = (d.format, &d.latency);
+    let mut list = Vec::new();
+    for unit in units.iter() {
+        match unit {
+            ExtraUnit::Sqrt => {
+                list.extend([sqrt_rows::sqrt_rows_module(f.man + 2, f.man + 1), float::fp_sqrt(f, l.sqrt)]);
+            }
+            ExtraUnit::Recip => list.push(float::fp_recip(f, l.div)),
+            ExtraUnit::Compare => list.push(float::fp_compare(f, l.compare)),
+            ExtraUnit::Add3 => list.push(float::fp_add3(f, l.add3)),
+        }
+    }
     list
 }
 

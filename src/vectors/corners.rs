@@ -36,7 +36,7 @@ impl Kind {
 }
 
 /// Input spaces up to this many bits are tried whole.
-const SMALL: u32 = 16;
+pub(super) const SMALL: u32 = 16;
 
 /// Rows of words for these columns.
 pub fn plan_rows(columns: &[Kind], plan: Plan) -> (Vec<Vec<u64>>, Counts) {
@@ -56,18 +56,23 @@ pub fn plan_rows(columns: &[Kind], plan: Plan) -> (Vec<Vec<u64>>, Counts) {
     choose(&tables, left, left, &mut rng, &mut rows);
     let corners = rows.len();
     while rows.len() < plan.rows {
-        let mut row: Vec<u64> = Vec::with_capacity(columns.len());
-        for (k, kind) in columns.iter().enumerate() {
-            let before = (0..k).rev().find(|b| columns[*b] == *kind).map(|b| row[b]);
-            row.push(match before {
-                Some(a) => partner(*kind, a, &mut rng),
-                None => word(*kind, &mut rng),
-            });
-        }
-        rows.push(row);
+        rows.push(random_row(columns, &mut rng));
     }
     let random = rows.len() - corners;
     (rows, Counts { corners, random, ..Counts::default() })
+}
+
+/// A weighted random row.
+pub(super) fn random_row(columns: &[Kind], rng: &mut ChaCha8Rng) -> Vec<u64> {
+    let mut row: Vec<u64> = Vec::with_capacity(columns.len());
+    for (k, kind) in columns.iter().enumerate() {
+        let before = (0..k).rev().find(|b| columns[*b] == *kind).map(|b| row[b]);
+        row.push(match before {
+            Some(a) => partner(*kind, a, rng),
+            None => word(*kind, rng),
+        });
+    }
+    row
 }
 
 /// All combinations of the tables if they are at most `room`, else `sample` of them.
@@ -113,26 +118,28 @@ pub fn table(kind: Kind) -> Vec<u64> {
             let stripes = [0x5555_5555_5555_5555, 0xaaaa_aaaa_aaaa_aaaa, 0x3333_3333_3333_3333];
             sorted(bits.chain(stripes).chain(landmarks(kind)).collect(), m)
         }
-        Kind::Float(f) => {
-            let fracs = fractions(f);
-            let v: Vec<u64> = exponents(f).iter().flat_map(|e| fracs.iter().map(move |m| (e << f.man) | m)).collect();
-            sorted(both_signs(f, &v), mask(f.width()))
-        }
+        Kind::Float(f) => signed_numbers(f, &exponents(f), &fractions(f)),
     }
+}
+
+/// Every exponent field with every fraction, of both signs.
+pub(super) fn signed_numbers(f: FloatFormat, exponents: &[u64], fractions: &[u64]) -> Vec<u64> {
+    let v: Vec<u64> = exponents.iter().flat_map(|e| fractions.iter().map(move |m| (e << f.man) | m)).collect();
+    sorted(both_signs(f, &v), mask(f.width()))
 }
 
 fn both_signs(f: FloatFormat, v: &[u64]) -> Vec<u64> {
     v.iter().flat_map(|x| [*x, x | f.sign_bit()]).collect()
 }
 
-fn sorted(mut v: Vec<u64>, m: u64) -> Vec<u64> {
+pub(super) fn sorted(mut v: Vec<u64>, m: u64) -> Vec<u64> {
     v.iter_mut().for_each(|x| *x &= m);
     v.sort_unstable();
     v.dedup();
     v
 }
 
-fn exponents(f: FloatFormat) -> Vec<u64> {
+pub(super) fn exponents(f: FloatFormat) -> Vec<u64> {
     let (bias, man, top) = (i64::from(f.bias()), i64::from(f.man), f.exp_max() as i64);
     let near_one = [-man - 2, -man - 1, -man, -1, 0, 1, man - 1, man, man + 1].map(|k| bias + k);
     let mut e: Vec<i64> = [0, 1, 2, top - 2, top - 1, top].into_iter().chain(near_one).collect();
@@ -142,7 +149,7 @@ fn exponents(f: FloatFormat) -> Vec<u64> {
     e.into_iter().map(|x| x as u64).collect()
 }
 
-fn fractions(f: FloatFormat) -> Vec<u64> {
+pub(super) fn fractions(f: FloatFormat) -> Vec<u64> {
     let m = f.man_mask();
     let walking = (0..f.man).map(|b| 1 << b);
     let full = [0, m, m - 1, m >> 1, (m >> 1) + 2, m & 0x5555_5555_5555_5555];
@@ -150,7 +157,7 @@ fn fractions(f: FloatFormat) -> Vec<u64> {
 }
 
 /// Every combination of words of these columns.
-fn every(columns: &[Kind]) -> (Vec<Vec<u64>>, Counts) {
+pub(super) fn every(columns: &[Kind]) -> (Vec<Vec<u64>>, Counts) {
     let total = 1usize << columns.iter().map(|k| k.width()).sum::<u32>();
     let row = |mut k: u64| {
         let word = |c: &Kind| {

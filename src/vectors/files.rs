@@ -2,11 +2,13 @@
 //! (the same rows, for other programs).
 //!
 //! A hex file starts with the number of rows and the bits of a row; each row is one line of words, separated by blanks, first column first.
+use super::levels::Campaign;
 use super::set::{Column, Counts, VectorSet};
 use crate::emit::Files;
 use crate::error::{Error, Result};
 use crate::ir::Binding;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -23,6 +25,10 @@ struct Description {
     seed: u64,
     rows: usize,
     counts: Counts,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    campaign: Option<Campaign>,
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    events: BTreeMap<String, usize>,
     policy: String,
     inputs: Vec<Column>,
     outputs: Vec<Column>,
@@ -30,10 +36,15 @@ struct Description {
 }
 
 /// How the rows were chosen, in their order.
-fn policy(c: &Counts) -> String {
+fn policy(s: &VectorSet) -> String {
+    let c = &s.counts;
+    let corners = match s.campaign {
+        None => "landmarks crossed with each other, then corner tables",
+        Some(_) => "corner tables crossed with each other",
+    };
     let parts = [
         (c.exhaustive, "every input once"),
-        (c.corners, "landmarks crossed with each other, then corner tables"),
+        (c.corners, corners),
         (c.random, "weighted random"),
         (c.rays, "what rays through the map bring"),
     ];
@@ -51,7 +62,9 @@ pub fn set_files(s: &VectorSet) -> Files {
         seed: s.seed,
         rows: s.stimulus.len(),
         counts: s.counts,
-        policy: policy(&s.counts),
+        campaign: s.campaign,
+        events: s.events.clone(),
+        policy: policy(s),
         inputs: s.inputs.clone(),
         outputs: s.outputs.clone(),
         blake3: s.hash(),
@@ -186,6 +199,8 @@ pub fn read_set(dir: &Path) -> Result<(VectorSet, bool)> {
         params: d.parameters,
         seed: d.seed,
         counts: d.counts,
+        campaign: d.campaign,
+        events: d.events,
         inputs: d.inputs,
         outputs: d.outputs,
         stimulus,

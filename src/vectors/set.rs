@@ -1,6 +1,8 @@
 //! A set of vectors in memory.
+use super::levels::Campaign;
 use crate::ir::Binding;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// A column of words.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -26,7 +28,7 @@ pub struct Counts {
 }
 
 /// Stimulus and expected results of one unit at one set of parameter values.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct VectorSet {
     /// Unit, as the emitted module is named.
     pub unit: String,
@@ -36,6 +38,10 @@ pub struct VectorSet {
     pub seed: u64,
     /// How the rows came about.
     pub counts: Counts,
+    /// The tables that were crossed whole, and the part of all rows that this is; `None` for a choice of corners.
+    pub campaign: Option<Campaign>,
+    /// Rows that reach each event of the operation, by its name; empty where nobody counted.
+    pub events: BTreeMap<String, usize>,
     /// Input columns, in port order.
     pub inputs: Vec<Column>,
     /// Output columns, in port order.

@@ -7,6 +7,7 @@ pub fn body(p: Prim) -> &'static str {
         Prim::Lzc => LZC,
         Prim::Interleave => INTERLEAVE,
         Prim::DivRows => DIV_ROWS,
+        Prim::SqrtRows => SQRT_ROWS,
         Prim::Memory => MEMORY,
     }
 }
@@ -77,6 +78,37 @@ const DIV_ROWS: &str = r#"
     end
   endgenerate
   assign rem_out = gen_row[ROWS-1].next;
+"#;
+
+const SQRT_ROWS: &str = r#"
+  // Each row: double what is left, subtract twice the root and the digit's place if that fits,
+  // and then set the digit.
+  genvar r;
+  generate
+    for (r = 0; r < ROWS; r = r + 1) begin : gen_row
+      localparam integer Place = W - 1 - FIRST - r;
+      wire [W:0]   here;
+      wire [W-1:0] root;
+      wire [W-1:0] mark = {{(W - 1) {1'b0}}, 1'b1} << Place;
+      wire [W+1:0] trial = {1'b0, root, 1'b0} | {2'b00, mark};
+      wire [W+2:0] diff = {1'b0, here, 1'b0} - {1'b0, trial};
+      wire         fits = ~diff[W+2];
+      wire [W:0]   next = fits ? diff[W:0] : {here[W-1:0], 1'b0};
+      wire [W-1:0] more = root | (fits ? mark : {W{1'b0}});
+      if (r == 0) begin : gen_first
+        assign here = rem_in;
+        assign root = root_in;
+      end else begin : gen_later
+        assign here = gen_row[r-1].next;
+        assign root = gen_row[r-1].more;
+      end
+      // verilator lint_off UNUSED
+      wire unused_top = &{1'b0, diff[W+1]};
+      // verilator lint_on UNUSED
+    end
+  endgenerate
+  assign rem_out  = gen_row[ROWS-1].next;
+  assign root_out = gen_row[ROWS-1].more;
 "#;
 
 const MEMORY: &str = r#"

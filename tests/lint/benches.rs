@@ -1,6 +1,6 @@
 //! The emitted benches are read and linted as the modules are. (slang alone is not asked: it takes `$fopen` of a name in a `reg`, all that
 //! Verilog-2005 has, for an error.)
-use super::configs::{Emitted, all};
+use super::configs::{EXTRA, Emitted, all};
 use super::no_problems;
 use super::tools::{Tool, run};
 use reliefrtl::bench::bench_files;
@@ -9,13 +9,14 @@ use reliefrtl::units::traversal::traverse;
 use std::process::Command;
 
 /// Configurations whose benches differ in more than widths.
-const CHOSEN: [&str; 6] = [
+const CHOSEN: [&str; 7] = [
     "default",
     "emit.prefix=pdm_",
     "format.exp=8 format.man=23",
     "mode.trim=always mode.lod=true",
     "datapath.kind=published",
     "datapath.kind=fixed",
+    EXTRA[0],
 ];
 
 /// Writes the benches of a configuration beside its modules; returns the benches and their tops.

@@ -1,6 +1,7 @@
 //! The default configuration and a spread around it, emitted once for all tests.
 use reliefrtl::config::{Config, DatapathKind};
 use reliefrtl::emit::{self, Files};
+use reliefrtl::format::{Rounding, Specials, Subnormals};
 use reliefrtl::ir::Module;
 use reliefrtl::units;
 use std::path::PathBuf;
@@ -137,22 +138,87 @@ const SPREAD: &[&[&str]] = &[
         "latency.mul=3",
     ],
     &["datapath.kind=fixed", "latency.add=0", "latency.mul=0", "latency.div=0", "latency.compare=0"],
+    EXTRA,
+    &[
+        "emit.units=fp_sqrt,fp_recip,fp_compare,fp_add3",
+        "format.exp=8",
+        "format.man=23",
+        "latency.sqrt=27",
+        "latency.div=30",
+        "latency.compare=0",
+        "latency.add3=9",
+    ],
+];
+
+/// The default configuration with every unit that no traversal needs.
+pub const EXTRA: &[&str] = &["emit.units=fp_sqrt,fp_recip,fp_compare,fp_add3"];
+
+/// Arithmetic alone, at what no traversal can have: format, clocks of all units; every choice is crossed with them.
+const ALONE: &[(u32, u32, u32)] = &[
+    (7, 16, 2),
+    (4, 3, 0),
+    (3, 2, 1),
+    (8, 23, 6),
+    (5, 10, 3),
+    (2, 6, 4),
+    (7, 16, 11),
+    (6, 23, 1),
+    (2, 2, 5),
+    (8, 2, 2),
 ];
 
 /// All configurations; written to disk at the first call.
 pub fn all() -> &'static [Emitted] {
     static ALL: OnceLock<Vec<Emitted>> = OnceLock::new();
-    ALL.get_or_init(|| SPREAD.iter().enumerate().map(|(i, sets)| emit_one(i, sets)).collect())
+    ALL.get_or_init(|| {
+        let spread = SPREAD.iter().map(|sets| (sets.iter().map(|s| s.to_string()).collect(), true));
+        let all = spread.chain(alone().into_iter().map(|sets| (sets, false)));
+        all.enumerate().map(|(i, (sets, traverses))| emit_one(i, &sets, traverses)).collect()
+    })
 }
 
-fn emit_one(index: usize, sets: &[&str]) -> Emitted {
+/// The default configuration with every unit that no traversal needs.
+pub fn extra() -> &'static Emitted {
+    all().iter().find(|e| e.label == EXTRA.join(" ")).expect("the spread has it")
+}
+
+/// Assignments for every choice of rounding, subnormals and specials.
+fn alone() -> Vec<Vec<String>> {
+    let mut out = Vec::new();
+    for rounding in Rounding::WORDS {
+        for subnormals in Subnormals::WORDS {
+            for specials in Specials::WORDS {
+                let (exp, man, clocks) = ALONE[out.len() % ALONE.len()];
+                let mut sets = vec![
+                    format!("format.rounding={rounding}"),
+                    format!("format.subnormals={subnormals}"),
+                    format!("format.specials={specials}"),
+                    format!("format.exp={exp}"),
+                    format!("format.man={man}"),
+                    EXTRA[0].to_string(),
+                ];
+                let kinds = ["add", "mul", "div", "compare", "from_int", "to_int", "sqrt", "add3"];
+                sets.extend(kinds.map(|k| format!("latency.{k}={clocks}")));
+                out.push(sets);
+            }
+        }
+    }
+    out
+}
+
+/// A traversal with its units, or arithmetic alone.
+fn emit_one(index: usize, sets: &[String], traverses: bool) -> Emitted {
     let mut config = Config::default();
     let label = if sets.is_empty() { "default".to_owned() } else { sets.join(" ") };
     for set in sets {
         config.apply_set(set).unwrap_or_else(|e| panic!("{label}: {e}"));
     }
-    config.validate().unwrap_or_else(|e| panic!("{label}: {e}"));
-    let units = units::all(&config.design());
+    let units = if traverses {
+        config.validate().unwrap_or_else(|e| panic!("{label}: {e}"));
+        units::all(&config.design())
+    } else {
+        units::arithmetic(&config.design())
+    };
     let modules = emit::modules(&units).unwrap_or_else(|e| panic!("{label}: {e}"));
     let files = emit::rtl(&config, &modules);
     let dir = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("lint").join(index.to_string());
@@ -178,9 +244,14 @@ fn the_spread_is_what_it_says() {
         let mut sorted = list.clone();
         sorted.sort_unstable();
         assert_eq!(sorted, e.verilog(), "{}: the file list names every file once", e.label);
-        let least = if e.config.datapath.kind == DatapathKind::Fixed { 17 } else { 23 };
+        let traverses = e.units.iter().any(|m| m.name == "traverse");
+        let least = match e.config.datapath.kind {
+            _ if !traverses => 15,
+            DatapathKind::Fixed => 17,
+            DatapathKind::Watertight | DatapathKind::Published => 23,
+        };
         assert!(e.units.len() >= least, "{}: {} units", e.label, e.units.len());
     }
     println!("{} files of {} configurations", file_count(), all().len());
-    assert!(all().len() >= 20 && file_count() > 24 * all().len(), "{} files", file_count());
+    assert!(all().len() >= 60 && file_count() > 20 * all().len(), "{} files", file_count());
 }

@@ -12,7 +12,9 @@ use rand_chacha::ChaCha8Rng;
 use reliefrtl::bits::mask;
 use reliefrtl::interp::{Lanes, Tracked, elaborate};
 use reliefrtl::ir::{Binding, Module};
-use reliefrtl::units::{div_rows::div_rows_module, interleave::interleave_module, lzc::lzc_module};
+use reliefrtl::units::{
+    div_rows::div_rows_module, interleave::interleave_module, lzc::lzc_module, sqrt_rows::sqrt_rows_module,
+};
 use std::sync::Arc;
 
 /// Rows of operands for each module.
@@ -111,6 +113,17 @@ fn parameters_at_every_width() {
             // The remainder is below twice the divisor: take what a divisor with its top bit set allows.
             let legal = |row: &[u64]| row[0] < 2 * row[1];
             check(&mut batch, &div_rows_module(17, 19), &b, &mut rng, legal);
+        }
+        if (3..=61).contains(&w) {
+            // Digits from FIRST on are still 0: few of them, for random words.
+            let first = w - rng.random_range(1..=3.min(w - 1));
+            let rows = rng.random_range(1..=w - first);
+            let b = Binding::from([("W".into(), w), ("ROWS".into(), rows), ("FIRST".into(), first)]);
+            let open = w - first;
+            let legal = |row: &[u64]| {
+                row[1] >> (w - 1) == 1 && row[1].is_multiple_of(1 << open) && row[0] < 2 * row[1] + (1 << open)
+            };
+            check(&mut batch, &sqrt_rows_module(18, 17), &b, &mut rng, legal);
         }
     }
     batch.run(15_000);

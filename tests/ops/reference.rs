@@ -23,6 +23,19 @@ fn primitive(p: Prim, m: &Module, b: &Binding, inputs: &BTreeMap<usize, u64>) ->
             let (rem, quot) = div_rows(i("rem_in"), i("div"), w, b["ROWS"] as u32);
             vec![rem, quot]
         }
+        Prim::SqrtRows => {
+            let (mut rem, mut root) = (u128::from(i("rem_in")), u128::from(i("root_in")));
+            for k in 0..b["ROWS"] {
+                let mark = 1u128 << (i64::from(w) - 1 - b["FIRST"] - k);
+                let trial = 2 * root + mark;
+                rem *= 2;
+                if rem >= trial {
+                    rem -= trial;
+                    root += mark;
+                }
+            }
+            vec![rem as u64, root as u64]
+        }
         Prim::Memory => unreachable!("a memory has state"),
     }
 }

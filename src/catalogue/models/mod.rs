@@ -30,6 +30,14 @@ pub fn model(unit: &str, d: &Design, b: &Binding, x: &[u64]) -> Vec<u64> {
             let (q, r) = (n / u128::from(x[1]), n % u128::from(x[1]));
             vec![(r << 1) as u64 & mask(w + 1), q as u64 & mask(rows)]
         }
+        "sqrt_rows" => {
+            let (w, first, last) = (p("W"), p("FIRST") - 1, p("FIRST") - 1 + p("ROWS"));
+            // The radicand in units of the root's last place squared, and its root cut to more digits.
+            let radicand = u128::from(x[1]).pow(2) + (u128::from(x[0]) << (w - 1 - first));
+            let below = w - 1 - last;
+            let root = (radicand >> (2 * below)).isqrt() << below;
+            vec![((radicand - root * root) >> below) as u64, root as u64]
+        }
         "start_level" => vec![u64::from(start_level(d.traverse.levels, idx, s(x[0]), s(x[1]), s(x[2]), s(x[3])))],
         "height_address" => {
             let k = x[0] as u32;
@@ -220,6 +228,12 @@ pub fn legal(unit: &str, d: &Design, b: &Binding, mut x: Vec<u64>) -> Vec<u64> {
             if d.mode.lod {
                 x[5] %= n + 1;
             }
+        }
+        "sqrt_rows" => {
+            // Digits below FIRST are still 0; the remainder is below twice the root and the last digit's place.
+            let (w, first) = (b["W"] as u32, b["FIRST"] as u32);
+            x[1] = (x[1] | 1 << (w - 1)) & !mask(w - first);
+            x[0] %= 2 * x[1] + (1 << (w - first));
         }
         // A travel per height code is less than 4/3 of a travel: two height bits make the least M.
         "chord_end" if d.datapath.kind == DatapathKind::Fixed => {

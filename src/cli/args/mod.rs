@@ -3,7 +3,9 @@ mod figures;
 
 pub use figures::*;
 
+use crate::error::{Error, Result};
 use crate::project::Canary;
+use crate::vectors::{Campaign, Level, Shard};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -90,9 +92,37 @@ pub struct VectorsArgs {
     /// Only this unit's; arithmetic at any format, whatever a traversal asks of its own.
     #[arg(long, value_name = "NAME")]
     pub unit: Option<String>,
+    /// Tables of corners.
+    #[command(flatten)]
+    pub campaign: CampaignArgs,
     /// The height map.
     #[command(flatten)]
     pub map: MapArgs,
+}
+
+/// Which vectors of a unit of arithmetic: the usual choice of corners without these options.
+#[derive(Args, Debug)]
+pub struct CampaignArgs {
+    /// Crosses whole tables of corners, small (1) or large (2), before the random rows; of arithmetic (`--unit`).
+    #[arg(long)]
+    pub level: Option<Level>,
+    /// Only the i-th of n equal parts of these rows: n calls together make the whole, and their counts add up.
+    #[arg(long, value_name = "I/N", requires = "level")]
+    pub shard: Option<Shard>,
+}
+
+impl CampaignArgs {
+    /// The campaign that is asked for, of the unit of arithmetic `alone`.
+    ///
+    /// # Errors
+    /// Another unit, or none.
+    pub fn campaign(&self, alone: bool) -> Result<Option<Campaign>> {
+        let Some(level) = self.level else { return Ok(None) };
+        if !alone {
+            return Err(Error::input("--level crosses corners of arithmetic: name one of its units, as --unit fp_add"));
+        }
+        Ok(Some(Campaign { level, shard: self.shard.unwrap_or(Shard::WHOLE) }))
+    }
 }
 
 /// Options of `emit`.
@@ -115,8 +145,11 @@ pub struct CheckArgs {
     /// Only this unit.
     #[arg(long, value_name = "NAME")]
     pub unit: Option<String>,
+    /// Tables of corners.
+    #[command(flatten)]
+    pub campaign: CampaignArgs,
     /// A tree that `build` wrote with the same configuration; without it a fresh one is made and thrown away.
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", conflicts_with = "level")]
     pub dir: Option<PathBuf>,
     /// Spoils the vectors on purpose: the check must fail, each fault with its own exit code.
     #[arg(long)]

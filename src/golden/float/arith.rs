@@ -1,18 +1,18 @@
 //! Sum, product, quotient, comparison.
-use super::{Finite, Value, decode, infinity, round, zero};
-use crate::format::FloatFormat;
+use super::{Finite, Value, decode, infinity, invalid, round, zero};
+use crate::format::{FloatFormat, Rounding};
 
 /// Exponents further apart than this leave the smaller operand of a sum no influence but its sign:
 /// a significand has at most 53 bits, so the smaller operand is below 2^-10 units in the last place of the larger.
 const FAR: i32 = 64;
 
-/// `a + b`, rounded once. Encoded operands and result; `x - x` is +0, `inf - inf` is NaN.
+/// `a + b`, rounded once. Encoded operands and result; `x - x` is +0 (-0 when rounding down), `inf - inf` is NaN.
 pub fn add(fmt: FloatFormat, a: u64, b: u64) -> u64 {
     match (decode(fmt, a), decode(fmt, b)) {
         (Value::Nan, _) | (_, Value::Nan) => fmt.nan(),
         (Value::Infinite(s), Value::Infinite(t)) if s != t => fmt.nan(),
         (Value::Infinite(s), _) | (_, Value::Infinite(s)) => infinity(fmt, s),
-        (Value::Zero(s), Value::Zero(t)) => zero(fmt, s && t),
+        (Value::Zero(s), Value::Zero(t)) => zero_sum(fmt, &[s, t]),
         (Value::Zero(_), Value::Finite(x)) | (Value::Finite(x), Value::Zero(_)) => {
             round(fmt, x.negative, x.sig, x.exp, false)
         }
@@ -26,11 +26,17 @@ fn add_finite(fmt: FloatFormat, x: Finite, y: Finite) -> u64 {
     // Any other nonzero value as small as this rounds alike, so take one that keeps the integers short.
     let small = if large.exp - small.exp > FAR { Finite { sig: 1, exp: large.exp - FAR, ..small } } else { small };
     let sum = (signed(large) << (large.exp - small.exp)) + signed(small);
-    if sum == 0 { zero(fmt, false) } else { round(fmt, sum < 0, sum.unsigned_abs(), small.exp, false) }
+    if sum == 0 { zero_sum(fmt, &[true, false]) } else { round(fmt, sum < 0, sum.unsigned_abs(), small.exp, false) }
+}
+
+/// The zero that terms of these signs sum up to: theirs if they agree, else +0, or -0 when rounding down.
+pub(super) fn zero_sum(fmt: FloatFormat, signs: &[bool]) -> u64 {
+    let agree = signs.iter().all(|s| *s == signs[0]);
+    zero(fmt, if agree { signs[0] } else { fmt.rounding == Rounding::Down })
 }
 
 /// The significand with its sign; at most 53 bits and the sign.
-fn signed(x: Finite) -> i128 {
+pub(super) fn signed(x: Finite) -> i128 {
     if x.negative { -(x.sig as i128) } else { x.sig as i128 }
 }
 
@@ -51,11 +57,13 @@ pub fn mul(fmt: FloatFormat, a: u64, b: u64) -> u64 {
     }
 }
 
-/// `a / b`, rounded once. Encoded operands and result; `0 / 0` and `inf / inf` are NaN, `x / 0` is infinity.
+/// `a / b`, rounded once. Encoded operands and result; `0 / 0` and `inf / inf` are NaN, `x / 0` is infinity. Where every
+/// code is a number, `0 / 0` is 0 and `x / 0` the largest one, both with the sign of a quotient.
 pub fn div(fmt: FloatFormat, a: u64, b: u64) -> u64 {
     match (decode(fmt, a), decode(fmt, b)) {
         (Value::Nan, _) | (_, Value::Nan) => fmt.nan(),
-        (Value::Infinite(_), Value::Infinite(_)) | (Value::Zero(_), Value::Zero(_)) => fmt.nan(),
+        (Value::Infinite(_), Value::Infinite(_)) => fmt.nan(),
+        (Value::Zero(s), Value::Zero(t)) => invalid(fmt, s != t),
         (Value::Infinite(s), Value::Zero(t)) => infinity(fmt, s != t),
         (Value::Infinite(s), Value::Finite(y)) => infinity(fmt, s != y.negative),
         (Value::Finite(x), Value::Zero(t)) => infinity(fmt, x.negative != t),
@@ -76,7 +84,7 @@ pub(super) fn ratio(fmt: FloatFormat, negative: bool, num: u128, den: u128, exp:
     round(fmt, negative, num / den, exp - shift as i32, !num.is_multiple_of(den))
 }
 
-/// `a < b`. False when either is NaN; the two zeros are equal, and subnormals are zeros.
+/// `a < b`. False when either is NaN; the two zeros are equal, and so are subnormals where they are flushed.
 pub fn lt(fmt: FloatFormat, a: u64, b: u64) -> bool {
     match (order(fmt, a), order(fmt, b)) {
         (Some(x), Some(y)) => x < y,
@@ -85,11 +93,11 @@ pub fn lt(fmt: FloatFormat, a: u64, b: u64) -> bool {
 }
 
 /// An integer that stands in the same order as the number: exponent and fraction read as one, with the sign. None for NaN.
-fn order(fmt: FloatFormat, a: u64) -> Option<i64> {
+pub(super) fn order(fmt: FloatFormat, a: u64) -> Option<i64> {
     let magnitude = a & (fmt.sign_bit() - 1);
-    if magnitude > fmt.infinity() {
+    if magnitude > fmt.infinity() && !fmt.is_finite() {
         None
-    } else if magnitude <= fmt.man_mask() {
+    } else if magnitude == 0 || (magnitude <= fmt.man_mask() && !fmt.is_gradual()) {
         Some(0)
     } else {
         Some(if a & fmt.sign_bit() != 0 { -(magnitude as i64) } else { magnitude as i64 })

@@ -1,14 +1,14 @@
 //! Conversions from and to integers, fixed point and f64.
 use super::arith::ratio;
-use super::{Value, decode, infinity, round, zero};
+use super::{Value, decode, infinity, invalid, round, zero};
 use crate::format::FloatFormat;
 
-/// `v * 2^-frac`, rounded to nearest even; 0 gives +0, overflow infinity, underflow zero of the sign.
+/// `v * 2^-frac`, rounded once; 0 gives +0.
 pub fn from_fixed(fmt: FloatFormat, v: i64, frac: u32) -> u64 {
     if v == 0 { 0 } else { round(fmt, v < 0, u128::from(v.unsigned_abs()), -(frac as i32), false) }
 }
 
-/// The integer `v`, rounded to nearest even.
+/// The integer `v`, rounded once.
 pub fn from_int(fmt: FloatFormat, v: i64) -> u64 {
     from_fixed(fmt, v, 0)
 }
@@ -43,7 +43,7 @@ pub fn to_int(fmt: FloatFormat, a: u64, int_w: u32) -> i64 {
     to_fixed(fmt, a, int_w, 0)
 }
 
-/// `x` rounded to nearest even; every NaN becomes the canonical one, and what is too small after rounding a zero of its sign.
+/// `x` rounded once; every NaN becomes the canonical one (where there is none, +0).
 pub fn from_f64(fmt: FloatFormat, x: f64) -> u64 {
     let negative = x.is_sign_negative();
     let bits = x.to_bits();
@@ -51,7 +51,7 @@ pub fn from_f64(fmt: FloatFormat, x: f64) -> u64 {
     let fraction = u128::from(bits & ((1 << 52) - 1));
     match (field, fraction) {
         (0x7ff, 0) => infinity(fmt, negative),
-        (0x7ff, _) => fmt.nan(),
+        (0x7ff, _) => invalid(fmt, false),
         (0, 0) => zero(fmt, negative),
         // The f64's own subnormals are real numbers here.
         (0, _) => round(fmt, negative, fraction, -1074, false),
@@ -67,10 +67,9 @@ pub fn to_f64(fmt: FloatFormat, a: u64) -> f64 {
         Value::Infinite(s) => f64::INFINITY * sign(s),
         Value::Zero(s) => 0.0 * sign(s),
         Value::Finite(x) => {
-            // A normal number of these formats is a normal f64: move exponent and fraction into its fields.
-            let field = (x.exp + fmt.man as i32 + 1023) as u64;
-            let fraction = (a & fmt.man_mask()) << (52 - fmt.man);
-            f64::from_bits((field << 52) | fraction) * sign(x.negative)
+            // Of at most 53 bits, and no lower than the last place of an f64: both factors and the product are exact.
+            let (half, rest) = (x.exp / 2, x.exp - x.exp / 2);
+            x.sig as f64 * 2f64.powi(half) * 2f64.powi(rest) * sign(x.negative)
         }
     }
 }

@@ -1,11 +1,17 @@
-//! The arithmetic of `docs/datapath.md`: numbers are taken apart into exact integers, and put together by one rounding.
+//! The arithmetic of `docs/arithmetic.md`: numbers are taken apart into exact integers, and put together by one rounding.
 mod arith;
 mod convert;
+mod events;
+mod more;
+mod rounding;
 
 pub use arith::{add, div, lt, mul, neg};
 pub use convert::{from_f64, from_fixed, from_int, recip_int, to_f64, to_fixed, to_int};
+pub use events::{Events, events};
+pub use more::{add3, compare, recip, sqrt};
 
 use crate::format::FloatFormat;
+use rounding::round;
 
 /// What an encoded number means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,13 +20,13 @@ pub enum Value {
     Nan,
     /// An infinity of the given sign (`true` is negative).
     Infinite(bool),
-    /// A zero of the given sign; subnormals read as this.
+    /// A zero of the given sign; where they are flushed, subnormals read as this.
     Zero(bool),
     /// An ordinary number.
     Finite(Finite),
 }
 
-/// The number `(-1)^negative * sig * 2^exp`; `sig` has `man + 1` bits and its top bit is 1.
+/// The number `(-1)^negative * sig * 2^exp`; `sig` has `man + 1` bits and its top bit is 1, a subnormal's too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Finite {
     /// Sign.
@@ -31,82 +37,36 @@ pub struct Finite {
     pub exp: i32,
 }
 
-/// How much a rounding cuts off, compared with half a unit in the last kept place.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Loss {
-    Nothing,
-    LessThanHalf,
-    Half,
-    MoreThanHalf,
-}
-
 /// Reads an encoded number; bits above the format's width are ignored.
 pub fn decode(fmt: FloatFormat, a: u64) -> Value {
     let negative = a & fmt.sign_bit() != 0;
     let field = (a >> fmt.man) & fmt.exp_max();
     let fraction = a & fmt.man_mask();
-    if field == 0 {
-        Value::Zero(negative)
-    } else if field == fmt.exp_max() {
+    let last = |field: u64| field as i32 - fmt.bias() - fmt.man as i32;
+    if field == fmt.exp_max() && !fmt.is_finite() {
         if fraction == 0 { Value::Infinite(negative) } else { Value::Nan }
-    } else {
+    } else if field != 0 {
         let sig = u128::from(fraction | (1 << fmt.man));
-        Value::Finite(Finite { negative, sig, exp: field as i32 - fmt.bias() - fmt.man as i32 })
+        Value::Finite(Finite { negative, sig, exp: last(field) })
+    } else if fraction == 0 || !fmt.is_gradual() {
+        Value::Zero(negative)
+    } else {
+        let up = fmt.man + 1 - (u64::BITS - fraction.leading_zeros());
+        Value::Finite(Finite { negative, sig: u128::from(fraction) << up, exp: last(1) - up as i32 })
     }
 }
 
-/// Infinity of a sign, encoded.
+/// Infinity of a sign, encoded; the largest number where there is none.
 fn infinity(fmt: FloatFormat, negative: bool) -> u64 {
-    zero(fmt, negative) | fmt.infinity()
+    zero(fmt, negative) | if fmt.is_finite() { fmt.largest() } else { fmt.infinity() }
+}
+
+/// What an operation without a result gives: NaN, or a zero of this sign where there is none.
+fn invalid(fmt: FloatFormat, negative: bool) -> u64 {
+    if fmt.is_finite() { zero(fmt, negative) } else { fmt.nan() }
 }
 
 /// Zero of a sign, encoded.
 fn zero(fmt: FloatFormat, negative: bool) -> u64 {
     if negative { fmt.sign_bit() } else { 0 }
-}
-
-/// Rounds `(-1)^negative * (sig + r) * 2^exp` to nearest even, where `r` is 0, or, with `rest`, anything strictly between 0 and 1.
-///
-/// The exponent is unbounded until the significand is rounded; only then is the range looked at: too small is zero of the sign,
-/// too large is infinity.
-///
-/// # Panics
-/// If `sig` is 0, or if there is a rest and `sig` has less than one bit more than the format keeps (the rest could not be weighed).
-fn round(fmt: FloatFormat, negative: bool, sig: u128, exp: i32, rest: bool) -> u64 {
-    let keep = fmt.man as i32 + 1;
-    let drop = u128::BITS as i32 - sig.leading_zeros() as i32 - keep;
-    assert!(sig != 0 && (drop > 0 || !rest));
-    let (kept, loss) = if drop > 0 { (sig >> drop, classify(sig, drop, rest)) } else { (sig << -drop, Loss::Nothing) };
-    let mut kept = kept as u64;
-    kept += u64::from(loss == Loss::MoreThanHalf || (loss == Loss::Half && kept & 1 == 1));
-    // The value is now kept * 2^last, and kept has `keep` bits, or is the power of two just above.
-    let mut last = exp + drop;
-    if kept >> keep != 0 {
-        kept >>= 1;
-        last += 1;
-    }
-    let exponent = last + fmt.man as i32;
-    if exponent < 1 - fmt.bias() {
-        zero(fmt, negative)
-    } else if exponent > fmt.bias() {
-        infinity(fmt, negative)
-    } else {
-        let field = (exponent + fmt.bias()) as u64;
-        zero(fmt, negative) | (field << fmt.man) | (kept & fmt.man_mask())
-    }
-}
-
-/// Weighs the lowest `drop` bits of `sig` and the rest behind them; `drop` is positive.
-fn classify(sig: u128, drop: i32, rest: bool) -> Loss {
-    let half = 1u128 << (drop - 1);
-    let tail = sig & (2 * half - 1);
-    if tail > half || (tail == half && rest) {
-        Loss::MoreThanHalf
-    } else if tail == half {
-        Loss::Half
-    } else if tail != 0 || rest {
-        Loss::LessThanHalf
-    } else {
-        Loss::Nothing
-    }
 }

@@ -7,6 +7,7 @@
 //! and no test for zero stands before a carry chain. Zero, infinity, NaN and flushed results share the near path's leg.
 //! PIDM-HW section 4.3 gives the format only; rounding and specials are this project's (`docs/datapath.md`).
 use super::fields::{Fields, FormatParams};
+use super::general;
 use crate::format::FloatFormat;
 use crate::ir::{Builder, Module, Sig};
 use crate::units::lzc::lzc;
@@ -18,6 +19,9 @@ const PLAN: &[(&str, u32)] =
 
 /// Builds `fp_add` with `latency` clocks from operand to result.
 pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
+    if !format.is_plain() {
+        return general::fp_add(format, latency);
+    }
     let b =
         Builder::new("fp_add", file!(), "sum of two floating-point numbers, rounded once; flip b's sign to subtract");
     let f = FormatParams::declare(&b, format);

@@ -1,4 +1,5 @@
 //! Fields of a floating-point operand, and the classes that the format's policy knows.
+use crate::format::{FloatFormat, Rounding};
 use crate::ir::{Builder, Expr, Sig};
 
 /// The format parameters of a module and its derived widths.
@@ -10,11 +11,13 @@ pub struct FormatParams {
     pub man: Expr,
     /// FLOAT_W = 1 + EXP_W + MAN_W.
     pub width: Expr,
+    /// The choices besides the widths.
+    pub format: FloatFormat,
 }
 
 impl FormatParams {
     /// Declares EXP_W, MAN_W and FLOAT_W, and what they may be.
-    pub fn declare(b: &Builder, f: crate::format::FloatFormat) -> Self {
+    pub fn declare(b: &Builder, f: FloatFormat) -> Self {
         let exp = b.param("EXP_W", f.exp, "exponent bits");
         let man = b.param("MAN_W", f.man, "fraction bits, the hidden one not counted");
         b.require(2, &exp);
@@ -22,17 +25,39 @@ impl FormatParams {
         b.require(2, &man);
         b.require(&man, 28);
         let width = b.local("FloatW", &exp + &man + 1);
-        b.note(
-            "Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent 0 reads as zero of \
-             its sign; results below the smallest normal, after rounding, become zero of their sign; exponent all ones \
-             is infinity (fraction 0) or NaN (one NaN comes out); nearest, ties to even; x - x is +0.",
-        );
-        Self { exp, man, width }
+        b.note(note(f));
+        Self { exp, man, width, format: f }
     }
     /// The bias.
     pub fn bias(&self) -> Expr {
         (self.exp.clone() - 1).pow2() - 1
     }
+}
+
+/// What the banner says of the format.
+fn note(f: FloatFormat) -> String {
+    let subnormals = if f.is_gradual() {
+        "Exponent 0 is a subnormal number"
+    } else {
+        "Exponent 0 reads as zero of its sign; results below the smallest normal, after rounding, become zero of their sign"
+    };
+    let specials = if f.is_finite() {
+        "exponent all ones is a number like the others and results saturate"
+    } else {
+        "exponent all ones is infinity (fraction 0) or NaN (one NaN comes out)"
+    };
+    let rounding = match f.rounding {
+        Rounding::NearestEven => "nearest, ties to even",
+        Rounding::NearestAway => "nearest, ties away from zero",
+        Rounding::TowardZero => "rounded toward zero",
+        Rounding::Up => "rounded toward plus infinity",
+        Rounding::Down => "rounded toward minus infinity",
+    };
+    let cancelled = if f.rounding == Rounding::Down { "-0" } else { "+0" };
+    format!(
+        "Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. {subnormals}; {specials}; {rounding}; \
+         x - x is {cancelled}."
+    )
 }
 
 /// Sign, exponent field and fraction field of an operand.

@@ -1,5 +1,6 @@
 //! `fp_from_int`, `fp_from_fixed`: a signed integer, or fixed-point number, to the nearest float (ties to even).
 use super::fields::FormatParams;
+use super::general;
 use super::round::{Special, Unrounded, round_pack};
 use crate::format::FloatFormat;
 use crate::ir::{Builder, Expr, Module};
@@ -36,12 +37,19 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32) -> 
         }
     };
     let lz_w = (&int + 1).clog2();
-    let e_w = b.local("ExpSumW", f.exp.larger(&lz_w) + 2);
+    let e_w = b.local("ExpSumW", f.exp.larger(&lz_w) + if format.is_plain() { 2 } else { 3 });
     b.clock();
     b.clock_enable();
     let a = b.input("a", &int, if frac_w.is_some() { "fixed point" } else { "integer" }, "signed operand");
-    let out = b.output("result", &f.width, "float", "a, rounded to nearest even");
-    b.plan(latency, &[("magnitude", 3), ("normalize", 7), ("round", 6)]);
+    let out = b.output(
+        "result",
+        &f.width,
+        "float",
+        if format.is_plain() { "a, rounded to nearest even" } else { "a, rounded" },
+    );
+    let shift = format.is_gradual().then_some(("shift", 7));
+    let plan = [("magnitude", 3), ("normalize", 7)].into_iter().chain(shift).chain([("round", 6)]);
+    b.plan(latency, &plan.collect::<Vec<_>>());
 
     b.section("magnitude", "");
     let minus = a.msb().named("minus");
@@ -55,6 +63,15 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32) -> 
     let top = b.konst(f.bias() + &int - 1 - &frac, &e_w).named("top_exp");
     let exp = (top - lz.zext(&e_w)).named("norm_exp");
 
+    if !format.is_plain() {
+        let low = norm.slice(0, &int + 1).any().named("sticky");
+        let (sig, guard) = (norm.slice(&int + 2, &f.man + 1).named("sig"), norm.bit(&int + 1).named("guard"));
+        let x = general::Exact { sign: minus, exp, sig, guard, sticky: low };
+        let zero = general::Classes { zero: Some(is_zero), ..Default::default() };
+        let packed = general::round(&b, &f, x, general::Range::Any, &zero);
+        b.drive(out, packed, Some(latency));
+        return b.finish(Some(latency), &super::bindings());
+    }
     b.section("round", "");
     let sig = norm.slice(&int + 2, &f.man + 1).named("sig");
     let x = Unrounded { sign: minus, exp, sig, guard: norm.bit(&int + 1), sticky: Some(norm.slice(0, &int + 1).any()) };

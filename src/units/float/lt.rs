@@ -35,12 +35,20 @@ pub fn fp_lt(format: FloatFormat, latency: u32) -> Arc<Module> {
     let left = b.cat(&[a_in.slice(1, rest.clone()), a_last & !fa.sign]).named("left");
     let right = b.cat(&[b_in.slice(1, rest), b_last | (fa.sign & !a_last)]).named("right");
     let below = left.lt(right).named("below");
-    let both_zero = (fa.exp.none() & fb.exp.none()).named("both_zero");
-    let (a_nan, b_nan) = (is_nan(&fa).named("a_is_nan"), is_nan(&fb).named("b_is_nan"));
+    let mut both_zero = fa.exp.none() & fb.exp.none();
+    if format.is_gradual() {
+        both_zero = both_zero & (fa.frac | fb.frac).none();
+    }
+    if format.is_finite() && !format.is_gradual() {
+        b.unused(b.cat(&[fa.frac, fb.frac]));
+    }
+    let both_zero = both_zero.named("both_zero");
+    let nan = (!format.is_finite()).then(|| (is_nan(&fa).named("a_is_nan"), is_nan(&fb).named("b_is_nan")));
     let (a_sign, b_sign) = (fa.sign, fb.sign);
 
     b.section("decide", "");
-    let ordered = (!(a_nan | b_nan | both_zero)).named("ordered");
+    let apart = nan.map_or(both_zero, |(a, b)| a | b | both_zero);
+    let ordered = (!apart).named("ordered");
     let less = (ordered & a_sign.mux(!(b_sign & below), !b_sign & below)).named("less");
     b.drive(out, less, Some(latency));
     b.finish(Some(latency), &super::bindings())

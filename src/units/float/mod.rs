@@ -1,19 +1,29 @@
 //! Floating-point units: format by Verilog parameter, latency by configuration.
 mod add;
+mod add3;
+mod compare;
 mod div;
 mod fields;
 mod from_fixed;
+mod general;
 mod lt;
 mod mul;
+mod recip;
 mod round;
+mod rows;
+mod sqrt;
 mod to_fixed;
 
 pub use add::fp_add;
+pub use add3::fp_add3;
+pub use compare::fp_compare;
 pub use div::fp_div;
 pub use fields::{Fields, FormatParams};
 pub use from_fixed::{fp_from_fixed, fp_from_int};
 pub use lt::fp_lt;
 pub use mul::fp_mul;
+pub use recip::fp_recip;
+pub use sqrt::fp_sqrt;
 pub use to_fixed::{fp_to_fixed, fp_to_int};
 
 use crate::ir::Binding;

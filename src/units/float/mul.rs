@@ -5,6 +5,7 @@
 //! afterwards, so that no carry chain waits for the OR of the lower half. Exponent and fraction round as one number.
 //! Formats: `docs/datapath.md`.
 use super::fields::{Fields, FormatParams};
+use super::general;
 use super::round::{Candidate, Classes};
 use crate::format::FloatFormat;
 use crate::ir::{Builder, Expr, Module, Sig};
@@ -15,6 +16,9 @@ const PLAN: &[(&str, u32)] = &[("multiply", 55), ("round", 25), ("select", 25)];
 
 /// Builds `fp_mul` with `latency` clocks from operand to result.
 pub fn fp_mul(format: FloatFormat, latency: u32) -> Arc<Module> {
+    if !format.is_plain() {
+        return general::fp_mul(format, latency);
+    }
     let b = Builder::new("fp_mul", file!(), "product of two floating-point numbers, rounded once");
     let f = FormatParams::declare(&b, format);
     let e_w = b.local("ExpSumW", &f.exp + 2);

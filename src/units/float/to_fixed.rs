@@ -1,7 +1,8 @@
 //! `fp_to_int`, `fp_to_fixed`: a float to a signed integer, or fixed-point number, toward minus infinity, saturating.
 use super::fields::{Fields, FormatParams};
+use super::general::Operand;
 use crate::format::FloatFormat;
-use crate::ir::{Builder, Expr, Module};
+use crate::ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
 
 /// Builds `fp_to_int`: the result is a signed integer of `int_w` bits (parameter INT_W).
@@ -20,7 +21,9 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32) -> 
         Some(_) => ("fp_to_fixed", "floating-point number to signed fixed point, toward minus infinity, saturating"),
     };
     let b = Builder::new(name, file!(), what);
-    b.note("Infinities saturate; NaN gives 0.");
+    if !format.is_finite() {
+        b.note("Infinities saturate; NaN gives 0.");
+    }
     let f = FormatParams::declare(&b, format);
     let int = b.param("INT_W", int_w, "bits of the signed result");
     b.require(2, &int);
@@ -45,13 +48,14 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32) -> 
     b.plan(latency, &[("distance", 3), ("shift", 6), ("floor", 4)]);
 
     b.section("distance", "The significand starts above INT_W zeros and moves right by what the exponent lacks.");
-    let fa = Fields::of(&f, a, "a");
-    let sig = fa.significand(&b, "a_sig");
+    let fa = Read::of(&b, &f, a);
+    let sig = fa.sig;
     let full = b.konst(f.bias() + &int + &f.man - &frac, &r_w).named("full");
-    let right = (full - fa.exp.zext(&r_w)).named("right");
+    let right = (full - fa.weight.zext(&r_w)).named("right");
     let least = b.konst(&f.man + 2, &r_w).named("least");
-    let too_big = (right.slt(least) | fa.is_inf).named("too_big");
-    let (minus, nan) = (fa.sign, fa.is_nan);
+    let big = right.slt(least);
+    let too_big = fa.inf.map_or(big, |inf| big | inf).named("too_big");
+    let (minus, nan) = (fa.sign, fa.nan);
 
     b.section("shift", "");
     let x = b.cat(&[sig, b.zeros(&int)]).named("unshifted");
@@ -64,7 +68,30 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32) -> 
     let flip = minus.rep(&int);
     let floor = ((mag ^ flip) + (minus & !lost).zext(&int)).named("floor");
     let limit = b.cat(&[minus, (!minus).rep(&int - 1)]).named("limit");
-    let result = nan.mux(b.zeros(&int), too_big.mux(limit, floor)).named("result_value");
+    let number = too_big.mux(limit, floor);
+    let result = nan.map_or(number, |nan| nan.mux(b.zeros(&int), number)).named("result_value");
     b.drive(out, result, Some(latency));
     b.finish(Some(latency), &super::bindings())
+}
+
+/// The operand, as the format's choices read it.
+struct Read<'b> {
+    sign: Sig<'b>,
+    /// Exponent field of the significand's weight.
+    weight: Sig<'b>,
+    sig: Sig<'b>,
+    inf: Option<Sig<'b>>,
+    nan: Option<Sig<'b>>,
+}
+
+impl<'b> Read<'b> {
+    fn of(b: &'b Builder, f: &FormatParams, a: Sig<'b>) -> Self {
+        if f.format.is_finite() || f.format.is_gradual() {
+            let a = Operand::of(b, f, a, "a");
+            return Self { sign: a.sign, weight: a.weight(), sig: a.sig(), inf: a.inf(), nan: a.nan() };
+        }
+        let a = Fields::of(f, a, "a");
+        let sig = a.significand(b, "a_sig");
+        Self { sign: a.sign, weight: a.exp, sig, inf: Some(a.is_inf), nan: Some(a.is_nan) }
+    }
 }
