@@ -18,8 +18,11 @@ fn main() {
         let map = ExactMap { levels: c.traverse.levels, height_bits: c.traverse.height_bits, texels: &scene.texels };
         let design = c.design();
         let exact = |r: &_| exact_ray(&design, &encode(&c, r)).expect("a number");
-        let list: Vec<ExactRay> =
-            View::ALL.iter().flat_map(|view| scene.view(&c, *view, c.view.stride)).map(|r| exact(&r)).collect();
+        let list: Vec<ExactRay> = View::ALL
+            .iter()
+            .flat_map(|view| scene.view(&c, *view, c.view.stride).unwrap())
+            .map(|r| exact(&r))
+            .collect();
         let trace = |r: &ExactRay| map.trace(r).expect("a legal ray").texels;
         let start = processor_seconds();
         let visited: u64 = list.iter().map(trace).sum();

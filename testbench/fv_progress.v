@@ -107,8 +107,9 @@ module fv_progress;
     .t_out(k_t_out)
   );
   assign v_level = u_level;
-  assign d_level = u_level;
   assign k_level = u_level;
+  // Where a trim reads a smaller node, this is that node's level, and everything but a descent goes on from the larger one.
+  assign d_level = k_level;
   assign k_level_down = d_level_down;
   assign {d_x_low, d_x_high, d_y_low, d_y_high} = {u_low, u_high, v_low, v_high};
   assign {k_x_at, k_x_down, k_x_beyond} = {u_x, d_x_down, u_beyond};

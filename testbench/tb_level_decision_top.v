@@ -21,13 +21,16 @@ module tb_level_decision_top #(
     .exit_code(exit_code)
   );
 
-  initial clk = 1'b0;
-  always #5 clk = ~clk;
+  initial begin
+    clk = 1'b0;
+    forever #5 clk = ~clk;
+  end
 
   always @(posedge done) begin
 `ifdef __ICARUS__
     $finish_and_return(exit_code);
 `else
+    $display("exit code %0d", exit_code);
     $finish;
 `endif
   end
@@ -35,6 +38,7 @@ module tb_level_decision_top #(
 `ifdef __ICARUS__
     $finish_and_return(exit_code);
 `else
+    $display("exit code %0d", exit_code);
     $finish;
 `endif
   end

@@ -118,7 +118,7 @@ fn faults_of_the_stream_are_told_apart() {
         .map(|k| RayInput::from_f64(d.format, at(k, 0.618), at(k, 0.414), 3.0 * at(k, 0.3), -2.0 * at(k, 0.7)))
         .collect();
     let m = find(&c.design(), "traverse").unwrap();
-    let set = ray_set(&d, &m, &pyramid, &rays, 1).unwrap();
+    let set = ray_set(&d, &pyramid, &rays, 1).unwrap();
     let mut runs = 0;
     for sim in [Simulator::Icarus, Simulator::Verilator] {
         for (fault, taken, body, plusargs, code, needs_x) in FAULTS {
@@ -162,7 +162,7 @@ fn faults_of_a_pipeline_are_mismatches() {
     let m = find(&d, "fp_add").unwrap();
     let set = vector_set(&d, &m, &Binding::new(), Plan { rows: 300, seed: 1 });
     let rtl = reliefrtl::project::hardware(&c).unwrap().files;
-    let benches = reliefrtl::bench::bench_files(std::slice::from_ref(&m), &find(&d, "traverse").unwrap(), 15, "");
+    let benches = reliefrtl::bench::bench_files(std::slice::from_ref(&m), None, "");
     let faults: &[(&str, &[&str], &str, i32)] = &[
         ("none", &[], "", 0),
         ("the clock enable is not connected", &["ce"], "assign inner_ce = 1'b1;", 1),

@@ -54,27 +54,97 @@ fn build_says_what_it_did() {
     }
 }
 
-#[test]
-fn engines_write_the_same_bytes() {
-    let dir = tempfile::tempdir().unwrap();
-    std::fs::write(
-        dir.path().join("r.csv"),
-        "u,v,du,dv\n0.1,0.2,0.3,-0.4\n0.99999999,0.5,-1.5,0.25\n0.5,0.5,0,0\n0.3,0.3,20,0\n",
-    )
-    .unwrap();
+/// The engines that are there.
+fn engines() -> Vec<&'static str> {
     let mut engines = vec!["golden", "interp"];
     if !std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
         engines.extend(["icarus", "verilator"]);
     }
+    engines
+}
+
+/// Traces a file of rays with each of the engines and returns what all of them wrote.
+fn same_bytes(rays: &str, engines: &[&str], sets: &[&str]) -> String {
+    let dir = tempfile::tempdir().unwrap();
+    std::fs::write(dir.path().join("r.csv"), rays).unwrap();
+    let sets: Vec<&str> = sets.iter().flat_map(|s| ["--set", s]).collect();
     let mut all = Vec::new();
-    for e in &engines {
-        let out = run(dir.path(), &["trace", "--rays", "r.csv", "--engine", e, "--out", "h.csv"]);
+    for e in engines {
+        let out =
+            run(dir.path(), &[&["trace", "--rays", "r.csv", "--engine", e, "--out", "h.csv"], &sets[..]].concat());
         assert_eq!(out.status.code(), Some(0), "{e}: {}", String::from_utf8_lossy(&out.stderr));
         all.push(std::fs::read_to_string(dir.path().join("h.csv")).unwrap());
     }
-    assert!(all.iter().all(|h| h == &all[0]));
-    assert_eq!(all[0].lines().count(), 5);
+    assert!(all.iter().all(|h| h == &all[0]), "{sets:?}: {all:?}");
     assert!(all[0].starts_with("ray,i,j,u,v,t,steps,crossings,ups,wall,limit\n"));
+    assert_eq!(all[0].lines().count(), rays.lines().count());
+    all.remove(0)
+}
+
+#[test]
+fn engines_write_the_same_bytes() {
+    same_bytes("u,v,du,dv\n0.1,0.2,0.3,-0.4\n0.99999999,0.5,-1.5,0.25\n0.5,0.5,0,0\n0.3,0.3,20,0\n", &engines(), &[]);
+}
+
+/// Rays with finest levels of their own, one above the root; and the same hits as without a trim, in fewer iterations.
+#[test]
+fn engines_write_the_same_bytes_with_trim_and_level_of_detail() {
+    let mut rays =
+        "u,v,du,dv,lod\n0.1,0.2,0.3,-0.4,0\n0.99999999,0.5,-1.5,0.25,2\n0.5,0.5,0,0,1\n0.3,0.3,20,0,0\n".to_string();
+    for k in 0..60 {
+        let turn = f64::from(k) * 0.61803;
+        rays += &format!(
+            "{:.6},{:.6},{:.6},{:.6},{}\n",
+            turn.fract(),
+            (turn * 1.7).fract(),
+            turn.sin() * 3.0,
+            turn.cos(),
+            k % 8
+        );
+    }
+    for (kind, trim) in [("watertight", "always"), ("fixed", "always"), ("fixed", "descent")] {
+        let kind = format!("datapath.kind={kind}");
+        let of = |trim: &str, engines: &[&str]| {
+            let mode = format!("mode.trim={trim}");
+            same_bytes(&rays, engines, &[&kind, "mode.lod=true", &mode, "traverse.levels=6"])
+        };
+        let (plain, trimmed) = (of("none", &["golden"]), of(trim, &engines()));
+        // ray, i, j, u, v, t; then steps, crossings and ups; then wall and limit.
+        let place = |row: &str| {
+            row.split(',').enumerate().filter(|(k, _)| !(6..9).contains(k)).map(|c| c.1.to_owned()).collect::<Vec<_>>()
+        };
+        assert!(plain.lines().map(place).eq(trimmed.lines().map(place)), "{kind} {trim}");
+        let steps = |text: &str| {
+            text.lines().skip(1).map(|l| l.split(',').nth(6).unwrap().parse::<u32>().unwrap()).sum::<u32>()
+        };
+        assert!(steps(&trimmed) < steps(&plain), "{kind} {trim}: {} of {}", steps(&trimmed), steps(&plain));
+    }
+}
+
+/// Means over a bricks map and three views, relative to the best published row; each datapath has the rows that it can have.
+#[test]
+fn trims_take_fewer_iterations() {
+    let dir = tempfile::tempdir().unwrap();
+    for (kind, rows) in [("watertight", 9), ("fixed", 9), ("published", 7)] {
+        let kind = format!("datapath.kind={kind}");
+        let (code, text) = said(
+            dir.path(),
+            &["steps", "--json", "--set", &kind, "--set", "view.stride=8", "--set", "map.kind=bricks"],
+        );
+        assert_eq!(code, Some(0), "{text}");
+        let cells: serde_json::Value = serde_json::from_str(&text).unwrap();
+        let cells = cells.as_array().unwrap();
+        assert_eq!(cells.len(), 3 * rows, "{text}");
+        let mean = |name: &str| -> f64 {
+            cells.iter().filter(|c| c["row"] == name).map(|c| c["mean"].as_f64().unwrap()).sum()
+        };
+        let relative = |name: &str| mean(name) / mean("a + b + c1");
+        if rows == 9 {
+            let [after, always] = [relative("  + trim after descents"), relative("  + trim always")];
+            println!("{kind}: after descents {after:.3}, always {always:.3}");
+            assert!(after <= 0.94 && always <= 0.91 && always < after, "{kind}: {after} {always}");
+        }
+    }
 }
 
 #[test]
@@ -154,7 +224,58 @@ fn a_tree_that_was_edited_is_not_checked_by_the_interpreter() {
 }
 
 #[test]
+fn exports_that_differ_from_the_hex_files_are_refused() {
+    let dir = tempfile::tempdir().unwrap();
+    assert_eq!(said(dir.path(), &[&["build"][..], &SMALL].concat()).0, Some(0));
+    let check = [&["check", "--dir", "out", "--unit", "lzc"][..], &SMALL].concat();
+    assert_eq!(said(dir.path(), &check).0, Some(0));
+    for (name, from, to) in [("vectors.csv", "\n2,6\n", "\n2,5\n"), ("rows.json", "\"bits\":\"2\"", "\"bits\":\"3\"")] {
+        let file = dir.path().join("out/golden/lzc").join(name);
+        let text = std::fs::read_to_string(&file).unwrap();
+        assert!(text.contains(from), "{name}: {text}");
+        std::fs::write(&file, text.replacen(from, to, 1)).unwrap();
+        let (code, told) = said(dir.path(), &check);
+        assert_eq!(code, Some(2), "{told}");
+        assert!(told.contains(&format!("{name} and the hex files differ in row 2")), "{told}");
+        std::fs::write(&file, text).unwrap();
+    }
+}
+
+/// The interpreter knows its own iterations; a simulator's come from the bench, whatever was done to the text.
+#[test]
+fn a_simulator_names_the_first_wrong_iteration() {
+    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
+        return;
+    }
+    let dir = tempfile::tempdir().unwrap();
+    // What is spoiled may well go round for ever.
+    let small = [&SMALL[..], &["--set", "traverse.step_limit=100"]].concat();
+    assert_eq!(said(dir.path(), &[&["build"][..], &small].concat()).0, Some(0));
+    let file = dir.path().join("out/rtl/multi_level_down.v");
+    let text = std::fs::read_to_string(&file).unwrap();
+    let right = "y_child = y_before ? y_low : y_behind";
+    assert!(text.contains(right), "{text}");
+    std::fs::write(&file, text.replace(right, "y_child = (y_hit[2:0] == 3'd5) ? y_low : y_behind")).unwrap();
+    for engine in ["icarus", "verilator"] {
+        let args = ["check", "--dir", "out", "--unit", "traverse", "--engine", engine];
+        let (code, told) = said(dir.path(), &[&args[..], &small].concat());
+        assert_eq!(code, Some(1), "{told}");
+        assert!(told.contains("first wrong iteration: "), "{told}");
+        assert!(told.contains(", y where it enters stage 0: expected "), "{told}");
+        assert!(told.contains("should have decided Descend"), "{told}");
+    }
+    // A wrong expected row is no fault of any iteration.
+    let args = ["check", "--unit", "traverse", "--canary", "flip", "--engine", "icarus"];
+    let (code, told) = said(dir.path(), &[&args[..], &small].concat());
+    assert_eq!(code, Some(1), "{told}");
+    assert!(told.contains("iterations are right: the fault is in what follows the loop"), "{told}");
+}
+
+#[test]
 fn a_simulators_mismatch_is_told_as_the_interpreters() {
+    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
+        return;
+    }
     let dir = tempfile::tempdir().unwrap();
     let args = [&["check", "--unit", "fp_add", "--canary", "flip", "--engine"][..], &["icarus"], &SMALL].concat();
     let (code, icarus) = said(dir.path(), &args);
@@ -174,6 +295,14 @@ fn arithmetic_stands_alone_at_formats_that_no_map_fits() {
     let emitted = std::fs::read_to_string(dir.path().join("out/rtl/fp_add.v")).unwrap();
     assert!(emitted.contains("EXP_W = 4") && emitted.contains("MAN_W = 3"), "{emitted}");
     assert_eq!(said(dir.path(), &[&["emit"][..], &format].concat()).0, Some(2));
+    // All pairs of 8-bit operands, as files and replayed.
+    assert_eq!(said(dir.path(), &[&["vectors", "--unit", "fp_add"][..], &format].concat()).0, Some(0));
+    let rows = std::fs::read_to_string(dir.path().join("out/golden/fp_add/vectors.csv")).unwrap();
+    assert_eq!(rows.lines().count(), 1 + (1 << 16));
+    let (code, text) = said(dir.path(), &[&["check", "--unit", "fp_add"][..], &format].concat());
+    assert_eq!(code, Some(0), "{text}");
+    assert!(text.contains("0 of 65536 vectors mismatched"), "{text}");
+    assert_eq!(said(dir.path(), &[&["check", "--unit", "level_up"][..], &format].concat()).0, Some(2));
     // What holds between keys is a sentence, never a panic of the units.
     let wide = ["format.exp=8", "format.man=23", "traverse.levels=12", "traverse.tile_bits=8", "traverse.frac_bits=16"];
     let sets: Vec<&str> = wide.iter().flat_map(|s| ["--set", s]).collect();

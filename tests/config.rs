@@ -87,7 +87,7 @@ fn unknown_keys_name_the_nearest() {
     assert_eq!(set("mode.levelup=tevs"), "unknown key mode.levelup (--set): did you mean mode.level_up?");
     assert_eq!(set("map.scales=1"), "unknown key map.scales (--set): did you mean map.scale?");
     assert_eq!(set("traverse"), "--set traverse has no value: write --set key=value");
-    assert_eq!(set("=3"), "unknown key  (--set): did you mean format.exp?");
+    assert_eq!(set("=3"), "--set =3 names no key: write --set key=value");
 }
 
 #[test]
@@ -131,6 +131,17 @@ fn all_problems_come_at_once() {
         sentence(config.validate()),
         "3 problems:\n  - latency.div = 33 is too large: 0 to 32 are legal\n  - latency.decision = 0 is too small: 1 to 4 are legal\n  - view.names is empty: at least one of front, oblique, grazing is needed"
     );
+}
+
+#[test]
+fn trim_and_level_of_detail_need_planes() {
+    for set in ["mode.trim=always", "mode.trim=descent", "mode.lod=true"] {
+        with(&["datapath.kind=fixed", set]).validate().unwrap();
+        with(&[set]).validate().unwrap();
+        let text = sentence(with(&["datapath.kind=published", set]).validate());
+        let key = set.split('=').next().unwrap();
+        assert_eq!(text, format!("{key} is set, but datapath.kind = \"published\" does not have it"));
+    }
 }
 
 #[test]

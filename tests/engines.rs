@@ -116,8 +116,7 @@ fn traverse_at(sim: Simulator, sizes: &[(u32, u32)], plusargs: &[&str]) {
                 RayInput::from_f64(d.format, rng.random_range(0.0..0.99), rng.random_range(0.0..0.99), du, dv)
             })
             .collect();
-        let m = find(&d, "traverse").unwrap();
-        let set = ray_set(&d, &m, &pyramid, &rays, 1).unwrap();
+        let set = ray_set(&d, &pyramid, &rays, 1).unwrap();
         let place = tempfile::tempdir().unwrap();
         let mut files = set_files(&set.set);
         files.insert("memory.hex".into(), set.memory);

@@ -1,7 +1,7 @@
 //! The hard cases: no ray is given up, no mode finds something else, and a wrong texel is a matter of the last places.
 //!
 //! `RELIEFRTL_RAYS` sets the rays a case; `RELIEFRTL_SEED` their seed.
-use reliefrtl::config::{Config, DatapathKind, Design};
+use reliefrtl::config::{Config, DatapathKind, Design, Trim};
 use reliefrtl::golden::float;
 use reliefrtl::report::hard::{HardFigures, modes};
 use reliefrtl::scene::hard::Case;
@@ -55,7 +55,7 @@ fn every_case(c: &Config, largest: u32) {
             let (k, margin) = (f.accuracy.wrong.len(), f.largest_margin());
             println!("{}: {k} of {rays} wrong texels, {} on a tie, margin up to {margin:.1e}", case.name, f.ties);
         }
-        assert_eq!(f.modes, 40);
+        assert_eq!(f.modes, if c.mode.trim == Trim::None { 40 } else { 80 });
         assert!(f.keeps_promises(), "{}: {:?} {:?}", case.name, f.differ.first(), f.accuracy);
         for w in &f.accuracy.wrong {
             assert!(w.margin <= bound(&f.design) || stands(&f, w.ray), "{}: {w:?} {:x?}", case.name, f.rays[w.ray]);
@@ -95,6 +95,18 @@ fn single_precision_and_high_maps() {
 fn fixed_point() {
     every_case(&config(&["datapath.kind=fixed"]), 9);
     every_case(&config(&["datapath.kind=fixed", "datapath.fraction_bits=28", "datapath.reciprocal_bits=30"]), 9);
+}
+
+#[test]
+fn chord_trims() {
+    for trim in ["mode.trim=descent", "mode.trim=always"] {
+        every_case(&config(&[trim]), 9);
+        every_case(&config(&["datapath.kind=fixed", trim]), 9);
+        every_case(
+            &config(&["datapath.kind=fixed", "datapath.fraction_bits=16", "datapath.reciprocal_bits=12", trim]),
+            9,
+        );
+    }
 }
 
 #[test]

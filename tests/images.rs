@@ -110,9 +110,6 @@ fn other_depths() {
     let codes = to_codes(&HeightMap { width: 1, height: 4, ..ten }, 2, 10, true).unwrap();
     assert_eq!((codes[0], codes[15]), (0, 1023));
     assert_eq!(map(b"P5 1 1 1\n\x01").depth, Depth::Bits(1));
-    // Colour that is not grey gives its luma.
-    assert_eq!(map(&png(&[255, 0, 0, 0, 255, 0], 2, 1, Kind::Rgb8)).samples, [0.2126, 0.7152]);
-    assert_eq!(map(b"P3 1 1 255 0 0 255").samples, [0.0722]);
 }
 
 #[test]
@@ -132,6 +129,16 @@ fn floats_count_as_they_are() {
         assert_eq!(map.depth, Depth::Float);
         assert_eq!(map.samples, exact);
     }
+}
+
+#[test]
+fn colour_is_no_height() {
+    let told = refused(&png(&[9, 9, 9, 0, 255, 0], 2, 1, Kind::Rgb8));
+    assert!(told.contains("in colour (pixel (1, 0) has red, green and blue 0, 1, 0)"), "{told}");
+    assert!(refused(b"P3 1 1 255 0 0 255").contains("a height map has one channel"));
+    assert!(refused(&rgb_exr(vec![0.5, 0.5, 0.25], 1, 1)).contains("0.5, 0.5, 0.25"));
+    // Alpha is no colour.
+    assert_eq!(map(&png(&[255, 255, 255, 7], 1, 1, Kind::Rgba8)).samples, [1.0]);
 }
 
 #[test]

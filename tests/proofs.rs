@@ -83,6 +83,52 @@ fn a_spoiled_unit_is_disproved() {
     }
 }
 
+const FIXED: [&str; 4] = ["--set", "datapath.kind=fixed", "--set", "mode.trim=always"];
+
+#[test]
+fn the_fixed_datapath_has_its_proofs() {
+    let dir = tempfile::tempdir().unwrap();
+    let names = ok(dir.path(), &[&["prove", "--list"], &FIXED[..]].concat());
+    assert_eq!(names.lines().count(), 1 + 13, "{names}");
+    for name in ["fixed_plane_time", "fixed_predicted_hit", "fixed_chord_end"] {
+        assert!(names.lines().any(|l| l.starts_with(&format!("{name} "))), "{name} is missing in\n{names}");
+        ok(dir.path(), &[&["prove", "--unit", name], &FIXED[..], &SMALL[..]].concat());
+    }
+    let plain = ok(dir.path(), &["prove", "--list", "--set", "datapath.kind=fixed"]);
+    assert_eq!(plain.lines().count(), 1 + 12, "{plain}");
+}
+
+/// Unit, proof, and a change of one token: biases that are too small, and a border that is taken for passed.
+const SPOILED_FIXED: [(&str, &str, &str, &str); 6] = [
+    ("chord_end", "fixed_chord_end", "3'd6", "3'd0"),
+    ("chord_end", "fixed_chord_end", "2'd2", "2'd0"),
+    ("chord_end", "fixed_chord_end", "1'b0}}, s1_neg}", "1'b0}}, 1'b0}"),
+    ("ray_setup", "fixed_chord_end", "s0_x_a_tall = {2'd0, s0_x_a}", "s0_x_a_tall = {3'd0, s0_x_a[ReachW-1:1]}"),
+    (
+        "predicted_hit",
+        "fixed_predicted_hit",
+        "s0_m_tall - (s0_m_tall >> RecipBits[5:0])",
+        "s0_m_tall + (s0_m_tall >> 5)",
+    ),
+    ("plane_time", "fixed_plane_time", "s1_is_far | ", ""),
+];
+
+#[test]
+fn a_spoiled_unit_of_the_fixed_datapath_is_disproved() {
+    let dir = tempfile::tempdir().unwrap();
+    ok(dir.path(), &[&["build"], &FIXED[..], &SMALL[..]].concat());
+    for (unit, proof, from, to) in SPOILED_FIXED {
+        let file = dir.path().join(format!("out/rtl/{unit}.v"));
+        let text = std::fs::read_to_string(&file).unwrap();
+        assert!(text.contains(from), "{unit} has no {from}");
+        std::fs::write(&file, text.replacen(from, to, 1)).unwrap();
+        let out = run(dir.path(), &[&["prove", "--unit", proof, "--dir", "out"], &FIXED[..]].concat());
+        let said = String::from_utf8_lossy(&out.stderr).into_owned();
+        assert_eq!(out.status.code(), Some(1), "{unit}: {from} -> {to}: {said}");
+        std::fs::write(&file, text).unwrap();
+    }
+}
+
 #[test]
 fn a_missing_tool_is_named() {
     let dir = tempfile::tempdir().unwrap();

@@ -178,7 +178,7 @@ fn ray_lists() {
 #[test]
 fn pictures() {
     let codes = to_codes(&map(MapKind::Rocks, 5, 1), 5, 8, false).unwrap();
-    let shader = Shader::new(&codes, 5, 8, 20.0, 1, MapKind::Rocks);
+    let shader = Shader::new(&codes, 5, 8, 20.0, 1.0, MapKind::Rocks);
     let points: Vec<Option<ShadePoint>> = (0..64)
         .map(|at| {
             (at > 7).then(|| ShadePoint {
@@ -207,7 +207,7 @@ fn pictures() {
     }
     // Extreme scales and a flat map are no division by zero.
     for scale in [0.0, 1000.0] {
-        let shader = Shader::new(&[0; 16], 2, 8, scale, 64, MapKind::Flat);
+        let shader = Shader::new(&[0; 16], 2, 8, scale, 64.0, MapKind::Flat);
         shader.colour(&ShadePoint { u: 0.0, v: 0.99, t: 1.0, wall: true });
     }
 }

@@ -38,9 +38,13 @@ fn broken_sets_are_refused() {
     let cut = |t: &str| t.lines().take(10).collect::<Vec<_>>().join("\n");
     assert!(broken("stimulus.hex", &cut).unwrap_err().contains("announces 20 rows and has"));
     assert!(
-        broken("stimulus.hex", &|t| t.replacen("\n14\n", "\nzz\n", 1)).unwrap_err().contains("zz is not a hex number")
+        broken("stimulus.hex", &|t| t.replacen("\n14 30\n", "\nzz 30\n", 1))
+            .unwrap_err()
+            .contains("zz is not a hex number")
     );
-    assert!(broken("vectors.json", &|t| t.replace("\"schema\": 1", "\"schema\": 9")).unwrap_err().contains("schema 9"));
+    let bits = broken("stimulus.hex", &|t| t.replacen("\n14 30\n", "\n14 20\n", 1)).unwrap_err();
+    assert!(bits.contains("announces rows of 32 bits, vectors.json describes 48"), "{bits}");
+    assert!(broken("vectors.json", &|t| t.replace("\"schema\": 2", "\"schema\": 9")).unwrap_err().contains("schema 9"));
     assert!(broken("vectors.json", &|_| "{".into()).unwrap_err().contains("not a vector description"));
     assert_eq!(broken("vectors.json", &|t| t.replace("\"blake3\": \"", "\"blake3\": \"0")), Ok(false));
 }

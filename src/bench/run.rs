@@ -45,7 +45,8 @@ impl Simulator {
     }
 }
 
-/// Builds `testbench/tb_<unit>.v` of the emitted tree `dir` at `params`, runs it with `plusargs`, and reads its verdict.
+/// Builds `testbench/tb_<unit>.v` of the emitted tree `dir` at `params`, runs it with `plusargs`, and reads its verdict. The plusarg
+/// `iterations=FILE` has the bench built with a look into the loop.
 ///
 /// # Errors
 /// A missing tool, a failed build, a bench without a verdict; and the bench's own findings by their exit code.
@@ -53,9 +54,10 @@ pub fn run_bench(sim: Simulator, dir: &Path, unit: &str, params: &Binding, plusa
     let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
     let dir = dir.canonicalize().map_err(|e| Error::file("find", dir, e))?;
     let start = Instant::now();
+    let define = plusargs.iter().any(|p| p.starts_with("iterations=")).then_some("-DITERATIONS");
     let mut command = match sim {
-        Simulator::Icarus => build_icarus(&dir, unit, params, work.path())?,
-        Simulator::Verilator => build_verilator(&dir, unit, params, work.path())?,
+        Simulator::Icarus => build_icarus(&dir, unit, params, define, work.path())?,
+        Simulator::Verilator => build_verilator(&dir, unit, params, define, work.path())?,
     };
     let build = start.elapsed();
     let start = Instant::now();
@@ -92,19 +94,19 @@ pub fn run_bench(sim: Simulator, dir: &Path, unit: &str, params: &Binding, plusa
     Ok(Outcome { code, output, checked, build, run })
 }
 
-fn build_icarus(dir: &Path, unit: &str, params: &Binding, work: &Path) -> Result<Command> {
+fn build_icarus(dir: &Path, unit: &str, params: &Binding, define: Option<&str>, work: &Path) -> Result<Command> {
     let image = work.join("bench.vvp");
     let mut c = Command::new("iverilog");
     c.args(["-g2005", "-Wall", "-s", &format!("tb_{unit}_top"), "-o"]).arg(&image);
     c.args(params.iter().map(|(k, v)| format!("-Ptb_{unit}_top.{k}={v}")));
-    c.arg("-y").arg(dir.join("rtl")).args(bench(dir, unit, true));
+    c.args(define).arg("-y").arg(dir.join("rtl")).args(bench(dir, unit, true));
     finish(Simulator::Icarus, c)?;
     let mut run = Command::new("vvp");
     run.arg("-n").arg(image);
     Ok(run)
 }
 
-fn build_verilator(dir: &Path, unit: &str, params: &Binding, work: &Path) -> Result<Command> {
+fn build_verilator(dir: &Path, unit: &str, params: &Binding, define: Option<&str>, work: &Path) -> Result<Command> {
     let mut c = Command::new(Simulator::Verilator.program());
     c.args([
         "--cc",
@@ -120,7 +122,7 @@ fn build_verilator(dir: &Path, unit: &str, params: &Binding, work: &Path) -> Res
         "2",
         "--top-module",
     ]);
-    c.arg(format!("tb_{unit}")).arg("--Mdir").arg(work.join("obj"));
+    c.arg(format!("tb_{unit}")).args(define).arg("--Mdir").arg(work.join("obj"));
     c.args(params.iter().map(|(k, v)| format!("-G{k}={v}")));
     c.arg("-y").arg(dir.join("rtl")).args(bench(dir, unit, false)).arg(dir.join("testbench/verilator_main.cpp"));
     finish(Simulator::Verilator, c)?;

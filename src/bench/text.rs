@@ -10,6 +10,8 @@ struct Port {
     name: String,
     /// `[EXP_W+MAN_W:0]`, or blank for one bit.
     range: String,
+    /// Its number of bits.
+    width: String,
     /// How a 64-bit word is cut to the port.
     select: String,
 }
@@ -20,8 +22,9 @@ struct Param {
     default: i64,
 }
 
-/// The benches of `units` and of `traverse`, whose emitted names start with `prefix`; `warm_up` is the number of clocks until its pipeline can be full.
-pub fn bench_files(units: &[Arc<Module>], traverse: &Module, warm_up: u32, prefix: &str) -> Files {
+/// The benches of `units` and of `traverse`, whose emitted names start with `prefix`; beside `traverse` stands the number of clocks until its
+/// pipeline can be full.
+pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Module, u32)>, prefix: &str) -> Files {
     let mut env = Environment::new();
     env.set_keep_trailing_newline(true);
     let templates = [
@@ -50,6 +53,7 @@ pub fn bench_files(units: &[Arc<Module>], traverse: &Module, warm_up: u32, prefi
         files.insert(format!("testbench/tb_{}.v", m.name), render("unit", value.clone()));
         files.insert(format!("testbench/tb_{}_top.v", m.name), render("top", value));
     }
+    let Some((traverse, warm_up)) = traverse else { return files };
     let named = |names: &[&str]| ports(names.iter().map(|n| traverse.port(n).expect("traverse has its ports").1));
     let value = context! {
         unit => "traverse", dut => format!("{prefix}traverse"), params => params(traverse), warm_up,
@@ -73,6 +77,7 @@ fn ports<'a>(ports: impl Iterator<Item = &'a crate::ir::Port>) -> Vec<Port> {
         let one = w.as_const() == Some(1);
         Port {
             name: p.name.clone(),
+            width: text(w.clone()),
             range: if one { String::new() } else { format!("[{}:0]", text(w.clone() - 1)) },
             select: if one { "[0]".into() } else { format!("[{}:0]", text(w - 1)) },
         }

@@ -4,6 +4,7 @@ use crate::error::Result;
 use crate::golden::{Pyramid, RayInput, Tracer};
 use crate::ir::Module;
 use crate::trace::{OUTPUTS, inputs, row};
+use crate::units::traversal::traverse;
 use crate::vectors::{Column, Counts, VectorSet};
 use std::fmt::Write;
 
@@ -31,7 +32,8 @@ pub fn ray_columns(m: &Module) -> (Vec<Column>, Vec<Column>) {
 ///
 /// # Errors
 /// An illegal design.
-pub fn ray_set(d: &Design, m: &Module, pyramid: &Pyramid, rays: &[RayInput], seed: u64) -> Result<RaySet> {
+pub fn ray_set(d: &Design, pyramid: &Pyramid, rays: &[RayInput], seed: u64) -> Result<RaySet> {
+    let m = &*traverse(d).module;
     let g = Tracer::new(d)?;
     // Where the design trims, the level of the node that was read stands at the end of the line.
     let trims = d.mode.trim != Trim::None;

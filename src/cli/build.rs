@@ -1,8 +1,8 @@
 //! `reliefrtl build`: the whole way, and a summary. `vectors`: the golden vectors alone.
-use super::args::{BuildArgs, Cli, Engine};
+use super::args::{BuildArgs, Cli, Engine, VectorsArgs};
 use super::output::{spinner, table};
 use crate::config::View;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::project::{self, Scene, check_tree};
 use crate::report::steps;
 use crate::scene::Camera;
@@ -97,11 +97,24 @@ pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
 }
 
 /// Runs `vectors`.
-pub fn vectors(cli: &Cli, a: &BuildArgs) -> Result<()> {
-    let c = super::config::load(cli)?;
+pub fn vectors(cli: &Cli, a: &VectorsArgs) -> Result<()> {
+    let (c, alone) = super::config::load_for(cli, a.unit.as_deref())?;
     let bar = spinner(cli, "computing vectors");
-    let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
-    let files = project::vectors(&c, &scene)?;
+    let files = match (&alone, &a.unit) {
+        (Some(m), _) => project::alone_vectors(&c, m),
+        (None, unit) => {
+            let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
+            let mut files = project::vectors(&c, &scene)?;
+            if let Some(name) = unit {
+                let m = crate::catalogue::find(&c.design(), name)?;
+                files.retain(|f, _| f.starts_with(&format!("golden/{}/", m.name)));
+            }
+            files
+        }
+    };
+    if files.is_empty() {
+        return Err(Error::NothingRan("this unit has no vectors of its own".into()));
+    }
     super::output::write_tree(&a.out, &files)?;
     bar.finish_and_clear();
     if cli.json {

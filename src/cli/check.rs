@@ -2,12 +2,12 @@
 use super::args::{CheckArgs, Cli, Engine};
 use super::output::spinner;
 use crate::error::{Error, Result};
-use crate::project::{Checked, Scene, check_tree, project};
+use crate::project::{Checked, Scene, alone_files, check_tree, project};
 use std::path::PathBuf;
 
 /// Runs `check`.
 pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
-    let c = super::config::load(cli)?;
+    let (c, alone) = super::config::load_for(cli, a.unit.as_deref())?;
     if a.engine == Engine::Golden {
         return Err(Error::input(
             "check --engine golden would compare the golden model with itself: use interp, icarus or verilator",
@@ -21,7 +21,11 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
         Some(dir) => dir.clone(),
         None => {
             let tree = work.path().join("tree");
-            super::output::write_tree(&tree, &project(&c, &Scene::new(&c, None, false)?)?.files)?;
+            let files = match &alone {
+                Some(m) => alone_files(&c, m)?,
+                None => project(&c, &Scene::new(&c, None, false)?)?.files,
+            };
+            super::output::write_tree(&tree, &files)?;
             tree
         }
     };
@@ -51,5 +55,6 @@ pub fn print(cli: &Cli, done: &[Checked]) {
         println!("{:<16} 0 of {} mismatched{}{}", x.unit, x.rows, if x.note.is_empty() { "" } else { "; " }, x.note);
     }
     let total: usize = done.iter().map(|x| x.rows).sum();
-    println!("{} units, 0 of {total} vectors mismatched", done.len());
+    let units = if done.len() == 1 { "unit" } else { "units" };
+    println!("{} {units}, 0 of {total} vectors mismatched", done.len());
 }

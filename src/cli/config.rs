@@ -2,6 +2,8 @@
 use super::args::{Cli, ConfigArgs};
 use crate::config::Config;
 use crate::error::{Error, Result};
+use crate::ir::Module;
+use std::sync::Arc;
 
 /// The configuration of this call: defaults, then the file, then `--set`.
 ///
@@ -13,11 +15,25 @@ pub fn load(cli: &Cli) -> Result<Config> {
     Ok(c)
 }
 
+/// As [`load`] for `unit`: one of arithmetic stands alone, and what a traversal asks of its numbers does not bind it; it comes with the
+/// configuration.
+///
+/// # Errors
+/// As [`load`].
+pub fn load_for(cli: &Cli, unit: Option<&str>) -> Result<(Config, Option<Arc<Module>>)> {
+    let c = load_ranges(cli)?;
+    let alone = unit.and_then(|name| crate::project::alone(&c, name));
+    if alone.is_none() {
+        c.validate()?;
+    }
+    Ok((c, alone))
+}
+
 /// As [`load`], with each value checked by itself and not against the others.
 ///
 /// # Errors
 /// As [`load`].
-pub fn load_ranges(cli: &Cli) -> Result<Config> {
+fn load_ranges(cli: &Cli) -> Result<Config> {
     let mut c = match &cli.config {
         Some(path) => Config::load(path)?,
         None => Config::default(),

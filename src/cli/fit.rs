@@ -5,7 +5,6 @@ use crate::config::{Config, View};
 use crate::error::{Error, Result};
 use crate::project::Scene;
 use crate::report::{Budget, Fit, Limits, Trial, Truth, fit};
-use crate::scene::Camera;
 use serde_json::json;
 
 /// Rays of a view that the search uses; as many others check the result.
@@ -29,8 +28,10 @@ pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
     };
     let views = if a.views.is_empty() { c.view.names.clone() } else { a.views.clone() };
     let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
-    let of =
-        |shift| Truth::new(c.traverse.levels, c.traverse.height_bits, scene.texels.clone(), rays(&c, &views, shift));
+    let of = |shift| {
+        let rays = rays(&c, &scene, &views, shift)?;
+        Truth::new(c.traverse.levels, c.traverse.height_bits, scene.texels.clone(), rays)
+    };
     let (seen, fresh) = (of(false)?, of(true)?);
     if seen.rays.is_empty() || fresh.rays.is_empty() {
         return Err(Error::NothingRan("no ray of the views meets the map".into()));
@@ -53,16 +54,16 @@ pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
 }
 
 /// Rays evenly over each view's picture; `shift` takes the ones between.
-fn rays(c: &Config, views: &[View], shift: bool) -> Vec<[f64; 4]> {
+fn rays(c: &Config, scene: &Scene, views: &[View], shift: bool) -> Result<Vec<[f64; 4]>> {
     let mut out = Vec::new();
     for view in views {
-        let all = Camera::standard(*view, c.view.width, c.view.height).rays(c.map.scale, c.map.repeat, 1);
+        let all = scene.view(c, *view, 1)?;
         // Two sets that share no ray, each of RAYS where the picture has as many.
         let n = RAYS.min(all.len() / 2);
         let pick = |k: usize| (2 * k + usize::from(shift)) * all.len() / (2 * n);
         out.extend((0..n).map(|k| &all[pick(k)]).map(|r| [r.u, r.v, r.du, r.dv]));
     }
-    out
+    Ok(out)
 }
 
 /// The configuration that was asked for, with the design that was found.

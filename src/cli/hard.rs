@@ -1,12 +1,14 @@
 //! `reliefrtl hard`: the hard cases on the configured design.
-use super::args::{Cli, HardArgs};
+use super::args::{Cli, Engine, HardArgs};
 use super::output::{spinner, table};
-use crate::config::{Config, ModeConfig};
+use crate::config::{Config, DatapathKind, ModeConfig};
 use crate::error::{Error, Result};
 use crate::files::OutDir;
-use crate::golden::{RayHit, RayInput, decode_time};
+use crate::golden::{Pyramid, RayHit, RayInput, decode_time};
+use crate::project::Scene;
+use crate::report::endure::{Endured, endure as endured, modes};
 use crate::report::hard::HardFigures;
-use crate::scene::hard::{Case, footprints};
+use crate::scene::hard::{Case, HardScene, footprints};
 use serde_json::{Value, json};
 
 /// Runs `hard`.
@@ -23,6 +25,9 @@ pub fn run(cli: &Cli, a: &HardArgs) -> Result<()> {
         return Err(Error::NothingRan("hard needs at least one ray a case".into()));
     }
     let c = super::config::load(cli)?;
+    if let Some(rays) = a.endure {
+        return endure(cli, &c, &chosen, rays, a.seed);
+    }
     let mut pictures = a.pictures.as_deref().map(OutDir::new).transpose()?;
     let bar = spinner(cli, "hard cases");
     let (mut rows, mut witnesses, mut values) = (Vec::new(), Vec::new(), Vec::new());
@@ -39,6 +44,7 @@ pub fn run(cli: &Cli, a: &HardArgs) -> Result<()> {
             continue;
         }
         let f = HardFigures::of_scene(&scene, case.limit)?;
+        equal(cli, &c, a.engine, case.name, &scene, &f)?;
         if let Some(dir) = &mut pictures {
             let full = f64::from((1u32 << f.design.traverse.height_bits) - 1);
             let end =
@@ -81,6 +87,9 @@ pub fn run(cli: &Cli, a: &HardArgs) -> Result<()> {
             println!("\nwitnesses, the first of each case:");
             print!("{}", table(&["case", "what", "ray", "u v du dv (hex)", "got", "expected"], &witnesses));
         }
+        if a.engine != Engine::Golden {
+            println!("\n0 of {rays} hits of the engine differ from the golden model's");
+        }
         println!(
             "\n{rays} rays, seed {}: {wrong} wrong texels, and {ties} of {tied} rays on an exact tie; {limits} given up; {differ} depend on the mode",
             a.seed
@@ -100,6 +109,71 @@ pub fn run(cli: &Cli, a: &HardArgs) -> Result<()> {
 
 const HEAD: [&str; 8] =
     ["case", "texels", "wrong texels", "wrong on a tie", "largest margin", "given up", "modes differ", "step limit"];
+
+/// The engine's hits are the golden model's.
+fn equal(cli: &Cli, c: &Config, engine: Engine, name: &str, hard: &HardScene, f: &HardFigures) -> Result<()> {
+    if engine == Engine::Golden {
+        return Ok(());
+    }
+    let mut c = c.clone();
+    c.traverse = f.design.traverse;
+    let t = &c.traverse;
+    let pyramid = Pyramid::build(t.levels, t.height_bits, &hard.texels)?;
+    let scene = Scene { texels: hard.texels.clone(), pyramid, kind: c.map.kind, name: name.into() };
+    let hits = super::trace::hits(cli, &c, engine, &scene, &f.rays)?;
+    match hits.iter().zip(&f.hits).position(|(got, want)| got != want) {
+        None => Ok(()),
+        Some(ray) => Err(Error::Mismatch(format!(
+            "case {name}, ray {ray} ({}): expected {}, got {}",
+            words(&f.rays[ray]),
+            found(&f.hits[ray]),
+            found(&hits[ray])
+        ))),
+    }
+}
+
+/// Runs `hard --endure`.
+fn endure(cli: &Cli, c: &Config, cases: &[&Case], rays: usize, seed: u64) -> Result<()> {
+    let legal = |case: &&&Case| illegal(c, case.scene(&c.design(), 0, seed).design.traverse).is_none();
+    let cases: Vec<&&Case> = cases.iter().filter(legal).collect();
+    if rays == 0 || cases.is_empty() {
+        return Err(Error::NothingRan("hard --endure needs at least one ray and a case that fits this design".into()));
+    }
+    let share = rays.div_ceil(cases.len());
+    let bar = spinner(cli, "hard cases");
+    let (mut rows, mut values, mut sum) = (Vec::new(), Vec::new(), Endured::default());
+    for (k, case) in cases.iter().enumerate() {
+        bar.set_message(format!("{share} rays of hard case {} ({} of {})", case.name, k + 1, cases.len()));
+        let of = endured(&case.scene(&c.design(), share, seed))?;
+        let long = of.longest.map_or_else(Default::default, |l| [l.steps.to_string(), words(&l.ray), mode(&l.mode)]);
+        let counts = [format!("{} of {}", of.given_up, of.rays), of.refused.to_string()];
+        rows.push([&[case.name.to_string()], &counts[..], &long[..]].concat());
+        values.push(json!({"case": case.name, "rays": of.rays, "given_up": of.given_up, "refused": of.refused,
+            "longest": of.longest.map(|l| json!({"steps": l.steps, "words": words(&l.ray), "mode": mode(&l.mode)}))}));
+        sum = sum.and(of);
+    }
+    bar.finish_and_clear();
+    if cli.json {
+        let value =
+            json!({"seed": seed, "rays": sum.rays, "given_up": sum.given_up, "refused": sum.refused, "cases": values});
+        println!("{}", serde_json::to_string_pretty(&value).expect("plain data"));
+    } else {
+        print!("{}", table(&["case", "given up", "refused", "most steps", "u v du dv (hex)", "mode"], &rows));
+        println!(
+            "\n{} of {} rays end by the step limit of {}, seed {seed}, {} cases, each ray in one of {} modes in turn; {} refused",
+            sum.given_up,
+            sum.rays,
+            c.traverse.step_limit,
+            cases.len(),
+            modes(&c.design()).len(),
+            sum.refused
+        );
+    }
+    match sum.witness.filter(|_| c.datapath.kind != DatapathKind::Published) {
+        None => Ok(()),
+        Some((ray, m)) => Err(Error::Mismatch(format!("a ray does not end: {} ({})", words(&ray), mode(&m)))),
+    }
+}
 
 /// What is wrong with the configuration at the case's sizes.
 fn illegal(c: &Config, traverse: crate::config::TraverseConfig) -> Option<String> {
@@ -160,7 +234,7 @@ fn value(name: &str, f: &HardFigures) -> Value {
         "modes_differ": f.differ.len(), "limit_wrong": f.limit_wrong, "worst": worst, "first_that_differs": differ})
 }
 
-fn words(r: &RayInput) -> String {
+pub(super) fn words(r: &RayInput) -> String {
     format!("{:x} {:x} {:x} {:x}", r.u, r.v, r.du, r.dv)
 }
 

@@ -3,9 +3,11 @@ use super::args::Cli;
 use super::output::table;
 use crate::config::{DatapathKind, Design};
 use crate::error::Result;
+use crate::ir::Module;
 use crate::units;
 use crate::units::traversal::{PUBLISHED, Traverse, census, difference, traverse};
 use serde_json::json;
+use std::sync::Arc;
 
 /// Runs `list`.
 pub fn run(cli: &Cli) -> Result<()> {
@@ -48,6 +50,11 @@ pub fn run(cli: &Cli) -> Result<()> {
             "A ray's first trip round the loop finds its start level and is no iteration: {} clocks more.",
             t.slots
         );
+    }
+    let listed = |m: &&Arc<Module>| !modules.iter().any(|u| u.name == m.name);
+    let below: Vec<String> = crate::emit::modules(&modules)?.iter().filter(listed).map(|m| m.name.clone()).collect();
+    if !below.is_empty() {
+        println!("Emitted beside these, without vectors of their own: {} (delay lines of traverse).", below.join(", "));
     }
     let text = |v: &serde_json::Value| v.as_str().map_or_else(|| v.to_string(), str::to_string);
     let line = |r: &serde_json::Value| ["what", "here", "published", "why"].map(|k| text(&r[k])).to_vec();

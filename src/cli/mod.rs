@@ -10,6 +10,7 @@ mod hard;
 mod list;
 mod output;
 mod prove;
+mod rates;
 mod render;
 mod report;
 mod synth;

@@ -5,6 +5,7 @@ use crate::error::{Error, Result};
 use crate::golden::RayHit;
 use crate::golden::decode_time;
 use crate::project::{Scene, encode};
+use crate::scene::border::tiles;
 use crate::scene::{Camera, Picture, ShadePoint, Shader, ViewRay};
 use std::path::Path;
 
@@ -15,6 +16,9 @@ pub fn run(cli: &Cli, a: &RenderArgs) -> Result<()> {
         &a.out,
         &[a.map.map.as_deref(), c.map.file.as_deref(), cli.config.as_deref(), Some(Path::new(&a.view))],
     )?;
+    if a.out.extension().is_none_or(|e| !e.eq_ignore_ascii_case("png")) {
+        return Err(Error::input(format!("--out {}: the picture is a PNG, so its name ends in .png", a.out.display())));
+    }
     let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
     let (camera, stride) = match a.view.parse::<View>() {
         Ok(view) => (Camera::standard(view, c.view.width, c.view.height), c.view.stride),
@@ -30,13 +34,19 @@ pub fn run(cli: &Cli, a: &RenderArgs) -> Result<()> {
     let (rays, hits) = trace(cli, &c, a.engine, &scene, &camera, stride)?;
     picture(&c, &scene, &camera, stride, &rays, &hits, a.steps)?.save(&a.out)?;
     let lost = super::trace::Lost::of(&hits);
+    let beyond = camera.rays(c.map.scale, c.map.repeat, stride).len() - rays.len();
     if cli.json {
         println!(
             "{}",
-            serde_json::json!({"rays": hits.len(), "refused": lost.refused, "given_up": lost.given_up, "out": a.out})
+            serde_json::json!({"rays": hits.len(), "refused": lost.refused, "given_up": lost.given_up, "beyond": beyond, "out": a.out})
         );
     } else {
         println!("{} rays, picture in {}", hits.len(), a.out.display());
+        if beyond > 0 {
+            println!(
+                "{beyond} more go on more than half a side beyond the map's border, where map.border = \"clamp\" ends: they are left out"
+            );
+        }
         lost.print(&c, hits.len());
     }
     lost.verdict(hits.len())?;
@@ -55,7 +65,7 @@ pub fn trace(
     camera: &Camera,
     stride: u32,
 ) -> Result<(Vec<ViewRay>, Vec<RayHit>)> {
-    let rays = camera.rays(c.map.scale, c.map.repeat, stride);
+    let rays = scene.rays(c, camera, stride)?;
     let encoded: Vec<_> = rays.iter().map(|r| encode(c, r)).collect();
     let hits = super::trace::hits(cli, c, engine, scene, &encoded)?;
     Ok((rays, hits))
@@ -91,6 +101,7 @@ pub fn picture(
         let t = decode_time(&c.design(), x.t) / full;
         pixels[at(r)] = Some(ShadePoint { u: unit(x.i, x.fu), v: unit(x.j, x.fv), t, wall: x.wall });
     }
-    let shader = Shader::new(&scene.texels, t.levels, t.height_bits, c.map.scale, c.map.repeat, scene.kind);
+    let shader =
+        Shader::new(&scene.texels, t.levels, t.height_bits, c.map.scale, tiles(c.map.border, c.map.repeat), scene.kind);
     Ok(Picture::shaded(&shader, w, h, &pixels))
 }

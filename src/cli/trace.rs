@@ -9,7 +9,7 @@ use crate::golden::{RayHit, RayInput};
 use crate::ir::Binding;
 use crate::project::{self, Scene};
 use crate::scene::read_rays;
-use crate::trace::{hit, hits_csv, record, trace_golden, trace_interp};
+use crate::trace::{enter_border, hit, hits_csv, record, saw_border, trace_golden, trace_interp};
 use crate::vectors::set_files;
 use std::time::Duration;
 
@@ -22,7 +22,9 @@ pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
     )?;
     let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
     let table = read_rays(&a.rays)?;
-    let mut rays: Vec<RayInput> = table.rays.iter().map(|r| project::ray(&c, *r)).collect();
+    let entered =
+        enter_border(c.map.border, &table.rays).map_err(|e| Error::input(format!("{}: {e}", a.rays.display())))?;
+    let mut rays: Vec<RayInput> = entered.iter().map(|r| project::ray(&c, *r)).collect();
     if let Some(lods) = &table.lods {
         if !c.mode.lod && lods.iter().any(|l| *l > 0) {
             let name = a.rays.display();
@@ -30,7 +32,14 @@ pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
         }
         rays.iter_mut().zip(lods).for_each(|(r, l)| r.lod = (*l).min(c.traverse.levels));
     }
-    let hits = hits(cli, &c, a.engine, &scene, &rays)?;
+    let mut hits = hits(cli, &c, a.engine, &scene, &rays)?;
+    let ended = hits.iter().filter(|h| !h.limit).count();
+    for (hit, ray) in hits.iter_mut().zip(&entered) {
+        if !saw_border(&c.design(), c.map.border, ray, hit) && !hit.limit {
+            *hit = RayHit { limit: true, ..RayHit::default() };
+        }
+    }
+    let beyond = ended - hits.iter().filter(|h| !h.limit).count();
     if let Some(path) = &a.wave {
         let ray = rays.get(a.wave_ray).ok_or_else(|| {
             Error::input(format!(
@@ -42,12 +51,12 @@ pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
         })?;
         record(&c.design(), &scene.pyramid, ray)?.1.save(path, "traverse")?;
     }
-    crate::files::write_atomic(&a.out, hits_csv(&c.design(), &hits).as_bytes())?;
-    let lost = Lost::of(&hits);
+    crate::files::write_atomic(&a.out, hits_csv(&c.design(), c.map.border, &hits).as_bytes())?;
+    let lost = Lost { beyond, ..Lost::of(&hits) };
     if cli.json {
         println!(
             "{}",
-            serde_json::json!({"rays": hits.len(), "refused": lost.refused, "given_up": lost.given_up, "out": a.out})
+            serde_json::json!({"rays": hits.len(), "refused": lost.refused, "beyond": lost.beyond, "given_up": lost.given_up, "out": a.out})
         );
     } else {
         println!("{} rays traced into {}", hits.len(), a.out.display());
@@ -62,21 +71,29 @@ pub struct Lost {
     pub refused: usize,
     /// Ended by the step limit.
     pub given_up: usize,
+    /// Of those refused: went on behind what was prepared beyond the map's border.
+    pub beyond: usize,
 }
 
 impl Lost {
     /// Counts them.
     pub fn of(hits: &[RayHit]) -> Self {
         let count = |started: bool| hits.iter().filter(|h| h.limit && (h.steps > 0) == started).count();
-        Self { refused: count(false), given_up: count(true) }
+        Self { refused: count(false), given_up: count(true), beyond: 0 }
     }
 
     /// A line for each kind that is there.
     pub fn print(&self, c: &Config, of: usize) {
-        if self.refused > 0 {
+        if self.beyond > 0 {
             println!(
-                "{} of {of} can't be traced by this design: they travel 2^tile_bits = {} tiles or more",
-                self.refused,
+                "{} of {of} go on more than half a side beyond the map's border, where map.border = \"clamp\" ends: they have no hit",
+                self.beyond
+            );
+        }
+        if self.refused > self.beyond {
+            println!(
+                "{} of {of} can't be traced by this design: they travel 2^tile_bits = {} tiles of the design or more",
+                self.refused - self.beyond,
                 1u32 << c.traverse.tile_bits
             );
         }
@@ -130,9 +147,9 @@ fn simulate(c: &Config, sim: Simulator, scene: &Scene, rays: &[RayInput]) -> Res
     let d = c.design();
     let p = project::hardware(c)?;
     let t = &p.traverse;
-    let set = ray_set(&d, &t.module, &scene.pyramid, rays, c.vectors.seed)?;
+    let set = ray_set(&d, &scene.pyramid, rays, c.vectors.seed)?;
     let mut files = p.files;
-    files.extend(bench_files(&[], &t.module, t.setup + t.slots + t.finish, &c.emit.prefix));
+    files.extend(bench_files(&[], Some((&t.module, t.setup + t.slots + t.finish)), &c.emit.prefix));
     files.extend(set_files(&set.set).into_iter().map(|(n, text)| (format!("golden/traverse/{n}"), text)));
     files.insert("golden/traverse/memory.hex".into(), set.memory);
     let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;

@@ -123,6 +123,30 @@ pub enum MapKind {
 words!(MapKind: Rocks = "rocks", Bricks = "bricks", Dunes = "dunes", Spikes = "spikes", Stairs = "stairs", Flat = "flat",
     Spike = "spike", Pit = "pit", Checker = "checker", File = "file");
 
+/// What lies behind the map's border.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Border {
+    /// The map again.
+    #[default]
+    Wrap,
+    /// The border texels, continued outward.
+    Clamp,
+    /// The map's mirror image.
+    Mirror,
+}
+words!(Border: Wrap = "wrap", Clamp = "clamp", Mirror = "mirror");
+
+impl Border {
+    /// Levels of the design that the map itself does not have: a map that is not repeated is prepared into one of twice the side.
+    pub const fn levels(self) -> u32 {
+        match self {
+            Self::Wrap => 0,
+            Self::Clamp | Self::Mirror => 1,
+        }
+    }
+}
+
 /// The height map and how it lies in the world.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields, default)]
@@ -140,11 +164,37 @@ pub struct MapConfig {
     pub repeat: u32,
     /// Whether an image of another size or depth may be resampled to 2^levels texels and height_bits bits.
     pub resample: bool,
+    /// What lies behind the map's border. Other borders than `wrap` take a map of 2^(levels-1) texels a side.
+    pub border: Border,
+}
+
+impl MapConfig {
+    /// Whether the map may stand beside the published tables.
+    ///
+    /// # Errors
+    /// It does not repeat.
+    pub fn published_border(&self) -> crate::error::Result<()> {
+        if self.border == Border::Wrap {
+            return Ok(());
+        }
+        Err(crate::error::Error::input(format!(
+            "map.border = \"{}\" does not go with --scenes: the published maps repeat",
+            self.border
+        )))
+    }
 }
 
 impl Default for MapConfig {
     fn default() -> Self {
-        Self { kind: MapKind::Rocks, file: None, seed: 1, scale: 20.0, repeat: 1, resample: false }
+        Self {
+            kind: MapKind::Rocks,
+            file: None,
+            seed: 1,
+            scale: 20.0,
+            repeat: 1,
+            resample: false,
+            border: Border::Wrap,
+        }
     }
 }
 

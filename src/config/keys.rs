@@ -1,7 +1,7 @@
 //! Every key of the configuration in one table: its meaning, its legal values.
 //!
 //! The commented file, the schema's ranges, the checks and their sentences all come from here.
-use super::{MapKind, View};
+use super::{Border, MapKind, View};
 use std::fmt;
 
 /// What a key accepts.
@@ -157,6 +157,11 @@ pub const KEYS: &[Key] = &[
     key("map.scale", "height of a full-height texel, in world units", Legal::Real(0.0, 1000.0)),
     key("map.repeat", "how many times the map repeats along each side of the quad", Legal::Whole(1, 64)),
     key("map.resample", "whether an image of another size or depth may be resampled to fit", Legal::Flag),
+    key(
+        "map.border",
+        "what lies behind the map's border; clamp and mirror take a map of 2^(levels-1) texels a side, which is prepared into 2^levels",
+        Legal::Word(Border::WORDS),
+    ),
     key("view.names", "which views", Legal::Words(View::WORDS)),
     key("view.width", "width of the picture, in pixels", Legal::Whole(1, 8192)),
     key("view.height", "height of the picture, in pixels", Legal::Whole(1, 8192)),

@@ -14,8 +14,8 @@ pub(crate) mod validate;
 
 pub use design::{DatapathConfig, DatapathKind, Design, LatencyConfig, LevelUp, ModeConfig, TraverseConfig, Trim};
 pub use input::{
-    EmitConfig, FormatConfig, Generator, MapConfig, MapKind, NanRule, Rounding, Subnormals, VectorsConfig, View,
-    ViewConfig,
+    Border, EmitConfig, FormatConfig, Generator, MapConfig, MapKind, NanRule, Rounding, Subnormals, VectorsConfig,
+    View, ViewConfig,
 };
 
 use serde::{Deserialize, Serialize};

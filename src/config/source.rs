@@ -69,6 +69,9 @@ impl Config {
             return Err(Error::input(format!("--set {assignment} has no value: write --set key=value")));
         };
         let (path, text) = (path.trim(), text.trim());
+        if path.is_empty() {
+            return Err(Error::input(format!("--set {assignment} names no key: write --set key=value")));
+        }
         let key = keys::find(path).ok_or_else(|| Error::input(unknown(path, "--set")))?;
         let mut table = self.table()?;
         let (section, name) = key.split();

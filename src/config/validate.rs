@@ -1,6 +1,6 @@
 //! What must hold of a whole configuration.
 use super::keys::KEYS;
-use super::{Config, DatapathKind, MapKind, Trim, check};
+use super::{Border, Config, DatapathKind, MapKind, Trim, check};
 use crate::error::{Error, Result};
 
 impl Config {
@@ -108,14 +108,14 @@ impl Config {
         }
     }
 
-    /// Chord trim and level of detail are made for one datapath so far.
+    /// The published datapath is as it was published: without chord trim and level of detail.
     fn trim_problems(&self, problems: &mut Vec<String>) {
-        if self.datapath.kind == DatapathKind::Watertight {
+        if self.datapath.kind != DatapathKind::Published {
             return;
         }
         for (key, set) in [("mode.trim", self.mode.trim != Trim::None), ("mode.lod", self.mode.lod)] {
             if set {
-                problems.push(format!("{key} is set, but only datapath.kind = \"watertight\" has it"));
+                problems.push(format!("{key} is set, but datapath.kind = \"published\" does not have it"));
             }
         }
     }
@@ -145,6 +145,12 @@ impl Config {
                 "map.file is set but map.kind = \"{kind}\" does not read it: set map.kind = \"file\" or remove map.file"
             )),
             _ => {}
+        }
+        if self.map.border == Border::Clamp && self.map.repeat != 1 {
+            problems.push(format!(
+                "map.repeat = {} and map.border = \"clamp\" exclude each other: a map that is continued by its border texels lies on the quad once",
+                self.map.repeat
+            ));
         }
     }
 }

@@ -13,6 +13,7 @@ mod setup;
 mod tracer;
 mod traverse;
 mod trim;
+mod walk;
 
 pub use bilinear::{Patch, Refined};
 pub use level::{Crossing, descend_levels, level_up, start_level, trim_return};

@@ -1,7 +1,7 @@
 //! What is computed once per ray, before the first iteration.
 use super::float::{self, Value};
-use super::level::start_level;
 use super::traverse::Golden;
+use super::walk::{Along, both};
 use crate::format::FloatFormat;
 
 /// A ray as it enters the unit; every field is an encoded number.
@@ -58,15 +58,33 @@ pub struct Axis {
     pub xa: i64,
 }
 
+impl Along for Axis {
+    fn neg(&self) -> bool {
+        self.neg
+    }
+
+    fn entry(&self) -> i64 {
+        self.x
+    }
+
+    fn end(&self) -> i64 {
+        self.xa
+    }
+
+    fn last(&self) -> i64 {
+        self.le
+    }
+}
+
 /// All that setup computes for a ray. Of an invalid ray only `valid` means anything; the rest is 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Setup {
+pub struct Setup<A = Axis> {
     /// The ray may be traced.
     pub valid: bool,
     /// Along u.
-    pub u: Axis,
+    pub u: A,
     /// Along v.
-    pub v: Axis,
+    pub v: A,
     /// The level to start on.
     pub level: u32,
     /// The finest level at which the ray may end; 0 where the design has no such choice.
@@ -79,11 +97,7 @@ impl Golden {
         if !(self.entry_ok(ray.u) && self.entry_ok(ray.v) && self.travel_ok(ray.du) && self.travel_ok(ray.dv)) {
             return Setup::default();
         }
-        let (u, v) = (self.axis(ray.u, ray.du), self.axis(ray.v, ray.dv));
-        let n = self.design.traverse.levels;
-        let level = if self.design.mode.start_level { start_level(n, self.idx_w, u.x, v.x, u.xa, v.xa) } else { n };
-        let lod = if self.design.mode.lod { ray.lod.min(n) } else { 0 };
-        Setup { valid: true, u, v, level: level.max(lod), lod }
+        both(&self.design, ray.lod, self.axis(ray.u, ray.du), self.axis(ray.v, ray.dv))
     }
 
     /// An entry point lies in [0, 1); both zeros are fine, and subnormals are zeros.

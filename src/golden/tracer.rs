@@ -27,8 +27,10 @@ impl Tracer {
     /// [`crate::error::Error::Input`] if the sizes are outside of the datapath's ranges.
     pub fn new(design: &Design) -> Result<Self> {
         let more = design.mode.trim != Trim::None || design.mode.lod;
-        if more && design.datapath.kind != DatapathKind::Watertight {
-            return Err(Error::input("mode.trim and mode.lod need datapath.kind = \"watertight\""));
+        if more && design.datapath.kind == DatapathKind::Published {
+            return Err(Error::input(
+                "mode.trim and mode.lod need a datapath that compares parameters of planes: watertight or fixed",
+            ));
         }
         match design.datapath.kind {
             DatapathKind::Watertight => Golden::new(design).map(Self::Watertight),

@@ -2,8 +2,9 @@
 use super::float;
 use super::level::start_level;
 use super::record::Chord;
-use super::setup::{Axis, Setup};
+use super::setup::Setup;
 use super::traverse::Golden;
+use super::walk::{Along, Planes, kept};
 
 impl Golden {
     /// Pf and Le of an axis: entry point moved forward by `bias`, and a texel that the ray does not get beyond.
@@ -15,31 +16,29 @@ impl Golden {
         // A travel per height code that is no number any more says nothing about the way: then the whole way is assumed.
         (if zero(dt) { end } else { start }, float::to_int(fmt, end, self.idx_w))
     }
+}
 
-    /// The chord from texel `(x, y)` to the exit of its level-k node, whose planes are met at `t_x` and `t_y`.
-    pub(super) fn chord(&self, s: &Setup, k: u32, [x, y]: [i64; 2], [t_x, t_y]: [u64; 2]) -> Chord {
-        // x goes first on a tie.
-        let x_first = !float::lt(self.design.format, t_y, t_x);
-        let end_x = self.chord_end(&s.u, k, x, (!x_first).then_some(t_y));
-        let end_y = self.chord_end(&s.v, k, y, x_first.then_some(t_x));
-        let n = self.design.traverse.levels;
-        Chord { x: end_x, y: end_y, level: start_level(n, self.idx_w, x, y, end_x, end_y).max(s.lod) }
-    }
+/// The chord from texel `(x, y)` to the exit of its level-k node, whose planes are met at `t_x` and `t_y`.
+pub(super) fn chord<P: Planes>(
+    planes: &P,
+    s: &Setup<P::Axis>,
+    k: u32,
+    [x, y]: [i64; 2],
+    [t_x, t_y]: [u64; 2],
+) -> Chord {
+    // x goes first on a tie.
+    let x_first = !planes.before(t_y, t_x);
+    let end_x = chord_end(planes, &s.u, k, x, (!x_first).then_some(t_y));
+    let end_y = chord_end(planes, &s.v, k, y, x_first.then_some(t_x));
+    let size = &planes.design().traverse;
+    let level = start_level(size.levels, size.idx_bits(), x, y, end_x, end_y);
+    Chord { x: end_x, y: end_y, level: level.max(s.lod) }
+}
 
-    /// Along one axis, a texel of the level-k node of `x` that the ray does not get beyond before it leaves the node. It leaves by a plane of
-    /// the other axis at parameter `t`, or by this axis' own plane.
-    fn chord_end(&self, axis: &Axis, k: u32, x: i64, t: Option<u64>) -> i64 {
-        let mask = (1i64 << k) - 1;
-        let reach = t.map_or(axis.le, |t| self.reach(axis, t));
-        if axis.neg { reach.max(axis.le).clamp(x & !mask, x) } else { reach.min(axis.le).clamp(x, x | mask) }
-    }
-
-    /// The texel where the ray is at `t`, or one further on: never one that it has left already.
-    fn reach(&self, axis: &Axis, t: u64) -> i64 {
-        let fmt = self.design.format;
-        match float::decode(fmt, t) {
-            float::Value::Infinite(_) => axis.le,
-            _ => float::to_int(fmt, float::add(fmt, axis.pf, float::mul(fmt, axis.dt, t)), self.idx_w),
-        }
-    }
+/// Along one axis, a texel of the level-k node of `x` that the ray does not get beyond before it leaves the node. It leaves by a plane of
+/// the other axis at parameter `t`, or by this axis' own plane.
+fn chord_end<P: Planes>(planes: &P, axis: &P::Axis, k: u32, x: i64, t: Option<u64>) -> i64 {
+    let reach = t.map_or(axis.last(), |t| planes.reach(axis, t));
+    let nearer = if axis.neg() { reach.max(axis.last()) } else { reach.min(axis.last()) };
+    kept(axis, k, x, nearer)
 }

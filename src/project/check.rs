@@ -1,14 +1,16 @@
 //! Checks an emitted tree: every unit's vectors replayed by the interpreter or a simulator.
+use super::stored::{memory, pyramid_of, ray_of, same_rows};
 use crate::bench::{Simulator, run_bench};
 use crate::catalogue::{CheckReport, check_interp, compare, fits, told, units};
 use crate::config::{Config, Design};
+use crate::emit::Files;
 use crate::error::{Error, Result};
-use crate::golden::{Pyramid, RayInput, address};
 use crate::interp::{Traffic, Wave, elaborate};
 use crate::ir::{Binding, Module};
-use crate::trace::{Pipeline, diagnose, record_mismatch, record_ray, record_rows};
+use crate::trace::{Pipeline, diagnose, record_mismatch, record_ray, record_rows, wrong_iteration};
 use crate::units::traversal::traverse;
 use crate::vectors::{VectorSet, read_set, set_files};
+
 use rayon::prelude::*;
 use std::path::Path;
 use std::sync::Arc;
@@ -71,17 +73,26 @@ pub fn check_tree(
     seen: &(dyn Fn(&Checked) + Sync),
 ) -> Result<Vec<Checked>> {
     let d = c.design();
-    let mut list = units(&d);
-    list.push(traverse(&d).module);
-    if let Some(name) = only {
-        let m = crate::catalogue::find(&d, name)?;
-        list.retain(|x| x.name == m.name);
-    }
+    let alone = only.and_then(|name| super::alone(c, name));
+    let list = match (alone, only) {
+        (Some(m), _) => vec![m],
+        (None, only) => {
+            let mut list = units(&d);
+            list.push(traverse(&d).module);
+            if let Some(name) = only {
+                let m = crate::catalogue::find(&d, name)?;
+                list.retain(|x| x.name == m.name);
+            }
+            list
+        }
+    };
     if list.is_empty() {
         return Err(Error::NothingRan("the chosen unit has no vectors of its own; nothing was checked".into()));
     }
     if sim.is_none() {
-        same_text(c, dir)?;
+        let whole = list.iter().any(|m| m.latency.is_none());
+        let text = if whole { super::hardware(c)?.files } else { text_of(c, &list)? };
+        same_text(&text, dir)?;
     }
     let one = |m: &Arc<Module>| {
         let r = unit(&d, dir, m, sim, canary);
@@ -98,9 +109,14 @@ pub fn check_tree(
     all.into_iter().collect()
 }
 
+/// The Verilog of some units and what they are made of.
+fn text_of(c: &Config, units: &[Arc<Module>]) -> Result<Files> {
+    Ok(crate::emit::rtl(c, &crate::emit::modules(units)?))
+}
+
 /// The interpreter runs the datapath that the configuration emits, not the text in `dir`: refuses a tree where the two differ.
-fn same_text(c: &Config, dir: &Path) -> Result<()> {
-    for (name, text) in crate::project::hardware(c)?.files.iter().filter(|(n, _)| n.ends_with(".v")) {
+fn same_text(files: &Files, dir: &Path) -> Result<()> {
+    for (name, text) in files.iter().filter(|(n, _)| n.ends_with(".v")) {
         let path = dir.join(name);
         let there = std::fs::read(&path).map_err(|e| Error::file("read", &path, e))?;
         if there != text.as_bytes() {
@@ -141,29 +157,6 @@ fn mismatch_wave(d: &Design, dir: &Path, m: &Arc<Module>, canary: Option<Canary>
     }
 }
 
-/// The pyramid of a memory image.
-fn pyramid_of(d: &Design, image: &[u64]) -> Result<Pyramid> {
-    let n = d.traverse.levels;
-    let side = 1u32 << n;
-    let texel = |k: u32| image[address(n, 0, k % side, k / side)] as u32;
-    Pyramid::build(n, d.traverse.height_bits, &(0..side * side).map(texel).collect::<Vec<u32>>())
-}
-
-/// The words of a ray.
-fn ray_of(row: &[u64]) -> RayInput {
-    RayInput { u: row[0], v: row[1], du: row[2], dv: row[3], lod: row.get(4).map_or(0, |v| *v as u32) }
-}
-
-/// The words of a pyramid's image.
-fn memory(place: &Path) -> Result<Vec<u64>> {
-    let path = place.join("memory.hex");
-    let text = std::fs::read_to_string(&path).map_err(|e| Error::file("read", &path, e))?;
-    let bad = || Error::input(format!("{} is not a pyramid image", path.display()));
-    let words = text.lines().map(|l| l.split("//").next().unwrap_or("").trim()).filter(|l| !l.is_empty());
-    let words = words.map(|w| u64::from_str_radix(w, 16).map_err(|_| bad())).collect::<Result<Vec<u64>>>()?;
-    Ok(words.get(1..).ok_or_else(bad)?.to_vec())
-}
-
 fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary: Option<Canary>) -> Result<Checked> {
     let place = dir.join("golden").join(&m.name);
     let (mut set, whole) = read_set(&place)?;
@@ -173,6 +166,7 @@ fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary:
             place.display()
         )));
     }
+    same_rows(&place, &set)?;
     fits(m, &set).map_err(|e| Error::input(format!("{}: {e}", place.display())))?;
     if let Some(canary) = canary {
         canary.spoil(&mut set);
@@ -198,8 +192,9 @@ fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary:
                 }
                 from = spoiled.path().to_path_buf();
             }
-            let o = run_bench(s, dir, &m.name, &Binding::new(), &[format!("vectors={}", from.display())])
-                .map_err(|e| told(e, s.name(), &set, m))?;
+            let vectors = format!("vectors={}", from.display());
+            let o = run_bench(s, dir, &m.name, &Binding::new(), std::slice::from_ref(&vectors))
+                .map_err(|e| located(e, d, dir, s, &set, m, vectors))?;
             let note = o.output.lines().find(|l| l.starts_with("slots busy")).unwrap_or_default().to_string();
             Checked { unit: m.name.clone(), rows: o.checked, note }
         }
@@ -211,6 +206,35 @@ fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary:
         )));
     }
     Ok(checked)
+}
+
+/// What a simulator's bench said, decoded; a mismatch of `traverse` with its first wrong iteration, for which the bench runs once more.
+fn located(
+    e: Error,
+    d: &Design,
+    dir: &Path,
+    sim: Simulator,
+    set: &VectorSet,
+    m: &Arc<Module>,
+    vectors: String,
+) -> Error {
+    let told = told(e, sim.name(), set, m);
+    let Error::Mismatch(text) = &told else { return told };
+    let vector = || text.split("vector ").nth(1)?.split(' ').next()?.parse::<usize>().ok();
+    let again = |number: usize| -> Result<String> {
+        let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
+        let seen = work.path().join("iterations");
+        // It fails as it did before.
+        let _ = run_bench(sim, dir, &m.name, &Binding::new(), &[vectors, format!("iterations={}", seen.display())]);
+        let iterations = std::fs::read_to_string(&seen).map_err(|e| Error::file("read", &seen, e))?;
+        let pyramid = pyramid_of(d, &memory(&dir.join("golden").join(&m.name))?)?;
+        wrong_iteration(d, &pyramid, &ray_of(&set.stimulus[number]), number, &iterations)
+    };
+    match vector().filter(|_| m.latency.is_none()).map(again) {
+        Some(Ok(more)) => Error::Mismatch(format!("{text}; {more}")),
+        // A tree without these signals (a netlist, say) has nothing more to tell.
+        Some(Err(_)) | None => told,
+    }
 }
 
 /// The traverse unit in the interpreter.
@@ -239,6 +263,9 @@ fn rays(d: &Design, place: &Path, m: &Module, set: &VectorSet) -> Result<Checked
         let e = r.verdict(set, m).expect_err("there is a mismatch");
         return Err(Error::Mismatch(format!("{e}; {told}")));
     }
-    let note = format!("slots busy: {} of {} under full load; {} clocks in all", run.busy, run.loaded, run.cycles);
+    let note = format!(
+        "slots busy: {} of {} under full load; {} clocks from first ray to last hit",
+        run.busy, run.loaded, run.cycles
+    );
     Ok(Checked { unit: m.name.clone(), rows: r.checked, note })
 }

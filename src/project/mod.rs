@@ -1,7 +1,10 @@
 //! A whole project from one configuration: scene, Verilog, benches, vectors, manifest; and its check by any engine.
+mod alone;
 mod check;
 mod scene;
+mod stored;
 
+pub use alone::{alone, alone_files, alone_hardware, alone_vectors};
 pub use check::{Canary, Checked, check_tree};
 pub use scene::{Scene, encode, ray};
 
@@ -52,9 +55,8 @@ pub fn vectors(c: &Config, scene: &Scene) -> Result<Files> {
         let set = vector_set(&d, &m, &Binding::new(), plan);
         files.extend(set_files(&set).into_iter().map(|(n, t)| (format!("golden/{}/{n}", m.name), t)));
     }
-    let t = traverse(&d);
-    let rays = scene.sample(c);
-    let set = ray_set(&d, &t.module, &scene.pyramid, &rays, c.vectors.seed)?;
+    let rays = scene.sample(c)?;
+    let set = ray_set(&d, &scene.pyramid, &rays, c.vectors.seed)?;
     files.extend(set_files(&set.set).into_iter().map(|(n, t)| (format!("golden/traverse/{n}"), t)));
     files.insert("golden/traverse/memory.hex".into(), set.memory);
     files.insert("golden/traverse/trace.csv".into(), set.trace);
@@ -69,7 +71,7 @@ pub fn project(c: &Config, scene: &Scene) -> Result<Project> {
     let mut p = hardware(c)?;
     let d = c.design();
     let depth = p.traverse.setup + p.traverse.slots + p.traverse.finish;
-    p.files.extend(bench_files(&units(&d), &p.traverse.module, depth, &c.emit.prefix));
+    p.files.extend(bench_files(&units(&d), Some((&p.traverse.module, depth)), &c.emit.prefix));
     let names: Vec<String> = p.files.keys().filter_map(|f| f.strip_prefix("rtl/")).map(str::to_string).collect();
     let names: Vec<String> = names.into_iter().filter(|f| f.ends_with(".v")).collect();
     p.files.extend(proof_files(&d, &all(&d), &p.traverse, &c.emit.prefix, &names));

@@ -2,7 +2,8 @@
 use crate::config::{Config, MapKind, View};
 use crate::error::{Error, Result};
 use crate::golden::{Pyramid, RayInput, encode_ray};
-use crate::scene::{Camera, ViewRay, load, procedural, to_codes};
+use crate::scene::{Camera, ViewRay, bordered_codes, load, procedural};
+use crate::trace::rays_inside;
 use std::path::Path;
 
 /// A map, ready to be traced.
@@ -27,40 +28,60 @@ impl Scene {
         let file = file.or(c.map.file.as_deref().filter(|_| c.map.kind == MapKind::File));
         let (map, kind, name) = match file {
             Some(path) => (load(path)?, MapKind::File, path.display().to_string()),
-            None => (procedural(c.map.kind, t.levels, c.map.seed)?, c.map.kind, c.map.kind.word().to_string()),
+            None => (
+                procedural(c.map.kind, t.levels - c.map.border.levels(), c.map.seed)?,
+                c.map.kind,
+                c.map.kind.word().to_string(),
+            ),
         };
-        let texels = to_codes(&map, t.levels, t.height_bits, resample || c.map.resample)
+        let texels = bordered_codes(&map, c.map.border, t.levels, t.height_bits, resample || c.map.resample)
             .map_err(|e| Error::input(format!("{name}: {e}")))?;
         let pyramid = Pyramid::build(t.levels, t.height_bits, &texels)?;
         Ok(Self { texels, pyramid, kind, name })
     }
 
-    /// The rays of a standard view at the configured size, every `stride`-th pixel.
-    pub fn view(&self, c: &Config, view: View, stride: u32) -> Vec<ViewRay> {
-        Camera::standard(view, c.view.width, c.view.height).rays(c.map.scale, c.map.repeat, stride)
+    /// The rays of a standard view at the configured size, every `stride`-th pixel; as [`Scene::rays`].
+    ///
+    /// # Errors
+    /// As [`Scene::rays`].
+    pub fn view(&self, c: &Config, view: View, stride: u32) -> Result<Vec<ViewRay>> {
+        self.rays(c, &Camera::standard(view, c.view.width, c.view.height), stride)
+    }
+
+    /// A camera's rays through every `stride`-th pixel, in tiles of the design; those that don't see what `map.border` promises are left
+    /// out.
+    ///
+    /// # Errors
+    /// An illegal design.
+    pub fn rays(&self, c: &Config, camera: &Camera, stride: u32) -> Result<Vec<ViewRay>> {
+        let rays = camera.bordered_rays(c.map.border, c.map.scale, c.map.repeat, stride);
+        rays_inside(&c.design(), c.map.border, &self.pyramid, rays)
     }
 
     /// Rays for vectors: `vectors.rays` of each view, evenly over the picture.
-    pub fn sample(&self, c: &Config) -> Vec<RayInput> {
+    ///
+    /// # Errors
+    /// As [`Scene::rays`].
+    pub fn sample(&self, c: &Config) -> Result<Vec<RayInput>> {
         let mut out = Vec::new();
         for view in &c.view.names {
-            let rays = self.view(c, *view, c.view.stride);
+            let rays = self.view(c, *view, c.view.stride)?;
             let n = (c.vectors.rays as usize).min(rays.len());
             // Of a design with a level of detail, every second ray has one: each word that the port takes in turn.
             let words = (c.traverse.levels + 1).next_power_of_two() as usize;
             let lod = |k: usize| if c.mode.lod && k % 2 == 1 { (k / 2 % words) as u32 } else { 0 };
             out.extend((0..n).map(|k| RayInput { lod: lod(k), ..encode(c, &rays[k * rays.len() / n]) }));
         }
-        out
+        Ok(out)
     }
 }
 
-/// A camera ray in the configured format.
+/// A camera ray, in tiles of the design, in the configured format.
 pub fn encode(c: &Config, r: &ViewRay) -> RayInput {
     ray(c, [r.u, r.v, r.du, r.dv])
 }
 
-/// A ray (u, v, du, dv, in tiles) in the configured format, its entry point wrapped into \[0, 1).
+/// A ray (u, v, du, dv, in tiles of the design) in the configured format, its entry point wrapped into \[0, 1).
 pub fn ray(c: &Config, ray: [f64; 4]) -> RayInput {
     encode_ray(&c.design(), ray)
 }

@@ -1,5 +1,5 @@
 //! Text of the harnesses and scripts.
-use crate::config::{Design, LevelUp};
+use crate::config::{Design, LevelUp, Trim};
 use crate::emit::Files;
 use crate::ir::{Binding, Module};
 use crate::units::traversal::Traverse;
@@ -21,6 +21,8 @@ pub struct Proof {
     engine: &'static str,
     /// Parameter values other than the defaults.
     over: &'static [(&'static str, i64)],
+    /// The units stand behind each other: the claim is about what leaves after all their clocks, not after those of the first.
+    chained: bool,
 }
 
 macro_rules! proof {
@@ -38,14 +40,30 @@ macro_rules! proof {
             text: include_str!(concat!("templates/fv_", $name, ".v")),
             engine: if $abc { "abc bmc3" } else { "smtbmc z3" },
             over: $over,
+            chained: false,
         }
     };
+}
+
+impl Proof {
+    const fn chained(self) -> Self {
+        Self { chained: true, ..self }
+    }
+
+    /// Clocks after which the outputs are those of the inputs.
+    fn clocks(&self, units: &[Arc<Module>]) -> u32 {
+        let of = |name: &&str| units.iter().find(|m| m.name == **name).and_then(|m| m.latency).unwrap_or(0);
+        if self.chained { self.units.iter().map(of).sum() } else { of(&self.units[0]) }
+    }
 }
 
 /// Formats at which a solver compares whole arithmetic units.
 const SMALL: &[(&str, i64)] = &[("EXP_W", 4), ("MAN_W", 3)];
 /// A format at which two chains of an adder and a multiplier are compared.
 const TINY: &[(&str, i64)] = &[("EXP_W", 4), ("MAN_W", 2), ("IDX_W", 5)];
+
+/// The narrowest words of the fixed-point datapath, and a map whose texels are their units.
+const NARROW: &[(&str, i64)] = &[("FRACTION_W", 8), ("RECIP_W", 8), ("LEVELS", 8), ("HEIGHT_W", 2), ("TILE_W", 1)];
 
 const ALL: &[Proof] = &[
     proof!("lzc", &["lzc"], "zeros above the count, a one below it, at every width from 1 to 64", &[]),
@@ -69,6 +87,26 @@ const ALL: &[Proof] = &[
     proof!("fp_add", &["fp_add"], "the exact sum, rounded once (4/3)", SMALL),
     proof!("fp_mul", &["fp_mul"], "the exact product, rounded once (4/3)", SMALL),
     proof!("plane_time", &["plane_time", "fp_mul"], "a later plane never has a smaller parameter (4/2)", TINY),
+    proof!(
+        "fixed_plane_time",
+        &["plane_time", "reciprocal"],
+        "the product of distance and slope, rounded down, or all ones: monotone in the plane (8/8)",
+        NARROW
+    ),
+    proof!(
+        "fixed_predicted_hit",
+        &["ray_setup", "plane_time", "predicted_hit", "reciprocal"],
+        "an estimate passes no plane before its parameter (8/8)",
+        NARROW
+    )
+    .chained(),
+    proof!(
+        "fixed_chord_end",
+        &["ray_setup", "plane_time", "chord_end", "reciprocal"],
+        "a chord ends behind every plane that is met by its parameter, and so does the ray at the bottom plane (8/8)",
+        NARROW
+    )
+    .chained(),
     proof!("traverse", &["traverse"], "no ray is lost, none comes twice, and an offered result stays, by induction"),
 ];
 
@@ -83,7 +121,6 @@ pub fn proof_files(d: &Design, units: &[Arc<Module>], t: &Traverse, prefix: &str
     let mut out = Files::new();
     for p in proofs(units) {
         let over: Binding = p.over.iter().map(|(k, v)| ((*k).to_string(), *v)).collect();
-        let find = |name: &str| units.iter().find(|m| m.name == name);
         let flights = Flights::of(t);
         let mut env = Environment::new();
         env.set_keep_trailing_newline(true);
@@ -103,15 +140,15 @@ pub fn proof_files(d: &Design, units: &[Arc<Module>], t: &Traverse, prefix: &str
             m.binding_with(&values)[&param]
         });
         let value = context! {
-            claim => p.claim, latency => find(p.units[0]).and_then(|m| m.latency).unwrap_or(0), prefix,
+            claim => p.claim, latency => p.clocks(units), prefix,
             levels_down => d.mode.levels_down, parity => matches!(d.mode.level_up, LevelUp::Tevs | LevelUp::Selective),
-            rule => rule(d.mode.level_up), slots => flights.len(), tag_w => d.traverse.tag_bits,
+            trims => d.mode.trim != Trim::None, lod => d.mode.lod, rule => rule(d.mode.level_up), slots => flights.len(), tag_w => d.traverse.tag_bits,
         };
         let text = env.render_str(p.text, value).expect("templates use only what they are given");
         out.insert(format!("testbench/fv_{}.v", p.name), text);
         let extra = if p.name == "traverse" { flights.script() } else { String::new() };
         // Combinational units and constant inputs are proved for good at one depth.
-        let latency = find(p.units[0]).and_then(|m| m.latency).unwrap_or(0);
+        let latency = p.clocks(units);
         // Long enough for a ray that is lost or doubled to be missed at a door, should the induction fail.
         let (mode, depth) =
             if p.name == "traverse" { ("prove", flights.len() as u32 + 3) } else { ("bmc", latency + 1) };

@@ -31,6 +31,8 @@ pub struct Accuracy {
     pub wrong_wall: usize,
     /// Largest |t - exact t| over M among right texels, and the ray that has it.
     pub worst_t: (f64, usize),
+    /// Distance of position and exact place in texels, and the ray, of all rays that ended.
+    pub uv: Vec<(f64, usize)>,
 }
 
 /// The exact values of a ray's words.
@@ -45,6 +47,18 @@ pub fn exact_ray(d: &Design, r: &RayInput) -> Result<ExactRay> {
     ExactRay::float(d.format, p, t).ok_or_else(|| Error::input("an exact ray is made of finite numbers"))
 }
 
+/// Distance of a returned hit and an exact place, in texels, the shorter way round the tile.
+pub(in crate::report) fn distance(d: &Design, h: &RayHit, place: [f64; 2]) -> f64 {
+    let side = 2f64.powi(d.traverse.levels as i32);
+    let unit = 2f64.powi(-(d.traverse.frac_bits as i32));
+    let away = |texel: u32, part: u32, exact: f64| {
+        let far = f64::from(texel) + f64::from(part) * unit - exact;
+        far - (far / side).round() * side
+    };
+    let (u, v) = (away(h.i, h.fu, place[0]), away(h.j, h.fv, place[1]));
+    (u * u + v * v).sqrt()
+}
+
 /// Compares `hits` with the exact walk of the same encoded rays over `texels`.
 ///
 /// # Errors
@@ -56,14 +70,23 @@ pub fn accuracy(d: &Design, texels: &[u32], rays: &[RayInput], hits: &[RayHit]) 
     let exact: Vec<_> = rays
         .par_iter()
         .zip(hits)
-        .map(|(r, h)| if h.limit { Ok(None) } else { map.trace(&exact_ray(d, r)?).map(Some) })
+        .map(|(r, h)| {
+            if h.limit {
+                return Ok(None);
+            }
+            let ray = exact_ray(d, r)?;
+            let e = map.trace(&ray)?;
+            let place = ray.place(&e, full).map(|tiles| tiles * 2f64.powi(t.levels as i32));
+            Ok(Some((e, place)))
+        })
         .collect::<Result<_>>()?;
     let mut a = Accuracy { rays: rays.len(), ..Accuracy::default() };
     for (ray, (h, e)) in hits.iter().zip(&exact).enumerate() {
-        let Some(e) = e else {
+        let Some((e, place)) = e else {
             a.limits += 1;
             continue;
         };
+        a.uv.push((distance(d, h, *place), ray));
         if (h.i, h.j) != (e.i, e.j) {
             a.wrong.push(WrongTexel { ray, got: (h.i, h.j), exact: (e.i, e.j), margin: e.margin });
             continue;

@@ -100,8 +100,13 @@ impl HardFigures {
 
 /// Every combination of start level, levels down and level-up rule: 40, without chord trim; and 40 with that of `base`, if it has one.
 pub fn modes(base: ModeConfig) -> Vec<ModeConfig> {
+    let both = [Trim::None, base.trim];
+    combinations(base, if base.trim == Trim::None { &both[..1] } else { &both })
+}
+
+/// Every combination of start level, levels down and level-up rule with each of `trims`; the first one is the plain walk from the root.
+pub fn combinations(base: ModeConfig, trims: &[Trim]) -> Vec<ModeConfig> {
     let mut out = Vec::new();
-    let trims: &[Trim] = if base.trim == Trim::None { &[Trim::None] } else { &[Trim::None, base.trim] };
     for &trim in trims {
         for start_level in [false, true] {
             for levels_down in 1..=4 {

@@ -1,6 +1,7 @@
 //! Figures: steps, error against the exact oracle, speed of the engines. Each with its count and its worst case.
 mod accuracy;
 mod cost;
+pub mod endure;
 mod fit;
 pub mod hard;
 pub mod page;

@@ -2,7 +2,7 @@
 use super::degrees::sin_cos;
 use crate::config::keys::{Key, Legal};
 use crate::config::lines::{self, Lines};
-use crate::config::{View, check, validate};
+use crate::config::{Border, View, check, validate};
 use crate::error::{Error, Result};
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
@@ -126,8 +126,23 @@ impl Camera {
         pixels.filter_map(|(px, py)| self.ray(px, py, scale, repeat)).collect()
     }
 
+    /// As [`Camera::rays`], in tiles of a design that sees what `border` puts behind the map's border.
+    pub fn bordered_rays(&self, border: Border, scale: f64, repeat: u32, stride: u32) -> Vec<ViewRay> {
+        let (columns, rows) = self.picture_size(stride);
+        let pixels = (0..rows).flat_map(|row| (0..columns).map(move |column| (column * stride, row * stride)));
+        // The map lies in the middle of what continues it.
+        let shift = if border == Border::Clamp { 0.25 } else { 0.0 };
+        let tiles = super::border::tiles(border, repeat);
+        pixels.filter_map(|(px, py)| self.ray_in(px, py, scale, tiles, shift)).collect()
+    }
+
     /// The ray through the centre of one pixel; `None` if it misses the quad.
     pub fn ray(&self, px: u32, py: u32, scale: f64, repeat: u32) -> Option<ViewRay> {
+        self.ray_in(px, py, scale, f64::from(repeat), 0.0)
+    }
+
+    /// As [`Camera::ray`] where `tiles` tiles lie along each side of the quad, the first of them from `-shift` on.
+    fn ray_in(&self, px: u32, py: u32, scale: f64, tiles: f64, shift: f64) -> Option<ViewRay> {
         let (sin_e, cos_e) = sin_cos(self.elevation);
         let (sin_a, cos_a) = sin_cos(self.azimuth);
         let forward = DVec3::new(-sin_a * cos_e, -sin_e, cos_a * cos_e);
@@ -149,9 +164,8 @@ impl Camera {
         if !(0.0..1.0).contains(&place.x) || !(0.0..1.0).contains(&place.y) {
             return None;
         }
-        let repeat = f64::from(repeat);
-        let entry = place * repeat;
-        let travel = DVec2::new(direction.x, -direction.z) * (scale * repeat / QUAD_SIDE / -direction.y);
+        let entry = place * tiles + shift;
+        let travel = DVec2::new(direction.x, -direction.z) * (scale * tiles / QUAD_SIDE / -direction.y);
         Some(ViewRay { px, py, u: wrap(entry.x), v: wrap(entry.y), du: travel.x, dv: travel.y })
     }
 }

@@ -1,5 +1,6 @@
 //! Heights to the codes that the memory holds.
 use super::height_map::{Depth, HeightMap};
+use crate::config::Border;
 use crate::error::{Error, Result};
 
 /// The map as unsigned-normalized codes of `height_bits` bits for 2^levels x 2^levels texels, row by row:
@@ -11,10 +12,31 @@ use crate::error::{Error, Result};
 /// # Errors
 /// [`Error::Input`] without `resample`, if the size is another or the source has more bits; it names both and what to do.
 pub fn to_codes(map: &HeightMap, levels: u32, height_bits: u32, resample: bool) -> Result<Vec<u32>> {
+    bordered_codes(map, Border::Wrap, levels, height_bits, resample)
+}
+
+/// As [`to_codes`], for a design of 2^levels x 2^levels texels that sees what `border` puts behind the map's border.
+///
+/// # Errors
+/// As [`to_codes`].
+pub fn bordered_codes(
+    map: &HeightMap,
+    border: Border,
+    levels: u32,
+    height_bits: u32,
+    resample: bool,
+) -> Result<Vec<u32>> {
+    let own = levels - border.levels();
+    let codes = own_codes(map, border, own, height_bits, resample)?;
+    Ok(super::border::prepared(border, own, codes))
+}
+
+/// The map alone, as codes of 2^levels x 2^levels texels.
+fn own_codes(map: &HeightMap, border: Border, levels: u32, height_bits: u32, resample: bool) -> Result<Vec<u32>> {
     let side = 1usize << levels;
     if !resample {
         let mut problems = Vec::new();
-        problems.extend(size_problem(map, levels));
+        problems.extend(size_problem(map, border, levels));
         problems.extend(depth_problem(map, height_bits));
         if !problems.is_empty() {
             return Err(Error::input(problems.join("; ")));
@@ -31,20 +53,26 @@ pub fn to_codes(map: &HeightMap, levels: u32, height_bits: u32, resample: bool) 
     Ok(transpose(&columns, side).iter().map(|height| code(&height.clamp(0.0, 1.0))).collect())
 }
 
-fn size_problem(map: &HeightMap, levels: u32) -> Option<String> {
+fn size_problem(map: &HeightMap, border: Border, levels: u32) -> Option<String> {
+    let more = border.levels();
     let (width, height, side) = (map.width, map.height, 1usize << levels);
     if (width, height) == (side, side) {
         return None;
     }
-    let needed = format!("traverse.levels = {levels} needs {side} x {side}");
-    let square = width == height && width.is_power_of_two() && (2..=12).contains(&width.ilog2());
+    let with = if more > 0 { format!(" with map.border = \"{border}\"") } else { String::new() };
+    let needed = format!("traverse.levels = {}{with} needs {side} x {side}", levels + more);
+    let square = width == height && width.is_power_of_two() && (2..=12).contains(&(width.ilog2() + more));
     Some(if square {
-        let other = width.ilog2();
+        let other = width.ilog2() + more;
         format!("the map is {width} x {height}, but {needed}: use --set traverse.levels={other}, or --resample")
     } else if width != height {
         format!("the map is {width} x {height}, not square, and {needed}: use --resample")
     } else if width.is_power_of_two() {
-        format!("the map is {width} x {height}, not 4 to 4096 texels wide, and {needed}: use --resample")
+        format!(
+            "the map is {width} x {height}, not {} to {} texels wide, and {needed}: use --resample",
+            4 >> more,
+            4096 >> more
+        )
     } else {
         format!("the map is {width} x {height}, no power of two, and {needed}: use --resample")
     })

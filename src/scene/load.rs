@@ -9,12 +9,11 @@ use std::path::Path;
 /// Reads PNG, PGM (and the other portable maps), TIFF or OpenEXR; what the file is, its content decides, not its name.
 ///
 /// Whole numbers of n bits are divided by 2^n - 1 (a PGM's by its own maximum), with no bit lost; floats count as they are.
-/// A pixel of red = green = blue has exactly that height, any other its Rec. 709 luma, 0.2126 R + 0.7152 G + 0.0722 B;
-/// alpha is ignored. An EXR gives its channel `Y`, or `R`, `G`, `B`, or its only channel.
+/// A pixel of red = green = blue has exactly that height; alpha is ignored. An EXR gives its channel `Y`, or `R`, `G`, `B`, or its only channel.
 ///
 /// # Errors
 /// [`Error::File`] if it can't be read; [`Error::Input`] if it is no such image, is broken or empty, or holds a height
-/// that is not in [0, 1] (NaN and infinity included), which names the pixel.
+/// that is not in [0, 1] (NaN and infinity included) or a pixel that is coloured, which names the pixel.
 pub fn load(path: impl AsRef<Path>) -> Result<HeightMap> {
     let path = path.as_ref();
     let bytes = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
@@ -75,7 +74,8 @@ fn by_image(bytes: &[u8], format: ImageFormat, kind: &str) -> Result<HeightMap> 
         DynamicImage::ImageRgba32F(pixels) => (4, Depth::Float, pixels.as_raw().iter().map(|&x| x.into()).collect()),
         _ => return Err(broken(kind, "its pixels are of an unknown type")),
     };
-    HeightMap::new(width as usize, height as usize, grey(&samples, channels), depth)
+    let heights = grey(&samples, channels, width as usize)?;
+    HeightMap::new(width as usize, height as usize, heights, depth)
 }
 
 fn unit8(values: &[u8]) -> Vec<f64> {
@@ -86,22 +86,25 @@ fn unit16(values: &[u16]) -> Vec<f64> {
     values.iter().map(|&value| f64::from(value) / 65535.0).collect()
 }
 
-fn grey(samples: &[f64], channels: usize) -> Vec<f64> {
-    let pixels = samples.chunks_exact(channels);
-    if channels < 3 { pixels.map(|pixel| pixel[0]).collect() } else { pixels.map(|p| luma(p[0], p[1], p[2])).collect() }
-}
-
-fn luma(red: f64, green: f64, blue: f64) -> f64 {
-    let legal = |channel: f64| (0.0..=1.0).contains(&channel);
-    match (red, green, blue) {
-        // Grey stays exactly what it is; the weights do not sum to 1 in binary.
-        _ if red == green && green == blue => red,
-        // A channel out of range must not hide in the sum.
-        _ if !legal(red) => red,
-        _ if !legal(green) => green,
-        _ if !legal(blue) => blue,
-        _ => (0.2126 * red + 0.7152 * green + 0.0722 * blue).min(1.0),
-    }
+/// The one channel of pixels in rows of `width`: a height map holds no colour, and which mixture of three channels would be the height is
+/// not ours to guess. Of a pixel with a channel out of range that channel is taken, for whoever checks the range.
+fn grey(samples: &[f64], channels: usize, width: usize) -> Result<Vec<f64>> {
+    let height = |(at, pixel): (usize, &[f64])| match pixel[..channels.min(3)] {
+        [red, green, blue] => {
+            let colours = [red, green, blue];
+            match colours.into_iter().find(|c| !(0.0..=1.0).contains(c)) {
+                Some(illegal) => Ok(illegal),
+                None if red == green && green == blue => Ok(red),
+                None => Err(Error::input(format!(
+                    "a picture in colour (pixel ({}, {}) has red, green and blue {red}, {green}, {blue}): a height map has one channel, or three that are equal",
+                    at % width,
+                    at / width
+                ))),
+            }
+        }
+        _ => Ok(pixel[0]),
+    };
+    samples.chunks_exact(channels).enumerate().map(height).collect()
 }
 
 /// Grey TIFFs, which `image` reads in 8 and 16 bits only; colour goes through `image`.
@@ -170,7 +173,10 @@ fn exr(bytes: &[u8]) -> Result<HeightMap> {
         })
         .collect();
     let samples = match planes.as_slice() {
-        [red, green, blue] => red.iter().zip(green).zip(blue).map(|((&r, &g), &b)| luma(r, g, b)).collect(),
+        [red, green, blue] => {
+            let pixels: Vec<f64> = red.iter().zip(green).zip(blue).flat_map(|((&r, &g), &b)| [r, g, b]).collect();
+            grey(&pixels, 3, layer.size.width())?
+        }
         _ => planes.into_iter().next().unwrap_or_default(),
     };
     HeightMap::new(layer.size.width(), layer.size.height(), samples, Depth::Float)

@@ -18,7 +18,7 @@ mod shade;
 
 pub use crate::config::{MapKind, View};
 pub use camera::{Camera, QUAD_SIDE, ViewRay};
-pub use codes::to_codes;
+pub use codes::{bordered_codes, to_codes};
 pub use height_map::{Depth, HeightMap};
 pub use load::{decode, load};
 pub use maps::procedural;

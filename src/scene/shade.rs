@@ -47,15 +47,16 @@ const AROUND: [(f64, f64); 8] = [
 ];
 
 impl<'a> Shader<'a> {
-    /// For `4^levels` codes of `height_bits` bits, row by row; `scale` in world units and `repeat` as for the camera.
+    /// For `4^levels` codes of `height_bits` bits, row by row; `scale` in world units;
+    /// `tiles` of them lie along each side of the quad.
     /// `kind` chooses the colours only.
     ///
     /// # Panics
     /// If the number of codes is another.
-    pub fn new(codes: &'a [u32], levels: u32, height_bits: u32, scale: f64, repeat: u32, kind: MapKind) -> Self {
+    pub fn new(codes: &'a [u32], levels: u32, height_bits: u32, scale: f64, tiles: f64, kind: MapKind) -> Self {
         assert_eq!(codes.len(), 1 << (2 * levels), "one code a texel");
         let side = 1i64 << levels;
-        let texel = QUAD_SIDE / (f64::from(repeat) * side as f64);
+        let texel = QUAD_SIDE / (tiles * side as f64);
         let max = f64::from((1u32 << height_bits) - 1);
         Self { codes, side, max, steepness: scale / texel, stops: of_map(kind), mottle: mottle_of(kind) }
     }

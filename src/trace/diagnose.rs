@@ -35,7 +35,7 @@ impl std::fmt::Display for Divergence {
 
 /// How a signal is shown.
 #[derive(Clone, Copy)]
-enum Shown {
+pub(super) enum Shown {
     Integer,
     Time,
 }
@@ -165,7 +165,8 @@ fn record(
     (log, start.unwrap_or(0))
 }
 
-fn display(design: &Design, shown: Shown, v: u64, width: u32) -> String {
+/// A value as a report shows it; `width` is that of an integer.
+pub(super) fn display(design: &Design, shown: Shown, v: u64, width: u32) -> String {
     match (shown, design.datapath.kind) {
         (Shown::Integer, _) => format!("{} (hex {v:x})", crate::bits::signed(v, width)),
         (Shown::Time, DatapathKind::Fixed) => format!("hex {v:x} ({} height codes)", decode_time(design, v)),

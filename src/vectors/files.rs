@@ -1,7 +1,7 @@
 //! A vector set as files: `vectors.json` (description), `stimulus.hex` and `expected.hex` (`$readmemh`), `vectors.csv` and `rows.json`
 //! (the same rows, for other programs).
 //!
-//! A hex file starts with the number of rows; each row is one line of words, separated by blanks, first column first.
+//! A hex file starts with the number of rows and the bits of a row; each row is one line of words, separated by blanks, first column first.
 use super::set::{Column, Counts, VectorSet};
 use crate::emit::Files;
 use crate::error::{Error, Result};
@@ -11,7 +11,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 /// Version of the layout.
-const SCHEMA: u32 = 1;
+const SCHEMA: u32 = 2;
 
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -29,7 +29,17 @@ struct Description {
     blake3: String,
 }
 
-const POLICY: &str = "landmarks crossed, then corner tables, then weighted random, then what rays bring; every input where the space is small";
+/// How the rows were chosen, in their order.
+fn policy(c: &Counts) -> String {
+    let parts = [
+        (c.exhaustive, "every input once"),
+        (c.corners, "landmarks crossed with each other, then corner tables"),
+        (c.random, "weighted random"),
+        (c.rays, "what rays through the map bring"),
+    ];
+    let there: Vec<&str> = parts.iter().filter(|p| p.0 > 0).map(|p| p.1).collect();
+    there.join(", then ")
+}
 
 /// The files of a set, by name.
 pub fn set_files(s: &VectorSet) -> Files {
@@ -41,7 +51,7 @@ pub fn set_files(s: &VectorSet) -> Files {
         seed: s.seed,
         rows: s.stimulus.len(),
         counts: s.counts,
-        policy: POLICY.into(),
+        policy: policy(&s.counts),
         inputs: s.inputs.clone(),
         outputs: s.outputs.clone(),
         blake3: s.hash(),
@@ -133,7 +143,12 @@ fn names(c: &[Column]) -> impl Iterator<Item = String> + '_ {
 /// `$readmemh` text of rows.
 pub fn hex(unit: &str, columns: &[Column], rows: &[Vec<u64>]) -> String {
     let cols: Vec<String> = columns.iter().map(|c| format!("{}[{}]", c.name, c.width)).collect();
-    let mut out = format!("// unit {unit}; number of rows, then a row a line: {}\n{:x}\n", cols.join(" "), rows.len());
+    let bits: u32 = columns.iter().map(|c| c.width).sum();
+    let cols = cols.join(" ");
+    let mut out = format!(
+        "// unit {unit}; number of rows and bits of a row, then a row a line: {cols}\n{:x} {bits:x}\n",
+        rows.len()
+    );
     for r in rows {
         for (i, (v, c)) in r.iter().zip(columns).enumerate() {
             let digits = c.width.div_ceil(4) as usize;
@@ -191,9 +206,16 @@ fn rows(text: &str, columns: &[Column], at: &str) -> Result<Vec<Vec<u64>>> {
         }
         Ok(v)
     };
-    let (line, count) =
+    let (line, head) =
         lines.next().ok_or_else(|| Error::input(format!("{at} is empty: it starts with the number of rows")))?;
-    let count = word(line, count, 32)? as usize;
+    let (count, bits) = head.split_once(' ').ok_or_else(|| {
+        Error::input(format!("{at}, line {line}: {head}, where the number of rows and the bits of a row stand"))
+    })?;
+    let (count, bits) = (word(line, count, 32)? as usize, word(line, bits.trim(), 32)?);
+    let described: u32 = columns.iter().map(|c| c.width).sum();
+    if bits != u64::from(described) {
+        return Err(Error::input(format!("{at} announces rows of {bits} bits, vectors.json describes {described}")));
+    }
     let mut out = Vec::with_capacity(count);
     for (line, l) in lines {
         let words: Vec<&str> = l.split_whitespace().collect();

@@ -2,8 +2,8 @@
 //! A missing simulator fails these tests (`tools/test.sh` installs them) unless RELIEFRTL_NO_SIMULATORS=1.
 use super::{FORMATS, design, hard};
 use reliefrtl::bench::{Simulator, run_bench};
-use reliefrtl::catalogue::{design_at, find, ray_set};
-use reliefrtl::config::Config;
+use reliefrtl::catalogue::{design_at, ray_set};
+use reliefrtl::config::{Config, LevelUp, ModeConfig, Trim};
 use reliefrtl::emit::Files;
 use reliefrtl::ir::Binding;
 use reliefrtl::project::{Scene, check_tree, project};
@@ -23,8 +23,8 @@ fn write(dir: &Path, files: &Files) {
     }
 }
 
-fn tree(f: u32, w: u32) -> (Config, TempDir) {
-    let mut c = Config { datapath: design(f, w).datapath, ..Config::default() };
+fn tree(f: u32, w: u32, mode: ModeConfig) -> (Config, TempDir) {
+    let mut c = Config { datapath: design(f, w).datapath, mode, ..Config::default() };
     c.vectors.arithmetic = 600;
     c.vectors.rays = 60;
     c.validate().unwrap();
@@ -33,11 +33,11 @@ fn tree(f: u32, w: u32) -> (Config, TempDir) {
     (c, dir)
 }
 
-fn all_units(sim: Simulator, formats: &[(u32, u32)]) {
+fn all_units(sim: Simulator, formats: &[(u32, u32)], mode: ModeConfig, count: usize) {
     for &(f, w) in formats {
-        let (c, dir) = tree(f, w);
+        let (c, dir) = tree(f, w, mode);
         let done = check_tree(&c, dir.path(), Some(sim), None, None, None, &|_| ()).unwrap();
-        assert_eq!(done.len(), 17);
+        assert_eq!(done.len(), count);
         assert!(done.iter().all(|x| x.rows > 0));
         let rows: usize = done.iter().map(|x| x.rows).sum();
         println!("{} Q.{f}/{w}: 0 of {rows} mismatched", sim.name());
@@ -47,26 +47,39 @@ fn all_units(sim: Simulator, formats: &[(u32, u32)]) {
 #[test]
 fn every_unit_in_icarus() {
     if !skip() {
-        all_units(Simulator::Icarus, &FORMATS);
+        all_units(Simulator::Icarus, &FORMATS, ModeConfig::default(), 17);
+    }
+}
+
+/// With the units that a trim and a level of detail bring.
+#[test]
+fn every_unit_of_a_trim_in_both_simulators() {
+    if !skip() {
+        all_units(Simulator::Icarus, &FORMATS[1..], trimmed(Trim::Always), 22);
+        all_units(Simulator::Verilator, &FORMATS[..1], trimmed(Trim::Descent), 22);
     }
 }
 
 #[test]
 fn every_unit_in_verilator() {
     if !skip() {
-        all_units(Simulator::Verilator, &FORMATS[..1]);
+        all_units(Simulator::Verilator, &FORMATS[..1], ModeConfig::default(), 17);
     }
 }
 
 /// `traverse` at other sizes: the emitted text stays, the simulator gets the parameters. f, w, levels, height bits.
-fn traverse_at(sim: Simulator, sizes: &[(u32, u32, u32, u32)], plusargs: &[&str]) {
-    let (c, dir) = tree(24, 24);
+fn traverse_at(sim: Simulator, mode: ModeConfig, sizes: &[(u32, u32, u32, u32)], plusargs: &[&str]) {
+    let (c, dir) = tree(24, 24, mode);
     for (f, w, levels, height) in sizes {
         let values = [("FRACTION_W", f), ("RECIP_W", w), ("LEVELS", levels), ("HEIGHT_W", height)];
         let over: Binding = values.iter().map(|(k, v)| (k.to_string(), i64::from(**v))).collect();
         let d = design_at(&c.design(), &over);
-        let (pyramid, rays) = hard(&d, 150, u64::from(*levels));
-        let set = ray_set(&d, &find(&d, "traverse").unwrap(), &pyramid, &rays, 1).unwrap();
+        let (pyramid, mut rays) = hard(&d, 150, u64::from(*levels));
+        if mode.lod {
+            // At most what in_lod holds, whatever the level count of the emitted text.
+            rays.iter_mut().enumerate().for_each(|(k, r)| r.lod = (k as u32 / 2) % (levels + 1));
+        }
+        let set = ray_set(&d, &pyramid, &rays, 1).unwrap();
         let place = tempfile::tempdir().unwrap();
         let mut files = set_files(&set.set);
         files.insert("memory.hex".into(), set.memory);
@@ -84,14 +97,29 @@ fn traverse_at_2_to_12_levels_in_verilator() {
         let sizes =
             [(24, 24, 2, 16), (24, 24, 9, 8), (24, 18, 12, 16), (20, 18, 4, 16), (20, 18, 6, 8), (12, 10, 3, 8)];
         let ends = [(12, 10, 12, 8), (28, 31, 7, 16), (8, 8, 8, 8)];
-        traverse_at(Simulator::Verilator, &[&sizes[..], &ends].concat(), &[]);
+        traverse_at(Simulator::Verilator, ModeConfig::default(), &[&sizes[..], &ends].concat(), &[]);
     }
 }
 
 #[test]
 fn traverse_at_other_sizes_in_icarus() {
     if !skip() {
-        traverse_at(Simulator::Icarus, &[(24, 24, 2, 8), (20, 18, 3, 16), (12, 10, 5, 8), (28, 31, 6, 16)], &[]);
-        traverse_at(Simulator::Icarus, &[(24, 24, 4, 8)], &["gaps", "stalls", "flood"]);
+        let mode = ModeConfig::default();
+        traverse_at(Simulator::Icarus, mode, &[(24, 24, 2, 8), (20, 18, 3, 16), (12, 10, 5, 8), (28, 31, 6, 16)], &[]);
+        traverse_at(Simulator::Icarus, mode, &[(24, 24, 4, 8)], &["gaps", "stalls", "flood"]);
+    }
+}
+
+fn trimmed(trim: Trim) -> ModeConfig {
+    ModeConfig { trim, lod: true, ..ModeConfig::default() }
+}
+
+#[test]
+fn trims_at_other_sizes_in_both_simulators() {
+    if !skip() {
+        traverse_at(Simulator::Icarus, trimmed(Trim::Always), &[(20, 18, 3, 16), (8, 8, 8, 8)], &["gaps", "stalls"]);
+        let coherent = ModeConfig { level_up: LevelUp::Coherent, start_level: false, ..trimmed(Trim::Descent) };
+        traverse_at(Simulator::Icarus, coherent, &[(24, 24, 5, 8)], &[]);
+        traverse_at(Simulator::Verilator, trimmed(Trim::Always), &[(12, 10, 7, 8), (28, 31, 5, 16)], &[]);
     }
 }

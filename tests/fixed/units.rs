@@ -1,7 +1,7 @@
 //! Every unit in the interpreter against the golden model.
 use super::{FORMATS, design};
 use reliefrtl::catalogue::{bindings, check_interp, units, vector_set};
-use reliefrtl::config::{Design, LevelUp, ModeConfig};
+use reliefrtl::config::{Design, LevelUp, ModeConfig, Trim};
 use reliefrtl::ir::Binding;
 use reliefrtl::vectors::Plan;
 
@@ -37,6 +37,28 @@ fn units_equal_their_models_in_every_mode_and_at_every_latency() {
             let l = [0, 1, 2, 3, 5, 8, 16][(5 * levels_down as usize + k) % 7];
             (d.latency.add, d.latency.mul, d.latency.div, d.latency.compare) = (l, l, 2 * l, l);
             check_all(&d, 200);
+        }
+    }
+}
+
+/// Chord trim and level of detail bring units and ports of their own.
+#[test]
+fn units_of_trim_and_detail_equal_their_models() {
+    for (k, (trim, lod)) in [(Trim::Descent, false), (Trim::Always, true), (Trim::None, true)].into_iter().enumerate() {
+        for (f, w) in FORMATS {
+            let mut d = design(f, w);
+            (d.mode.trim, d.mode.lod, d.mode.start_level) = (trim, lod, k != 2);
+            (d.latency.add, d.latency.mul) = ([2, 0, 5][k], [1, 3, 0][k]);
+            let names: Vec<String> = units(&d).iter().map(|m| m.name.clone()).collect();
+            for name in ["chord_end", "chord_trim", "trim_return"] {
+                assert_eq!(names.iter().any(|n| n == name), trim != Trim::None, "{name}");
+            }
+            for name in ["finest_level", "node_hit"] {
+                assert_eq!(names.iter().any(|n| n == name), lod, "{name}");
+            }
+            let checked = check_all(&d, 4000);
+            println!("Q.{f}/{w}, trim {trim:?}, detail {lod}: 0 of {checked} mismatched (seed 7)");
+            assert!(checked > 150_000, "only {checked} rows were checked");
         }
     }
 }

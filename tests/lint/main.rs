@@ -2,6 +2,7 @@
 //!
 //! One run per tool and configuration covers all of that configuration's files. `sh tools/test.sh` installs the tools;
 //! `RELIEFRTL_NO_SIMULATORS=1` leaves these checks out.
+mod benches;
 mod configs;
 mod elaboration;
 mod linters;

@@ -113,8 +113,7 @@ fn traverse_at(sim: Simulator, sizes: &[(u32, u32, u32)], plusargs: &[&str]) {
             .into();
         let d = design_at(&c.design(), &over);
         let (pyramid, rays) = hard(&d, 160, 1);
-        let m = find(&d, "traverse").unwrap();
-        let set = ray_set(&d, &m, &pyramid, &rays, 1).unwrap();
+        let set = ray_set(&d, &pyramid, &rays, 1).unwrap();
         let place = tempfile::tempdir().unwrap();
         let mut files = set_files(&set.set);
         files.insert("memory.hex".into(), set.memory);
@@ -159,9 +158,9 @@ fn in_mode(sim: Simulator, mode: ModeConfig) -> usize {
     let d = c.design();
     let mut p = hardware(&c).unwrap();
     let depth = p.traverse.setup + p.traverse.slots + p.traverse.finish;
-    p.files.extend(bench_files(&[], &p.traverse.module, depth, ""));
+    p.files.extend(bench_files(&[], Some((&p.traverse.module, depth)), ""));
     let (pyramid, rays) = hard(&d, 160, 2);
-    let set = ray_set(&d, &p.traverse.module, &pyramid, &rays, 1).unwrap();
+    let set = ray_set(&d, &pyramid, &rays, 1).unwrap();
     let mut files = set_files(&set.set);
     files.insert("memory.hex".into(), set.memory);
     p.files.extend(files.into_iter().map(|(n, text)| (format!("golden/traverse/{n}"), text)));

@@ -5,7 +5,7 @@ use rand::seq::IndexedRandom;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use reliefrtl::config::{DatapathConfig, DatapathKind, Design, ModeConfig, TraverseConfig};
-use reliefrtl::golden::fixed::Fixed;
+use reliefrtl::golden::fixed::{Fixed, FixedAxis};
 use reliefrtl::golden::{Pyramid, RayHit, RayInput, Tracer, decode_time, encode_ray};
 use reliefrtl::oracle::ExactMap;
 use reliefrtl::report::exact_ray;
@@ -96,19 +96,26 @@ fn ray(d: &Design, kind: Kind, rng: &mut ChaCha8Rng) -> RayInput {
     RayInput { u: p[0], v: p[1], du: v[0], dv: v[1], lod: 0 }
 }
 
+/// All 120 modes: there is no format that a trim does not fit.
+fn every_mode() -> Vec<ModeConfig> {
+    let all = modes(reliefrtl::format::FloatFormat::FP24);
+    assert_eq!(all.len(), 120);
+    all
+}
+
 /// Traces `count` rays over a map in all modes; returns rays, those on which a mode disagrees, those given up, and a witness.
 fn disagreements(base: Design, kind: usize, count: u64, seed: u64) -> (u64, u64, u64, String) {
     let (n, h) = (base.traverse.levels, base.traverse.height_bits);
     let pyramid = Pyramid::build(n, h, &map(kind, n, h, seed)).unwrap();
-    let tracers: Vec<Fixed> = modes(reliefrtl::format::FloatFormat::new(5, 23))
-        .into_iter()
-        .map(|mode| Fixed::new(&Design { mode: ModeConfig { lod: false, ..mode }, ..base }).unwrap())
-        .collect();
+    let tracers: Vec<Fixed> =
+        every_mode().into_iter().map(|mode| Fixed::new(&Design { mode, ..base }).unwrap()).collect();
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let (mut wrong, mut limits, mut witness) = (0, 0, String::new());
     for number in 0..count {
         let of = Kind::ALL[number as usize % Kind::ALL.len()];
-        let ray = ray(&base, of, &mut rng);
+        // Every second ray ends at a finest level of its own, some above the root.
+        let lod = if number % 2 == 0 { 0 } else { (number / 2 % u64::from(n + 3)) as u32 };
+        let ray = RayInput { lod, ..ray(&base, of, &mut rng) };
         let plain = tracers[0].trace(&pyramid, &ray);
         limits += u64::from(plain.limit);
         let other = tracers[1..].iter().find(|t| answer(&t.trace(&pyramid, &ray)) != answer(&plain));
@@ -144,7 +151,7 @@ const SIZES: [(u32, u32, u32, u32, u32); 14] = [
 
 #[test]
 fn every_mode_returns_the_same_hit_in_fixed_point() {
-    let (count, seed) = (env("RELIEFRTL_RAYS", 90), env("RELIEFRTL_SEED", 1));
+    let (count, seed) = (env("RELIEFRTL_RAYS", 1300), env("RELIEFRTL_SEED", 1));
     let (mut total, mut wrong, mut limits, mut first) = (0, 0, 0, String::new());
     for (f, w, n, h, tile) in SIZES {
         // A map of 4096 texels to the side is slow to build; one kind of it is enough.
@@ -154,7 +161,7 @@ fn every_mode_returns_the_same_hit_in_fixed_point() {
             first = if first.is_empty() { witness } else { first };
         }
     }
-    println!("fixed: {wrong} of {total} rays depend on the mode, {limits} given up (40 modes, seed {seed})");
+    println!("fixed: {wrong} of {total} rays depend on the mode, {limits} given up (120 modes, seed {seed})");
     assert!(total > 0 && limits == 0, "{limits} of {total} rays were given up");
     assert_eq!(wrong, 0, "{first}");
 }
@@ -188,6 +195,65 @@ fn estimates_are_never_ahead_and_planes_come_in_order() {
     }
     println!("{checked} estimates, {exact} of them behind a plane (seed {seed})");
     assert!(exact * 4 > checked);
+}
+
+/// Whether a chord's end and the end of the ray lie behind plane `b`, if the ray meets it; `None` if it does not. `late`: how much later the ray
+/// leaves than it meets the plane.
+fn passed(g: &Fixed, a: &FixedAxis, b: i64, late: u64) -> Option<[bool; 2]> {
+    let (f, n, h) = (g.design().datapath.fraction_bits, g.design().traverse.levels, g.design().traverse.height_bits);
+    let bottom = ((1u64 << h) - 1) << (f + 2 - h);
+    let t = g.plane_time(((b << (f - n)) - a.p as i64).unsigned_abs(), a.r, a.z);
+    // A plane at a lower index is passed only when the ray is in front of it.
+    let behind = |at: i64| if a.neg { at < b } else { at >= b };
+    (t <= bottom).then(|| [behind(g.chord_end(a, t.saturating_add(late).min(bottom))), behind(a.le)])
+}
+
+/// A map whose texels are the units of a position: each travel, each plane that it meets, both ways. What is greater than a plane's own
+/// parameter brings the chord no less far, so nothing else needs a look.
+#[test]
+fn no_chord_ends_before_a_plane_that_is_met_exhaustively() {
+    let mut met = 0u64;
+    for (w, h, tile) in [(8, 2, 1), (8, 8, 1), (9, 3, 2), (12, 2, 2), (8, 4, 3), (32, 2, 1)] {
+        let g = Fixed::new(&design(8, w, 8, h, tile)).unwrap();
+        for d in 1 - (1i64 << (8 + tile))..1 << (8 + tile) {
+            let word = d as u64 & ((2 << (8 + tile)) - 1);
+            let a = g.setup(&RayInput { u: 77, v: 0, du: word, dv: 0, lod: 0 }).u;
+            let ahead = |k: i64| if a.neg { 77 - k } else { 77 + k };
+            for k in 0..=d.abs() + d.abs() / 16 + 2 {
+                let Some(passed) = passed(&g, &a, ahead(k), 0) else { break };
+                assert_eq!(passed, [true; 2], "w {w} h {h} T {tile}: travel {d}, plane {k} ahead");
+                met += 1;
+            }
+        }
+    }
+    println!("{met} planes, none behind its chord's end or the ray's");
+    assert!(met > 3_000_000);
+}
+
+/// As above where nothing can be exhausted: any sizes, planes near and far, also where the other axis' plane is met later.
+#[test]
+fn no_chord_ends_before_a_plane_that_is_met() {
+    let (count, seed) = (env("RELIEFRTL_RAYS", 20000), env("RELIEFRTL_SEED", 1));
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    let (mut checked, mut tight) = (0u64, 0u64);
+    for (f, w, n, h, tile) in SIZES {
+        let d = design(f, w, n, h, tile);
+        let g = Fixed::new(&d).unwrap();
+        for k in 0..count {
+            let r = ray(&d, Kind::ALL[k as usize % 9], &mut rng);
+            let a = g.setup(&r).u;
+            let b = rng.random_range(a.x.min(a.xa)..=a.x.max(a.xa)) + i64::from(!a.neg);
+            let late = if rng.random() { 0 } else { rng.random_range(0..1 << f) };
+            let Some(both) = passed(&g, &a, b, late) else { continue };
+            assert_eq!(both, [true; 2], "{d:?} {r:x?}: plane {b}");
+            checked += 1;
+            // The trim is of use: the end is the very texel behind the plane.
+            let t = g.plane_time(((b << (f - n)) - a.p as i64).unsigned_abs(), a.r, a.z);
+            tight += u64::from(g.chord_end(&a, t) == if a.neg { b - 1 } else { b });
+        }
+    }
+    println!("{checked} planes, at {tight} the chord ends in the texel behind the plane (seed {seed})");
+    assert!(checked > 4 * count && tight * 2 > checked, "{tight} of {checked}");
 }
 
 #[test]

@@ -17,6 +17,8 @@ pub fn meet(unit: &str, ports: &[&str], d: &Design, idx: u32, seed: u64, rows: &
         "hit_position",
         "plane_time",
         "predicted_hit",
+        "chord_end",
+        "chord_trim",
         "height_test",
         "node_crossing",
         "multi_level_down",
@@ -52,6 +54,8 @@ struct Side {
     high: u64,
     plane: u64,
     hit: u64,
+    reach: u64,
+    last: u64,
     t_plane: u64,
     entry: u64,
     end: u64,
@@ -65,8 +69,10 @@ impl Moment {
         let height = rng.random_range(0..1u64 << size.height_bits);
         let (t_v, bottom) = (g.height_time(height), g.height_time(0));
         // Where the node's height is met, or just beside; or anywhere.
-        let t = match rng.random_range(0..5) {
+        // Or where a plane is met, or just beside: only there a last bit moves a floor.
+        let t = match rng.random_range(0..6) {
             0 => t_v,
+            5 => (border(g, &setup.u, rng) + rng.random_range(0..3)).saturating_sub(1).min(bottom),
             1 => (t_v + rng.random_range(0..3)).saturating_sub(1).min(bottom),
             2 => rng.random_range(0..=bottom) >> rng.random_range(0..size.height_bits),
             _ => rng.random_range(0..=bottom),
@@ -100,7 +106,7 @@ impl Moment {
             (_, "s") => s.a.s,
             (_, "r") => s.a.r,
             (_, "z") => u64::from(s.a.z),
-            (_, "neg") => u64::from(s.a.neg),
+            (_, "neg" | "x_neg" | "y_neg") => u64::from(s.a.neg),
             (_, "plane") => s.plane,
             (_, "height") => self.height,
             (_, "level") => u64::from(self.level),
@@ -111,6 +117,8 @@ impl Moment {
             (_, "x_high" | "y_high") => s.high,
             (_, "x_at" | "y_at") => s.at,
             (_, "x_hit" | "y_hit") => s.hit,
+            (_, "x_reach" | "y_reach") => s.reach,
+            (_, "x_last" | "y_last") => s.last,
             _ => return None,
         })
     }
@@ -134,9 +142,19 @@ impl Side {
         let away = ((plane << (g.design().datapath.fraction_bits - t.levels)) - a.p as i64).unsigned_abs();
         let t_plane = g.plane_time(away, a.r, a.z);
         let index = |v: i64| v as u64 & mask(idx);
-        let [entry, end, at, low, high] = [a.x, a.xa, at, low, high].map(index);
-        Self { a, at, low, high, plane: index(plane), hit: index(hit), t_plane, entry, end }
+        // Where the ray is or further on; or the other texel, which may be anywhere near.
+        let reach = if rng.random() { g.chord_end(&a, m) } else { hit };
+        let [entry, end, at, low, high, plane] = [a.x, a.xa, at, low, high, plane].map(index);
+        let [hit, reach, last] = [hit, reach, a.le].map(index);
+        Self { a, at, low, high, plane, hit, reach, last, t_plane, entry, end }
     }
+}
+
+/// The parameter of a plane that is on the way of a ray, or of the entry.
+fn border(g: &Fixed, a: &FixedAxis, rng: &mut ChaCha8Rng) -> u64 {
+    let size = g.design().datapath.fraction_bits - g.design().traverse.levels;
+    let plane = rng.random_range(a.x.min(a.xa)..=a.x.max(a.xa)) + i64::from(!a.neg);
+    g.plane_time(((plane << size) - a.p as i64).unsigned_abs(), a.r, a.z)
 }
 
 /// A ray that can be traced: entry points anywhere or on a border of texels, travels of every length, both axes on their own.

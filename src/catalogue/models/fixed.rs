@@ -1,6 +1,6 @@
 //! The golden model of each unit that computes in fixed point.
 use crate::bits::{mask, signed};
-use crate::config::Design;
+use crate::config::{Design, Trim};
 use crate::golden::RayInput;
 use crate::golden::fixed::{Fixed, FixedAxis};
 use crate::ir::Binding;
@@ -35,17 +35,24 @@ pub(super) fn model(unit: &str, d: &Design, b: &Binding, x: &[u64]) -> Vec<u64> 
             vec![u64::from(m < t_x && m < t_y), u64::from(t_x <= t_y), t.max(t_x.min(t_y))]
         }
         "ray_setup" => {
-            let o = g.setup(&RayInput { u: x[0], v: x[1], du: x[2], dv: x[3], lod: 0 });
+            let lod = if d.mode.lod { x[4] as u32 } else { 0 };
+            let o = g.setup(&RayInput { u: x[0], v: x[1], du: x[2], dv: x[3], lod });
             let mut out = vec![u64::from(o.valid), u64::from(o.level)];
             for a in [o.u, o.v] {
                 out.extend([a.p, a.s, a.r, u64::from(a.z), u64::from(a.neg), index(a.x)]);
+                out.extend((d.mode.trim != Trim::None).then(|| index(a.le)));
             }
+            out.extend(d.mode.lod.then_some(u64::from(o.lod)));
             out
         }
         "hit_position" => {
             let at = axis(x[0], x[1], x[2]);
-            vec![u64::from(g.inside(&at, x[3], signed(x[4], idx)))]
+            let place = g.place(&at, x[3]);
+            let kept =
+                super::node_hit(d, d.traverse.frac_bits, place, signed(x[4], idx), if d.mode.lod { x[5] } else { 0 });
+            if d.mode.lod { vec![kept[1], kept[0]] } else { vec![kept[1]] }
         }
+        "chord_end" => vec![index(g.chord_end(&axis(x[0], x[1], x[2]), x[3]))],
         other => panic!("{other} has no golden model (at {b:?})"),
     }
 }

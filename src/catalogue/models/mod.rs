@@ -168,7 +168,7 @@ pub fn legal(unit: &str, d: &Design, b: &Binding, mut x: Vec<u64>) -> Vec<u64> {
         "height_address" | "node_planes" | "exit_plane" => x[0] %= n + 1,
         "finest_level" => x[1] %= n + 1,
         "node_hit" => x[2] %= n + 1,
-        "hit_position" if d.mode.lod => x[4] %= n + 1,
+        "hit_position" if d.mode.lod && d.datapath.kind != DatapathKind::Fixed => x[4] %= n + 1,
         "trim_return" => {
             x[0] %= n + 1;
             x[1] %= x[0] + 1;
@@ -217,6 +217,13 @@ pub fn legal(unit: &str, d: &Design, b: &Binding, mut x: Vec<u64>) -> Vec<u64> {
         // A ray's way stays below 2^TILE_W tiles.
         "hit_position" if d.datapath.kind == DatapathKind::Fixed => {
             x[1] &= mask(d.datapath.fraction_bits + d.traverse.tile_bits);
+            if d.mode.lod {
+                x[5] %= n + 1;
+            }
+        }
+        // A travel per height code is less than 4/3 of a travel: two height bits make the least M.
+        "chord_end" if d.datapath.kind == DatapathKind::Fixed => {
+            x[1] = x[1].min(mask(d.datapath.fraction_bits + d.traverse.tile_bits) * 4 / 3);
         }
         "div_rows" => {
             let w = b["W"] as u32;

@@ -4,7 +4,7 @@
 mod setup;
 mod traverse;
 
-pub use setup::{FixedAxis, FixedSetup};
+pub use setup::FixedAxis;
 pub use traverse::Fixed;
 
 use super::setup::RayInput;

@@ -1,7 +1,10 @@
 //! What is computed once per ray.
-use super::super::level::start_level;
-use super::super::setup::RayInput;
+use super::super::setup::{RayInput, Setup};
+use super::super::walk::{Along, both};
 use super::{Fixed, GUARD, travel};
+
+/// What S may lack, by its four roundings and the factors that are left out.
+const SLACK: u64 = 6;
 
 /// One axis of a ray after setup. Lengths count in 2^-FRACTION_W tiles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -22,35 +25,39 @@ pub struct FixedAxis {
     pub x: i64,
     /// Xa: texel of the point where the ray meets the bottom plane.
     pub xa: i64,
+    /// Le: a texel that the ray does not get beyond, by the parameters of its planes; of use where the design trims.
+    pub le: i64,
 }
 
-/// All that setup computes for a ray. Of an invalid ray only `valid` means anything; the rest is 0.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct FixedSetup {
-    /// The ray may be traced.
-    pub valid: bool,
-    /// Along u.
-    pub u: FixedAxis,
-    /// Along v.
-    pub v: FixedAxis,
-    /// The level to start on.
-    pub level: u32,
+impl Along for FixedAxis {
+    fn neg(&self) -> bool {
+        self.neg
+    }
+
+    fn entry(&self) -> i64 {
+        self.x
+    }
+
+    fn end(&self) -> i64 {
+        self.xa
+    }
+
+    fn last(&self) -> i64 {
+        self.le
+    }
 }
 
 impl Fixed {
     /// Setup of one ray.
-    pub fn setup(&self, ray: &RayInput) -> FixedSetup {
+    pub fn setup(&self, ray: &RayInput) -> Setup<FixedAxis> {
         let d = &self.design;
         let (du, dv) = (travel(d, ray.du), travel(d, ray.dv));
         let far = 1u64 << self.reach;
         // The most negative word alone has a magnitude that its positive counterpart does not have.
         if du.unsigned_abs() == far || dv.unsigned_abs() == far {
-            return FixedSetup::default();
+            return Setup::default();
         }
-        let (u, v) = (self.axis(ray.u, du), self.axis(ray.v, dv));
-        let n = d.traverse.levels;
-        let level = if d.mode.start_level { start_level(n, d.traverse.idx_bits(), u.x, v.x, u.xa, v.xa) } else { n };
-        FixedSetup { valid: true, u, v, level }
+        both(d, ray.lod, self.axis(ray.u, du), self.axis(ray.v, dv))
     }
 
     fn axis(&self, p: u64, d: i64) -> FixedAxis {
@@ -59,7 +66,8 @@ impl Fixed {
         let (r, z) = self.reciprocal(a);
         let x = self.texel(i128::from(p));
         let xa = self.texel(i128::from(p) + i128::from(d));
-        FixedAxis { p, a, neg: d < 0, r, z, s: self.per_code(a), x, xa }
+        let le = self.ahead(p, d < 0, self.whole(a));
+        FixedAxis { p, a, neg: d < 0, r, z, s: self.per_code(a), x, xa, le }
     }
 
     /// The texel at a coordinate.
@@ -105,5 +113,23 @@ impl Fixed {
     /// How far a ray has come at `t`, in 2^-FRACTION_W tiles, rounded down.
     pub fn way(&self, s: u64, t: u64) -> u64 {
         ((i128::from(s) * i128::from(t)) >> (self.fraction + GUARD)) as u64
+    }
+    /// More than a ray travels along an axis before the parameters of its planes are those of the bottom plane: the reciprocal may be too small
+    /// by one part in 2^RECIP_W, and a parameter is rounded down to an integer. An axis that does not move stays.
+    fn whole(&self, a: u64) -> u64 {
+        a + (a >> (self.reciprocal - 1)) + (a >> (self.fraction + 1)) + u64::from(a != 0)
+    }
+
+    /// More than a ray has come by the parameters of its planes at `t`: as [`Fixed::way`], but with more than what rounding takes from S, from
+    /// the reciprocal and from a parameter.
+    pub fn way_ahead(&self, s: u64, t: u64) -> u64 {
+        let t = t + (t >> (self.reciprocal - 1)) + 2;
+        ((i128::from(s + SLACK) * i128::from(t)) >> (self.fraction + GUARD)) as u64
+    }
+
+    /// The texel `way` ahead of `p`; of a plane that the way just meets, the texel behind it, in both directions.
+    pub(super) fn ahead(&self, p: u64, neg: bool, way: u64) -> i64 {
+        let (p, way) = (i128::from(p), i128::from(way));
+        self.texel(if neg { p - way - 1 } else { p + way })
     }
 }

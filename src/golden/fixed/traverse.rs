@@ -1,10 +1,10 @@
-//! The traversal in fixed point: from a ray to the texel it hits.
-use super::super::level::{Crossing, descend_levels, level_up};
+//! The traversal in fixed point: what the walk from node to node computes with.
 use super::super::pyramid::Pyramid;
-use super::super::record::{Decision, Iteration, RayHit};
-use super::super::setup::RayInput;
-use super::{FixedAxis, FixedSetup, GUARD, illegal, time_fraction};
-use crate::config::{Design, LevelUp};
+use super::super::record::{Iteration, RayHit};
+use super::super::setup::{RayInput, Setup};
+use super::super::walk::{Planes, walk};
+use super::{FixedAxis, GUARD, illegal, time_fraction};
+use crate::config::Design;
 use crate::error::{Error, Result};
 
 /// A tracer for one design, with the design's constants at hand.
@@ -56,7 +56,7 @@ impl Fixed {
     /// # Panics
     /// If the pyramid has other levels or height bits than the design.
     pub fn trace(&self, pyramid: &Pyramid, ray: &RayInput) -> RayHit {
-        self.run::<false>(pyramid, ray, &mut |_| ())
+        walk::<false, _>(self, pyramid, ray, &mut |_| ())
     }
 
     /// Traces a ray and shows every iteration to `see`.
@@ -64,120 +64,12 @@ impl Fixed {
     /// # Panics
     /// As [`Fixed::trace`].
     pub fn trace_with(&self, pyramid: &Pyramid, ray: &RayInput, mut see: impl FnMut(&Iteration)) -> RayHit {
-        self.run::<true>(pyramid, ray, &mut see)
-    }
-
-    /// `SEEN`: somebody looks at the iterations, so that what no decision needs is computed too.
-    fn run<const SEEN: bool>(&self, pyramid: &Pyramid, ray: &RayInput, see: &mut dyn FnMut(&Iteration)) -> RayHit {
-        let size = &self.design.traverse;
-        assert_eq!((pyramid.levels(), pyramid.height_bits()), (size.levels, size.height_bits), "wrong pyramid");
-        let setup = self.setup(ray);
-        if !setup.valid {
-            return RayHit { limit: true, ..RayHit::default() };
-        }
-        let mut at = Place { level: setup.level, x: setup.u.x, y: setup.v.x, t: 0, crossed: false, prev: false };
-        let mut hit = RayHit::default();
-        loop {
-            let it = self.iterate::<SEEN>(pyramid, &setup, &at);
-            if SEEN {
-                see(&it);
-            }
-            let crossing = matches!(it.decision, Decision::CrossX | Decision::CrossY);
-            hit.steps += 1;
-            hit.crossings += u32::from(crossing);
-            hit.ups += u32::from(crossing && it.next_level > it.level);
-            at = Place {
-                level: it.next_level,
-                x: it.next_x,
-                y: it.next_y,
-                t: it.next_t,
-                crossed: at.crossed || crossing,
-                prev: crossing,
-            };
-            if it.decision == Decision::Hit {
-                hit.wall = it.t > it.t_v;
-                break;
-            }
-            if hit.steps == size.step_limit {
-                hit.limit = true;
-                break;
-            }
-        }
-        hit.t = at.t;
-        (hit.i, hit.fu) = (self.wrap(at.x), self.inside(&setup.u, at.t, at.x));
-        (hit.j, hit.fv) = (self.wrap(at.y), self.inside(&setup.v, at.t, at.y));
-        hit
-    }
-
-    fn iterate<const SEEN: bool>(&self, pyramid: &Pyramid, setup: &FixedSetup, at: &Place) -> Iteration {
-        let (n, k, rule) = (self.design.traverse.levels, at.level, self.design.mode.level_up);
-        let height = pyramid.node(k, self.wrap(at.x) >> k, self.wrap(at.y) >> k);
-        let t_v = self.height_time(u64::from(height));
-        let m = at.t.max(t_v);
-        let (b_x, t_x) = self.exit(&setup.u, k, at.x);
-        let (b_y, t_y) = self.exit(&setup.v, k, at.y);
-        let inside = m < t_x && m < t_y;
-        let estimates = SEEN || (inside && k > 0) || (!inside && rule == LevelUp::Selective);
-        let (e_x, e_y) = if estimates { (self.estimate(&setup.u, m), self.estimate(&setup.v, m)) } else { (0, 0) };
-        let mut it = Iteration {
-            level: k,
-            x: at.x,
-            y: at.y,
-            t: at.t,
-            height,
-            t_v,
-            b_x,
-            b_y,
-            t_x,
-            t_y,
-            m,
-            e_x,
-            e_y,
-            chord: None,
-            decision: Decision::Hit,
-            next_level: k,
-            next_x: at.x,
-            next_y: at.y,
-            next_t: m,
-        };
-        if inside && k == 0 {
-            return it;
-        }
-        if inside {
-            it.decision = Decision::Descend;
-            it.next_level = k - descend_levels(self.design.mode.levels_down, k, at.crossed);
-            it.next_x = onward(&setup.u, k, at.x, e_x);
-            it.next_y = onward(&setup.v, k, at.y, e_y);
-            return it;
-        }
-        // Both planes at once: x goes first.
-        let x_first = t_x <= t_y;
-        let plane = if x_first { b_x } else { b_y };
-        let behind = |axis: &FixedAxis| if axis.neg { plane - 1 } else { plane };
-        if x_first {
-            (it.decision, it.next_x) = (Decision::CrossX, behind(&setup.u));
-        } else {
-            (it.decision, it.next_y) = (Decision::CrossY, behind(&setup.v));
-        }
-        it.next_t = at.t.max(t_x.min(t_y));
-        let c = Crossing { level: k, plane, x: at.x, y: at.y, e_x, e_y, previous: at.prev };
-        it.next_level = n.min(k + u32::from(level_up(rule, &c)));
-        it
+        walk::<true, _>(self, pyramid, ray, &mut see)
     }
 
     /// t_v of a height code: its depth, as the parameter counts height codes, without any rounding.
     pub fn height_time(&self, height: u64) -> u64 {
         (self.bottom - height) << self.time_fraction
-    }
-
-    /// The plane by which the ray can leave the level-k node of texel `x`, and the parameter there.
-    fn exit(&self, axis: &FixedAxis, k: u32, x: i64) -> (i64, u64) {
-        let first = x >> k << k;
-        let b = if axis.neg { first } else { first + (1 << k) };
-        let plane = i128::from(b) << (self.fraction - self.design.traverse.levels);
-        // A ray never comes back to a plane, so the plane lies ahead of the entry point or goes through it.
-        let distance = (plane - i128::from(axis.p)).unsigned_abs() as u64;
-        (b, self.plane_time(distance, axis.r, axis.z))
     }
 
     /// The texel where the ray is at `m`, or one that it has left already: never one that it has yet to reach.
@@ -193,34 +85,54 @@ impl Fixed {
         i128::from(axis.p) + if axis.neg { -way } else { way }
     }
 
-    /// Position inside texel `x`, in units of 2^-FRAC_W.
-    pub fn inside(&self, axis: &FixedAxis, t: u64, x: i64) -> u32 {
-        let (below, frac) = (self.fraction - self.design.traverse.levels, self.design.traverse.frac_bits);
-        let off = self.at(axis, t) - (i128::from(x) << below);
-        (off << frac >> below).clamp(0, (1 << frac) - 1) as u32
+    /// The texel of a chord's end, where the ray leaves by a plane of the other axis at `t`: the one where it is by the parameters of its
+    /// planes, or one further on.
+    pub fn chord_end(&self, axis: &FixedAxis, t: u64) -> i64 {
+        self.ahead(axis.p, axis.neg, self.way_ahead(axis.s, t))
     }
 
-    /// The map repeats.
-    fn wrap(&self, x: i64) -> u32 {
-        x.rem_euclid(1 << self.design.traverse.levels) as u32
+    /// Where the ray is at `t`, in 2^-FRAC_W texels, rounded down.
+    pub fn place(&self, axis: &FixedAxis, t: u64) -> i64 {
+        let size = &self.design.traverse;
+        (self.at(axis, t) << size.frac_bits >> (self.fraction - size.levels)) as i64
     }
 }
 
-/// What one iteration hands to the next.
-#[derive(Clone, Copy, Debug)]
-struct Place {
-    level: u32,
-    x: i64,
-    y: i64,
-    t: u64,
-    /// Something was crossed so far.
-    crossed: bool,
-    /// The last iteration crossed.
-    prev: bool,
-}
+impl Planes for Fixed {
+    type Axis = FixedAxis;
 
-/// The texel to go on from inside the level-k node of `x`: the estimate, but in the node, and never before `x`.
-fn onward(axis: &FixedAxis, k: u32, x: i64, e: i64) -> i64 {
-    let (first, last) = (x >> k << k, x | ((1 << k) - 1));
-    if axis.neg { e.clamp(first, x) } else { e.clamp(x, last) }
+    fn design(&self) -> &Design {
+        &self.design
+    }
+
+    fn ray(&self, ray: &RayInput) -> Setup<FixedAxis> {
+        self.setup(ray)
+    }
+
+    fn before(&self, a: u64, b: u64) -> bool {
+        a < b
+    }
+
+    fn top(&self, height: u32) -> u64 {
+        self.height_time(u64::from(height))
+    }
+
+    fn met(&self, axis: &FixedAxis, b: i64) -> u64 {
+        let plane = i128::from(b) << (self.fraction - self.design.traverse.levels);
+        // A ray never comes back to a plane, so the plane lies ahead of the entry point or goes through it.
+        let distance = (plane - i128::from(axis.p)).unsigned_abs() as u64;
+        self.plane_time(distance, axis.r, axis.z)
+    }
+
+    fn behind(&self, axis: &FixedAxis, t: u64) -> i64 {
+        self.estimate(axis, t)
+    }
+
+    fn reach(&self, axis: &FixedAxis, t: u64) -> i64 {
+        self.chord_end(axis, t)
+    }
+
+    fn position(&self, axis: &FixedAxis, t: u64) -> i64 {
+        self.place(axis, t)
+    }
 }

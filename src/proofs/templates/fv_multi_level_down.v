@@ -10,7 +10,12 @@ module fv_multi_level_down;
   always @* begin
     assume (level >= 1 && level <= LEVELS);
     assume ($signed(x_low) <= $signed(x_high) && $signed(y_low) <= $signed(y_high));
+{%- if lod %}
+    assume (lod < level);
+    assert (level_down == (lod + ((!crossed && level >= MANY) ? MANY : 1) > level ? lod : level - ((!crossed && level >= MANY) ? MANY : 1)));
+{%- else %}
     assert (level_down == level - ((!crossed && level >= MANY) ? MANY : 1));
+{%- endif %}
     assert (level_down < level);
     assert ($signed(x_low) <= $signed(x_down) && $signed(x_down) <= $signed(x_high));
     assert ($signed(y_low) <= $signed(y_down) && $signed(y_down) <= $signed(y_high));

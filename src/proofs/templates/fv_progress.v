@@ -8,11 +8,17 @@ module fv_progress;
   localparam integer IDX_W = {{ value("node_planes", "IDX_W") }};
 {{ instance("node_planes", "u_") }}
 {{ instance("node_planes", "v_", "level") }}
-{{ instance("multi_level_down", "d_", "level x_low x_high y_low y_high") }}
-{{ instance("level_decision", "k_", "level level_down x_at x_down x_beyond y_at y_down y_beyond") }}
+{{ instance("multi_level_down", "d_", "level x_low x_high y_low y_high" ~ (" lod" if lod else "")) }}
+{{ instance("level_decision", "k_", ("" if trims else "level ") ~ "level_down x_at x_down x_beyond y_at y_down y_beyond") }}
   assign v_level = u_level;
-  assign d_level = u_level;
+{%- if not trims %}
   assign k_level = u_level;
+{%- endif %}
+  // Where a trim reads a smaller node, this is that node's level, and everything but a descent goes on from the larger one.
+  assign d_level = k_level;
+{%- if lod %}
+  assign d_lod = k_lod;
+{%- endif %}
   assign k_level_down = d_level_down;
   assign {d_x_low, d_x_high, d_y_low, d_y_high} = {u_low, u_high, v_low, v_high};
   assign {k_x_at, k_x_down, k_x_beyond} = {u_x, d_x_down, u_beyond};
@@ -28,6 +34,12 @@ module fv_progress;
       || ($signed(k_y_next) >>> u_level) != ($signed(v_x) >>> u_level);
   always @* begin
     assume (u_level <= LEVELS);
+{%- if trims %}
+    assume (k_level <= u_level);
+{%- endif %}
+{%- if lod %}
+    assume (k_lod <= k_level);
+{%- endif %}
     assume (x_old < FAR && x_old > -FAR && y_old < FAR && y_old > -FAR);
     assert (x_new >= x_old && y_new >= y_old);
     if (k_crosses) begin

@@ -3,10 +3,11 @@ use super::plan::{DesignSpec, MapSpec, Plan, Site};
 use super::stats::Spread;
 use crate::config::{Design, View};
 use crate::error::{Error, Result};
-use crate::golden::{RayHit, RayInput, decode_time, encode_ray};
+use crate::golden::{RayInput, decode_time, encode_ray};
 use crate::oracle::{ExactHit, ExactMap, ExactRay};
+use crate::report::accuracy::distance;
 use crate::report::{exact_ray, steps};
-use crate::scene::ViewRay;
+use crate::scene::{Camera, ViewRay, border};
 use crate::trace::trace_golden;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -35,7 +36,7 @@ pub struct Witness {
     pub ray: usize,
     /// Column and row of its pixel.
     pub pixel: [u32; 2],
-    /// Entry point and travel, before rounding.
+    /// Entry point and travel in tiles of the map, before rounding.
     pub numbers: [f64; 4],
     /// The words that were traced, in hex.
     pub words: [String; 4],
@@ -121,8 +122,12 @@ pub(super) fn walk(site: &Site, ray: &ExactRay) -> Option<(ExactHit, [f64; 2])> 
 
 impl Reference {
     /// The rays of a view on a map.
-    pub fn new(plan: &Plan, site: &Site, view: View) -> Self {
-        let rays = site.rays(&plan.config, view, plan.stride(view));
+    ///
+    /// # Errors
+    /// As [`Site::rays`].
+    pub fn new(plan: &Plan, site: &Site, view: View) -> Result<Self> {
+        let size = &plan.config.view;
+        let rays = site.rays(&plan.config, &Camera::standard(view, size.width, size.height), plan.stride(view))?;
         let one = 2f64.powi(REFERENCE_BITS as i32);
         let exact = |r: &ViewRay| {
             let entry = [r.u, r.v].map(|x| (x * one).round() as u64 % (1 << REFERENCE_BITS));
@@ -130,20 +135,8 @@ impl Reference {
             walk(site, &ExactRay::fixed(REFERENCE_BITS, entry, travel))
         };
         let exact = rays.par_iter().map(exact).collect();
-        Self { rays, exact }
+        Ok(Self { rays, exact })
     }
-}
-
-/// Distance of a returned hit and an exact place, in texels, the shorter way round the tile.
-pub(super) fn distance(d: &Design, h: &RayHit, place: [f64; 2]) -> f64 {
-    let side = 2f64.powi(d.traverse.levels as i32);
-    let unit = 2f64.powi(-(d.traverse.frac_bits as i32));
-    let away = |texel: u32, part: u32, exact: f64| {
-        let far = f64::from(texel) + f64::from(part) * unit - exact;
-        far - (far / side).round() * side
-    };
-    let (u, v) = (away(h.i, h.fu, place[0]), away(h.j, h.fv, place[1]));
-    (u * u + v * v).sqrt()
 }
 
 /// The design's words of the rays, and their digest of a few hits.
@@ -214,7 +207,7 @@ impl Cell {
             Witness {
                 ray,
                 pixel: [r.px, r.py],
-                numbers: [r.u, r.v, r.du, r.dv],
+                numbers: border::given(site.spec.border, [r.u, r.v, r.du, r.dv]),
                 words,
                 got: [hits[ray].i, hits[ray].j],
                 exact: truth.map(|x| [x.i, x.j]),

@@ -1,11 +1,13 @@
 //! Pictures: a view rendered by the datapath's hits, by the exact ones, and where they differ; the worst pixel enlarged.
-use super::cell::{distance, walk};
+use super::cell::walk;
 use super::plan::{DesignSpec, Plan, Site};
 use crate::config::View;
 use crate::error::Result;
 use crate::golden::{decode_time, encode_ray};
 use crate::oracle::ExactHit;
+use crate::report::accuracy::distance;
 use crate::report::exact_ray;
+use crate::scene::border::tiles;
 use crate::scene::{Camera, Picture, ShadePoint, Shader};
 use crate::trace::trace_golden;
 use rayon::prelude::*;
@@ -47,7 +49,7 @@ fn crop(p: &Picture, at: [u32; 2]) -> Picture {
 /// A design that is not legal.
 pub fn view(plan: &Plan, site: &Site, spec: &DesignSpec, view: View) -> Result<ViewPictures> {
     let d = spec.design(&plan.config, site.spec.levels)?;
-    let rays = Camera::standard(view, SIZE.0, SIZE.1).rays(site.spec.scale, site.spec.repeat, 1);
+    let rays = site.rays(&plan.config, &Camera::standard(view, SIZE.0, SIZE.1), 1)?;
     let words: Vec<_> = rays.iter().map(|r| encode_ray(&d, [r.u, r.v, r.du, r.dv])).collect();
     let hits = trace_golden(&d, &site.pyramid, &words)?;
     let exact: Vec<Option<(ExactHit, [f64; 2])>> =
@@ -98,7 +100,7 @@ pub fn view(plan: &Plan, site: &Site, spec: &DesignSpec, view: View) -> Result<V
     }
     wrong.iter().for_each(|(at, colour)| differ[*at] = *colour);
     let s = &site.spec;
-    let shader = Shader::new(&site.texels, s.levels, s.height_bits, s.scale, s.repeat, s.kind);
+    let shader = Shader::new(&site.texels, s.levels, s.height_bits, s.scale, tiles(s.border, s.repeat), s.kind);
     let (w, h) = (SIZE.0 as usize, SIZE.1 as usize);
     let whole = [
         Picture::shaded(&shader, w, h, &ours),

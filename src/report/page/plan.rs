@@ -1,11 +1,12 @@
 //! What is measured: maps, views, designs, modes; every combination is a cell.
 use crate::config::{
-    Config, DatapathConfig, DatapathKind, Design, LevelUp, MapConfig, MapKind, ModeConfig, Trim, View,
+    Border, Config, DatapathConfig, DatapathKind, Design, LevelUp, MapConfig, MapKind, ModeConfig, Trim, View,
 };
 use crate::error::Result;
 use crate::golden::{Pyramid, Tracer};
 use crate::report::{PUBLISHED, ROWS};
-use crate::scene::{Camera, ViewRay, load, procedural, to_codes};
+use crate::scene::{Camera, ViewRay, bordered_codes, load, procedural};
+use crate::trace::rays_inside;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
@@ -38,6 +39,8 @@ pub struct MapSpec {
     pub scale: f64,
     /// Repeats along the quad.
     pub repeat: u32,
+    /// What lies behind the border.
+    pub border: Border,
     /// Twelve digits of blake3 over the height codes.
     pub codes: String,
 }
@@ -267,6 +270,9 @@ impl Plan {
     /// # Errors
     /// A map that can't be read.
     pub fn new(c: &Config, extent: Extent, scenes: Option<&std::path::Path>) -> Result<Self> {
+        if scenes.is_some() {
+            c.map.published_border()?;
+        }
         let n = c.traverse.levels;
         let wide = 11.max(n);
         let own: &[(MapKind, u32)] = match extent {
@@ -327,20 +333,28 @@ impl Site {
             Some(file) if map.kind == MapKind::File => {
                 (load(file)?, file.file_stem().unwrap_or_default().to_string_lossy().into_owned())
             }
-            _ => (procedural(map.kind, levels, map.seed)?, map.kind.word().to_owned()),
+            _ => (procedural(map.kind, levels - map.border.levels(), map.seed)?, map.kind.word().to_owned()),
         };
-        let texels = to_codes(&heights, levels, height_bits, map.resample)?;
+        let texels = bordered_codes(&heights, map.border, levels, height_bits, map.resample)?;
         let pyramid = Pyramid::build(levels, height_bits, &texels)?;
         let bytes: Vec<u8> = texels.iter().flat_map(|code| code.to_le_bytes()).collect();
         let codes = blake3::hash(&bytes).to_hex()[..12].to_owned();
         let seed = if map.kind == MapKind::File { 0 } else { map.seed };
-        let (kind, scale, repeat) = (map.kind, map.scale, map.repeat);
-        let spec = MapSpec { name, kind, seed, levels, height_bits, scale, repeat, codes };
+        let (kind, scale, repeat, border) = (map.kind, map.scale, map.repeat, map.border);
+        let spec = MapSpec { name, kind, seed, levels, height_bits, scale, repeat, border, codes };
         Ok(Self { spec, texels, pyramid, file: map.file.clone() })
     }
 
-    /// The rays of a view.
-    pub fn rays(&self, c: &Config, view: View, stride: u32) -> Vec<ViewRay> {
-        Camera::standard(view, c.view.width, c.view.height).rays(self.spec.scale, self.spec.repeat, stride)
+    /// A camera's rays in tiles of the design, but for those that don't see what the map's border promises.
+    ///
+    /// # Errors
+    /// No watertight design holds the map.
+    pub fn rays(&self, c: &Config, camera: &Camera, stride: u32) -> Result<Vec<ViewRay>> {
+        let s = &self.spec;
+        let rays = camera.bordered_rays(s.border, s.scale, s.repeat, stride);
+        let mut d = Design::default();
+        (d.traverse.levels, d.traverse.height_bits, d.traverse.tile_bits) =
+            (s.levels, s.height_bits, c.traverse.tile_bits);
+        rays_inside(&d, s.border, &self.pyramid, rays)
     }
 }

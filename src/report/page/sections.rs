@@ -351,13 +351,22 @@ pub fn maps(plan: &Plan) -> Table {
         ("seed", "seed"),
         ("scale", "height, world"),
         ("repeat", "repeats"),
+        ("border", "behind its border"),
         ("codes", "hash of the codes"),
     ];
     let mut t = Table::new("maps", &keys);
     for s in &plan.sites {
         let m = &s.spec;
         let seed = if s.file.is_some() { Value::Null } else { json!(m.seed) };
-        t.push(vec![json!(m.name), json!(1u64 << m.levels), seed, real(m.scale), json!(m.repeat), json!(m.codes)]);
+        t.push(vec![
+            json!(m.name),
+            json!(1u64 << m.levels),
+            seed,
+            real(m.scale),
+            json!(m.repeat),
+            json!(m.border.word()),
+            json!(m.codes),
+        ]);
     }
     t
 }

@@ -4,7 +4,7 @@ use super::plan::Plan;
 use crate::config::View;
 use crate::error::{Error, Result};
 use crate::files::write_atomic;
-use std::collections::BTreeMap;
+use std::collections::btree_map::{BTreeMap, Entry};
 use std::path::Path;
 
 /// How many cells were measured, and how many came from an earlier run.
@@ -50,7 +50,10 @@ pub fn cells(plan: &Plan, out: &Path, progress: &dyn Fn(usize, usize)) -> Result
         let path = dir.join(name(&spec)?);
         // One map's rays at a time: those of a large map take room.
         references.retain(|key, _| key.0 == at.0);
-        let reference = references.entry((at.0, at.1)).or_insert_with(|| Reference::new(plan, site, at.1));
+        let reference = match references.entry((at.0, at.1)) {
+            Entry::Occupied(there) => there.into_mut(),
+            Entry::Vacant(free) => free.insert(Reference::new(plan, site, at.1)?),
+        };
         let design = spec.design.design(&plan.config, site.spec.levels)?;
         let stored = std::fs::read_to_string(&path).ok().and_then(|text| serde_json::from_str::<Cell>(&text).ok());
         let fresh = match stored {

@@ -176,6 +176,11 @@ impl<'b> Ray<'b> {
         self.find(name).unwrap_or_else(|| panic!("a ray carries no {name}"))
     }
 
+    /// Constants of an axis by the ports that read them: pairs of port and word, without `_x` or `_y`.
+    pub fn constants(&self, axis: &str, ports: &[(&'static str, &'static str)]) -> Vec<(&'static str, Sig<'b>)> {
+        ports.iter().map(|(port, word)| (*port, self.get(&format!("{word}_{axis}")))).collect()
+    }
+
     /// The same ray with other values in some words; names that the design does not have are passed over.
     pub fn with(&self, changes: &[(&str, Sig<'b>)]) -> Self {
         let new = |w: &(&'static str, Sig<'b>)| changes.iter().find(|c| c.0 == w.0).map_or(w.1, |c| c.1);

@@ -18,6 +18,7 @@ pub mod published;
 mod start_level;
 mod stream_delay;
 mod traverse;
+mod trim;
 mod trim_return;
 pub mod watertight;
 

@@ -22,9 +22,12 @@ pub struct PlaneUnits {
     pub predicted_hit: fn(&Design) -> Arc<Module>,
     /// Constants that `predicted_hit` reads.
     pub predicted_inputs: &'static [(&'static str, &'static str)],
-    /// The level to be read instead of the ray's own, where the design trims: given least and greatest texel of a descent and the parameters
-    /// of the exit planes, each u first.
-    pub trim: for<'b> fn(&'b Builder, &Sizes, &Design, &Ray<'b>, [Pair<'b>; 2], Pair<'b>) -> Sig<'b>,
+    /// Where the design trims: the texel reached at the parameter of the other axis' exit plane, which comes beside these constants.
+    pub chord_end: fn(&Design) -> Arc<Module>,
+    /// Constants that `chord_end` reads.
+    pub chord_inputs: &'static [(&'static str, &'static str)],
+    /// Whether the ray leaves by the plane of v, given the parameters of both exit planes.
+    pub leaves_y: for<'b> fn(&'b Builder, &Design, Pair<'b>) -> Sig<'b>,
     /// Hit or exit.
     pub node_crossing: fn(&Design) -> Arc<Module>,
 }
@@ -51,14 +54,10 @@ pub fn plane_iteration<'b>(
     };
     let px: Vec<Sig<'b>> = planes("x", ray.get("x"), ray.get("neg_x")).into_iter().map(|i| b.sig(i)).collect();
     let py: Vec<Sig<'b>> = planes("y", ray.get("y"), ray.get("neg_y")).into_iter().map(|i| b.sig(i)).collect();
-    let constants = |axis: &str, names: &[(&'static str, &'static str)]| {
-        let of = |(port, word): &(&'static str, &'static str)| (*port, ray.get(&format!("{word}_{axis}")));
-        names.iter().map(of).collect::<Vec<_>>()
-    };
     let plane_times = || {
         b.section("plane parameters", "");
         let when = |axis: &str, plane: Sig<'b>| {
-            let ins = [vec![("plane", plane)], constants(axis, units.plane_inputs)].concat();
+            let ins = [vec![("plane", plane)], ray.constants(axis, units.plane_inputs)].concat();
             b.inst(&(units.plane_time)(d), &format!("u_time_{axis}"), &idx(), &ins)[0].named(&format!("t_{axis}")).id()
         };
         [b.sig(when("x", px[2])), b.sig(when("y", py[2]))].map(|t| t.id())
@@ -68,7 +67,7 @@ pub fn plane_iteration<'b>(
         (height, plane_times().map(|t| b.sig(t)), ray.get("level"))
     } else {
         let times = plane_times().map(|t| b.sig(t));
-        let read = (units.trim)(b, s, d, ray, [[px[0], px[1]], [py[0], py[1]]], times);
+        let read = trim::trim(b, s, d, ray, units, [[px[0], px[1]], [py[0], py[1]]], times);
         b.section("address", "");
         (read_height(b, s, d, ray, load, read), times, read)
     };
@@ -79,7 +78,7 @@ pub fn plane_iteration<'b>(
 
     b.section("predicted hit", "");
     let reach = |axis: &str| {
-        let ins = [constants(axis, units.predicted_inputs), vec![("m", m)]].concat();
+        let ins = [ray.constants(axis, units.predicted_inputs), vec![("m", m)]].concat();
         let e = b.inst(&(units.predicted_hit)(d), &format!("u_predict_{axis}"), &idx(), &ins)[0];
         e.named(&format!("{axis}_hit")).id()
     };

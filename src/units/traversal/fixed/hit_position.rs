@@ -3,6 +3,7 @@ use super::params::{LENGTH, Params, TIME, bindings, time_width};
 use super::predicted_hit::{position, way};
 use crate::config::{Design, LatencyConfig};
 use crate::ir::{Builder, Module};
+use crate::units::traversal::node_hit;
 use std::sync::Arc;
 
 /// Clocks through `hit_position`; at least one, as the valid bit beside it decides whether the pipeline moves.
@@ -10,12 +11,13 @@ pub fn latency(l: &LatencyConfig) -> u32 {
     (l.mul + l.add).max(1)
 }
 
-/// Builds `hit_position`.
+/// Builds `hit_position`. With a level of detail the hit is kept in its node, else in its texel.
 pub fn hit_position(d: &Design) -> Arc<Module> {
     let b = Builder::new("hit_position", file!(), "position of the hit inside its texel: p + way - x, kept in [0, 1)");
     let of = Params { b: &b, d };
     let f = of.fraction();
     let n = of.levels(&f);
+    let level_w = d.mode.lod.then(|| b.local("LevelW", (&n + 1).clog2()));
     let (tile, reach) = of.reach(&f);
     let frac = b.param("FRAC_W", d.traverse.frac_bits, "fraction bits of the position");
     b.require(1, &frac);
@@ -29,15 +31,27 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
     let neg = b.input("neg", 1, "bit", "the ray runs toward smaller coordinates");
     let t = b.input("t", &time, TIME, "parameter of the hit");
     let x = b.input("x", &idx, "texels", "hit texel, unwrapped");
+    let lod = level_w.map(|w| b.input("lod", &w, "levels", "level of the node that is hit"));
     let out = b.output("fraction", &frac, "1/2^FRAC_W texel", "position inside the texel");
+    let o_texel = d.mode.lod.then(|| b.output("texel", &n, "texels", "texel of the hit, wrapped"));
     let l = latency(&d.latency);
     b.plan(l, &[("way", 10), ("position", 4), ("clamp", 5)]);
     b.section("way", "");
     let way = way(&b, s, t, &time, &reach);
     b.section("position", "");
-    let at = position(&b, p, way, neg, &reach);
+    let at = position(&b, p, way, neg, &reach, None);
 
     b.section("clamp", "A hit on a wall lies exactly on a border: the integer texel decides, the fraction follows.");
+    if let Some((lod, o_texel)) = lod.zip(o_texel) {
+        let long = b.cat(&[at, b.zeros(&frac)]).named("position_long");
+        b.unused(long);
+        let fixed = long.slice(&f - &n, &idx + &frac).named("fixed");
+        let ins = [("at", fixed), ("x", x), ("lod", lod)];
+        let kept = b.inst(&node_hit(&d.traverse), "u_node_hit", &[("IDX_W", idx)], &ins);
+        b.drive(out, kept[1].named("kept"), Some(l));
+        b.drive(o_texel, kept[0].named("hit_texel"), Some(l));
+        return b.finish(Some(l), &bindings());
+    }
     // A bit below the point keeps the texel's corner wider than the texel; a sign bit holds the difference.
     let corner = b.cat(&[x, b.zeros(&f - &n + 1)]).named("corner");
     b.unused(corner.bit(0));

@@ -1,4 +1,5 @@
 //! The fixed-point datapath: parameters of integer planes, compared as unsigned integers (`docs/fixed.md`).
+mod chord_end;
 mod height_test;
 mod hit_position;
 mod node_crossing;
@@ -8,6 +9,7 @@ mod predicted_hit;
 mod ray_setup;
 mod reciprocal;
 
+pub use chord_end::chord_end;
 pub use height_test::height_test;
 pub use hit_position::hit_position;
 pub use node_crossing::node_crossing;
@@ -19,7 +21,7 @@ pub use reciprocal::reciprocal;
 use super::datapath::Datapath;
 use super::loop_state::{Field, Numbers, Sizes, Start};
 use super::plane_iteration::{PlaneUnits, plane_iteration};
-use crate::config::Design;
+use crate::config::{Design, Trim};
 use crate::ir::{Builder, Expr};
 use crate::units::div_rows::div_rows_module;
 use params::{LENGTH, Params, TIME, reach_conditions, shift_width, time_width};
@@ -29,7 +31,11 @@ pub(super) static DATAPATH: Datapath = Datapath {
         let (f, w) = (d.datapath.fraction_bits, d.datapath.reciprocal_bits);
         vec![div_rows_module(f + d.traverse.tile_bits, w + 2)]
     },
-    steps: |d| vec![reciprocal(d), plane_time(d), height_test(d), predicted_hit(d), node_crossing(d)],
+    steps: |d| {
+        let mut list = vec![reciprocal(d), plane_time(d), height_test(d), predicted_hit(d), node_crossing(d)];
+        list.extend((d.mode.trim != Trim::None).then(|| chord_end(d)));
+        list
+    },
     declare: |b, d| {
         let of = Params { b, d };
         of.fraction();
@@ -45,7 +51,10 @@ pub(super) static DATAPATH: Datapath = Datapath {
     hit_clocks: |d| hit_position::latency(&d.latency),
     hit_inputs: |ray, axis| {
         let of = |name: &str| ray.get(&format!("{name}_{axis}"));
-        vec![("p", of("p")), ("s", of("s")), ("neg", of("neg")), ("t", ray.get("t")), ("x", ray.get(axis))]
+        let mut ins =
+            vec![("p", of("p")), ("s", of("s")), ("neg", of("neg")), ("t", ray.get("t")), ("x", ray.get(axis))];
+        ins.extend(ray.find("lod").map(|lod| ("lod", lod)));
+        ins
     },
 };
 
@@ -55,7 +64,10 @@ const UNITS: PlaneUnits = PlaneUnits {
     height_test,
     predicted_hit,
     predicted_inputs: &[("p", "p"), ("s", "s"), ("neg", "neg")],
-    trim: |_, _, _, _, _, _| panic!("the configuration refuses a chord trim in fixed point"),
+    chord_end,
+    chord_inputs: &[("p", "p"), ("s", "s"), ("neg", "neg")],
+    // One comparison beside a multiplication.
+    leaves_y: |_, _, [t_x, t_y]| t_y.lt(t_x),
     node_crossing,
 };
 
@@ -84,13 +96,13 @@ fn numbers(
     Numbers { entry: (f.clone(), LENGTH), travel: (travel, LENGTH), time: (time_width(&f), TIME), float: None }
 }
 
-/// Per axis: entry point, travel per height code, reciprocal of the travel and its shift, and which way it goes.
-fn constants(s: &Sizes, _: &Design) -> Vec<Field> {
+/// Per axis: entry point, travel per height code, reciprocal of the travel and its shift, and which way it goes; for a trim, how far at most.
+fn constants(s: &Sizes, d: &Design) -> Vec<Field> {
     let (f, w) = (Expr::param("FRACTION_W"), Expr::param("RECIP_W"));
     let (reach, bit) = (&f + &s.tile, Expr::from(1));
     let of = |name, width: &Expr| Field::new(name, width, Start::Setup(name));
     let (long, shift) = (&reach + 1, shift_width(&reach));
-    vec![
+    let mut list = vec![
         of("p_x", &f),
         of("s_x", &long),
         of("r_x", &w),
@@ -101,5 +113,9 @@ fn constants(s: &Sizes, _: &Design) -> Vec<Field> {
         of("r_y", &w),
         of("z_y", &shift),
         of("neg_y", &bit),
-    ]
+    ];
+    if d.mode.trim != Trim::None {
+        list.extend([of("le_x", &s.idx), of("le_y", &s.idx)]);
+    }
+    list
 }

@@ -40,24 +40,34 @@ pub fn predicted_hit(d: &Design) -> Arc<Module> {
     let early = less.slice(0, &time).named("early");
     let way = way(&b, s, early, &time, &reach);
     b.section("position", "");
-    let at = position(&b, p, way, neg, &reach);
+    let at = position(&b, p, way, neg, &reach, None);
     b.unused(at);
     b.drive(out, at.slice(&f - &n, idx).named("texel"), Some(l));
     b.finish(Some(l), &bindings())
 }
 
-/// How far the ray has come at `t`, rounded down.
+/// How far the ray has come at `t`, rounded down: a word of `reach` bits and one more.
 pub(super) fn way<'b>(b: &'b Builder, s: Sig<'b>, t: Sig<'b>, time: &Expr, reach: &Expr) -> Sig<'b> {
     let prod = s.product(t).named("prod");
     b.unused(prod.slice(0, time));
     prod.slice(time, reach + 1).named("way")
 }
 
-/// `p + way`, or `p - way` as the complement of `~p + way`; signed.
-pub(super) fn position<'b>(b: &'b Builder, p: Sig<'b>, way: Sig<'b>, neg: Sig<'b>, reach: &Expr) -> Sig<'b> {
+/// `p + way`, or `p - way` as the complement of `~p + way`; signed. A ray is `further` on by one, if that is asked for.
+pub(super) fn position<'b>(
+    b: &'b Builder,
+    p: Sig<'b>,
+    way: Sig<'b>,
+    neg: Sig<'b>,
+    reach: &Expr,
+    further: Option<Sig<'b>>,
+) -> Sig<'b> {
     let wide = reach + 2;
     let flip = neg.rep(wide.clone()).named("flip");
     let start = (b.cat(&[b.zeros(&wide - p.width()), p]) ^ flip).named("start");
-    let end = (start + b.cat(&[b.zeros(1), way])).named("end_flipped");
-    (end ^ flip).named("position")
+    let mut end = start + b.cat(&[b.zeros(1), way]);
+    if let Some(further) = further {
+        end = end + further.zext(&wide);
+    }
+    (end.named("end_flipped") ^ flip).named("position")
 }

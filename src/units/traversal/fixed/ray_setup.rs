@@ -4,9 +4,9 @@
 //! level. What each is, to the bit: `docs/fixed.md`, "Once per ray".
 use super::params::{LENGTH, Params, bindings, shift_width};
 use super::reciprocal::reciprocal;
-use crate::config::Design;
+use crate::config::{Design, Trim};
 use crate::ir::{Builder, Expr, Module, NodeId, Sig};
-use crate::units::traversal::start_level;
+use crate::units::traversal::{finest_level, start_level};
 use std::sync::Arc;
 
 /// Clocks through `ray_setup`; at least one, so that a ready never follows from a valid in the same clock.
@@ -21,11 +21,14 @@ struct Axis<'b> {
     words: [Sig<'b>; 6],
     first: Sig<'b>,
     last: Option<Sig<'b>>,
+    /// A texel that the ray does not get beyond.
+    far: Option<Sig<'b>>,
 }
 
 /// Widths that both axes use.
 struct Sizes {
     f: Expr,
+    w: Expr,
     n: Expr,
     h: Expr,
     reach: Expr,
@@ -51,20 +54,26 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let v = b.input("v", &f, LENGTH, "entry point at the top plane");
     let du = b.input("du", &reach + 1, LENGTH, "u travelled while the height falls from 1 to 0, signed");
     let dv = b.input("dv", &reach + 1, LENGTH, "v travelled while the height falls from 1 to 0, signed");
+    let lod = d.mode.lod.then(|| b.input("lod", &level_w, "levels", "finest level; above LEVELS it is LEVELS"));
     let o_ok = b.output("ok", 1, "bit", "the ray can be traced: no travel is the most negative word");
     let o_level = b.output("level", &level_w, "levels", "level of the first iteration");
     let outs = ["x", "y"].map(|a| {
         let of = |n: &str, w: &Expr, unit: &str, doc: &str| b.output(&format!("{n}_{a}"), w, unit, doc);
-        [
+        let mut outs = vec![
             of("p", &f, LENGTH, "entry point"),
             of("s", &(&reach + 1), "2^-(FRACTION_W+HEIGHT_W) tiles", "travel per height code, its magnitude"),
             of("r", &w, "a number of RECIP_W bits", "reciprocal of the travel"),
             of("z", &shift_w, "bits", "its power of two"),
             of("neg", &Expr::from(1), "bit", "the ray runs toward smaller coordinates"),
             of("first", &idx, "texels", "texel of the entry point"),
-        ]
+        ];
+        if d.mode.trim != Trim::None {
+            outs.push(of("le", &idx, "texels", "a texel that the ray does not get beyond"));
+        }
+        outs
     });
-    let s = Sizes { f, n, h, reach, idx };
+    let o_lod = d.mode.lod.then(|| b.output("finest", &level_w, "levels", "finest level, in the pyramid"));
+    let s = Sizes { f, w, n, h, reach, idx };
     let axes = [axis(&b, d, &s, "x", u, du), axis(&b, d, &s, "y", v, dv)];
     b.section("level", "");
     let level = match (axes[0].last, axes[1].last) {
@@ -79,10 +88,16 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let ok = (axes[0].ok & axes[1].ok).named("is_ok").at(l);
     b.drive(o_ok, ok, Some(l));
     let gate = |v: Sig<'_>| -> NodeId { (v.at(l) & ok.rep(v.width())).id() };
+    let mut level = level;
+    if let Some((lod, o_lod)) = lod.zip(o_lod) {
+        let o = b.inst(&finest_level(&d.traverse), "u_finest", &[], &[("lod", lod), ("start", level)]);
+        level = o[1].named("first_level");
+        b.drive(o_lod, b.sig(gate(o[0].named("finest"))), Some(l));
+    }
     b.drive(o_level, b.sig(gate(level)), Some(l));
     for (name, (a, o)) in ["x", "y"].iter().zip(axes.iter().zip(outs)) {
         b.section(&format!("axis {name}"), "");
-        for (port, v) in o.into_iter().zip(a.words) {
+        for (port, v) in o.into_iter().zip(a.words.into_iter().chain(a.far)) {
             b.drive(port, b.sig(gate(v)), Some(l));
         }
     }
@@ -123,6 +138,28 @@ fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &str, p: Sig<'b>, trave
         b.unused(end);
         end.slice(below, idx.clone()).named(&n("last"))
     });
+    let far = (d.mode.trim != Trim::None).then(|| farthest(b, s, name, p, a, neg));
     let p = p.named(&n("p"));
-    Axis { ok, words: [p, per_code, r, z, neg, first], first, last }
+    Axis { ok, words: [p, per_code, r, z, neg, first], first, last, far }
+}
+
+/// A texel that the ray does not get beyond, by the parameters of its planes.
+fn farthest<'b>(b: &'b Builder, s: &Sizes, name: &str, p: Sig<'b>, a: Sig<'b>, neg: Sig<'b>) -> Sig<'b> {
+    let n = |what: &str| format!("{name}_{what}");
+    b.section(
+        &n("farthest"),
+        "The travel, and more than what the reciprocal and the rounding of a parameter add to it. No travel stays none.",
+    );
+    let wide = &s.reach + 2;
+    let tall = a.zext(wide.clone()).named(&n("a_tall"));
+    let part = |by: Expr, net: &str| tall.shift_right(b.konst(by.smaller(&s.reach), 6).named(&n(net)));
+    let recip = part(&s.w - 1, "recip_part");
+    let time = part(&s.f + 1, "time_part");
+    let whole = (tall + recip + time + a.any().zext(&wide)).named(&n("whole"));
+    let flip = neg.rep(wide.clone()).named(&n("turn"));
+    // Toward smaller coordinates a texel is left when the ray is at its border.
+    let end = (b.cat(&[b.zeros(&wide - &s.f), p]) ^ flip) + whole + neg.zext(&wide);
+    let end = (end.named(&n("far_turned")) ^ flip).named(&n("far_end"));
+    b.unused(end);
+    end.slice(&s.f - &s.n, s.idx.clone()).named(&n("le"))
 }

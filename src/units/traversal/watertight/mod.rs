@@ -6,7 +6,6 @@ mod node_crossing;
 mod plane_time;
 mod predicted_hit;
 mod ray_setup;
-mod trim;
 
 pub use chord_end::chord_end;
 pub use height_test::height_test;
@@ -65,7 +64,12 @@ const UNITS: PlaneUnits = PlaneUnits {
     height_test,
     predicted_hit,
     predicted_inputs: &[("p_back", "pb"), ("d", "d")],
-    trim: trim::trim,
+    chord_end,
+    chord_inputs: &[("p_ahead", "pf"), ("d", "d"), ("neg", "neg")],
+    leaves_y: |b, d, [t_x, t_y]| {
+        let lt = float::fp_lt(d.format, d.latency.compare);
+        b.inst(&lt, "u_exit_order", &[], &[("a", t_y), ("b", t_x)])[0]
+    },
     node_crossing,
 };
 

@@ -1,10 +1,9 @@
 //! The stages between plane parameters and height memory that a chord trim adds to an iteration.
-use super::chord_end;
+use super::chord_trim;
+use super::loop_state::{Ray, Sizes};
+use super::plane_iteration::{Pair, PlaneUnits};
 use crate::config::Design;
 use crate::ir::{Builder, Sig};
-use crate::units::float::fp_lt;
-use crate::units::traversal::chord_trim;
-use crate::units::traversal::loop_state::{Ray, Sizes};
 
 /// The level of the node to be read instead of the ray's own; `bounds` are least and greatest texel of a descent, `times` the parameters of the
 /// exit planes, each u first.
@@ -13,8 +12,9 @@ pub(super) fn trim<'b>(
     s: &Sizes,
     d: &Design,
     ray: &Ray<'b>,
-    bounds: [[Sig<'b>; 2]; 2],
-    times: [Sig<'b>; 2],
+    units: &PlaneUnits,
+    bounds: [Pair<'b>; 2],
+    times: Pair<'b>,
 ) -> Sig<'b> {
     let idx = [("IDX_W", s.idx.clone())];
     b.section(
@@ -22,13 +22,11 @@ pub(super) fn trim<'b>(
         "Where the ray is when it leaves by the other axis' plane; which of the two it is, is known meanwhile.",
     );
     let reach = |axis: &str, t: Sig<'b>| {
-        let of = |word: &str| ray.get(&format!("{word}_{axis}"));
-        let ins = [("p_ahead", of("pf")), ("d", of("d")), ("neg", of("neg")), ("t", t)];
-        b.inst(&chord_end(d), &format!("u_reach_{axis}"), &idx, &ins)[0].named(&format!("{axis}_reach")).id()
+        let ins = [ray.constants(axis, units.chord_inputs), vec![("t", t)]].concat();
+        b.inst(&(units.chord_end)(d), &format!("u_reach_{axis}"), &idx, &ins)[0].named(&format!("{axis}_reach")).id()
     };
     let reaches = [b.sig(reach("x", times[1])), b.sig(reach("y", times[0]))];
-    let lt = fp_lt(d.format, d.latency.compare);
-    let y_first = b.inst(&lt, "u_exit_order", &[], &[("a", times[1]), ("b", times[0])])[0].named("leaves_y");
+    let y_first = (units.leaves_y)(b, d, times).named("leaves_y");
 
     b.section("trim", "The smallest node that holds this texel and the chord's end.");
     let mut ins = vec![("level", ray.get("level")), ("x_first", (!y_first).named("leaves_x"))];

@@ -1,0 +1,132 @@
+//! Options of the verbs that measure.
+use super::{Engine, MapArgs};
+use crate::config::View;
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+/// Options of `steps`.
+#[derive(Args, Debug)]
+pub struct StepsArgs {
+    /// Directory with rocks.png, stones.png, four.png, saints.png: prints them beside the published means.
+    #[arg(long, value_name = "DIR")]
+    pub scenes: Option<PathBuf>,
+}
+
+/// Options of `accuracy`.
+#[derive(Args, Debug)]
+pub struct AccuracyArgs {
+    /// The height map.
+    #[command(flatten)]
+    pub map: MapArgs,
+    /// Directory with rocks.png, stones.png, four.png, saints.png: rates over all of them, of the floating-point and the fixed-point
+    /// datapath, as they are and resampled to 2048 x 2048.
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["map", "resample"])]
+    pub scenes: Option<PathBuf>,
+}
+
+/// Options of `report`.
+#[derive(Args, Debug)]
+pub struct ReportArgs {
+    /// Directory to write to; measurements already in it are taken over, so that a run can be stopped and resumed.
+    #[arg(long, default_value = "report", value_name = "DIR")]
+    pub out: PathBuf,
+    /// Directory with rocks.png, stones.png, four.png, saints.png: measures them too, beside the published tables.
+    #[arg(long, value_name = "DIR")]
+    pub scenes: Option<PathBuf>,
+    /// Every width and every mode, not a selection.
+    #[arg(long)]
+    pub full: bool,
+}
+
+/// Options of `fit`.
+#[derive(Args, Debug)]
+pub struct FitArgs {
+    /// The height map.
+    #[command(flatten)]
+    pub map: MapArgs,
+    /// Views whose rays count; without it the configured ones.
+    #[arg(long, value_delimiter = ',', value_name = "VIEW,...")]
+    pub views: Vec<View>,
+    /// Budget: the share of rays that may end in another texel than the ray as given, 0 to 1.
+    #[arg(long, value_name = "SHARE", allow_negative_numbers = true, conflicts_with = "max_uv_error")]
+    pub max_wrong_texel: Option<f64>,
+    /// Budget: how far 99 % of the hits may lie from the exact ones, in texels.
+    #[arg(long, value_name = "TEXELS", allow_negative_numbers = true)]
+    pub max_uv_error: Option<f64>,
+    /// The map itself may become coarser: fewer levels, fewer bits a height.
+    #[arg(long)]
+    pub allow_resample: bool,
+    /// Where the configuration of the design goes.
+    #[arg(long, value_name = "FILE.toml")]
+    pub out: Option<PathBuf>,
+}
+
+/// Options of `hard`.
+#[derive(Args, Debug)]
+pub struct HardArgs {
+    /// Lists the cases and what they aim at, and runs none.
+    #[arg(long)]
+    pub list: bool,
+    /// Only this case.
+    #[arg(long, value_name = "NAME")]
+    pub case: Option<String>,
+    /// Rays of each case.
+    #[arg(long, default_value_t = 200)]
+    pub rays: usize,
+    /// Seed of maps and rays.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Asks one thing only, of this many rays in all: does every ray end? They are dealt over the cases, and in each over all modes.
+    #[arg(long, value_name = "RAYS", conflicts_with_all = ["pictures", "engine"])]
+    pub endure: Option<usize>,
+    /// What traces the rays beside the golden model, whose hits it must equal.
+    #[arg(long, default_value = "golden")]
+    pub engine: Engine,
+    /// Writes a picture of each case into this directory.
+    #[arg(long, value_name = "DIR")]
+    pub pictures: Option<PathBuf>,
+}
+
+/// Options of `bench`.
+#[derive(Args, Debug)]
+pub struct BenchArgs {
+    /// Rays.
+    #[arg(long, default_value_t = 20000)]
+    pub rays: usize,
+}
+
+/// Options of `synth`.
+#[derive(Args, Debug)]
+pub struct SynthArgs {
+    /// Units, or all.
+    #[arg(long, default_value = "all", value_delimiter = ',', value_name = "NAME")]
+    pub unit: Vec<String>,
+    /// What they are mapped to.
+    #[arg(long, default_value = "ecp5")]
+    pub target: SynthTarget,
+    /// The cells of `--target liberty`.
+    #[arg(long, value_name = "FILE.lib")]
+    pub liberty: Option<PathBuf>,
+    /// Seeds of the placer; the median counts.
+    #[arg(long, default_value = "1,2,3", value_delimiter = ',', value_name = "N")]
+    pub seeds: Vec<u32>,
+    /// Measures each unit at these latencies instead of the configured one.
+    #[arg(long, value_delimiter = ',', value_name = "CLOCKS")]
+    pub latency: Vec<u32>,
+    /// Where the figures go.
+    #[arg(long, default_value = "synth.json", value_name = "FILE.json")]
+    pub out: PathBuf,
+}
+
+/// What a unit is mapped to.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
+pub enum SynthTarget {
+    /// Lattice ECP5: area and clock.
+    Ecp5,
+    /// Lattice iCE40: area.
+    Ice40,
+    /// Xilinx Virtex-6: area and depth.
+    Xilinx,
+    /// The cells of a Liberty file: area and depth.
+    Liberty,
+}

@@ -1,0 +1,230 @@
+//! The walk from node to node: the same for every datapath that compares parameters of planes; what it computes with is a [`Planes`].
+use super::level::{Crossing, descend_levels, level_up, start_level, trim_return};
+use super::pyramid::Pyramid;
+use super::record::{Decision, Iteration, RayHit};
+use super::setup::{RayInput, Setup};
+use crate::config::{Design, LevelUp, Trim};
+
+/// One axis of a ray, as far as the walk looks at it. Texels are unwrapped.
+pub(super) trait Along {
+    /// The ray runs toward lower indices.
+    fn neg(&self) -> bool;
+    /// X: texel of the entry point.
+    fn entry(&self) -> i64;
+    /// Xa: texel of the point where the ray meets the bottom plane, for the start level.
+    fn end(&self) -> i64;
+    /// Le: a texel that the ray does not get beyond.
+    fn last(&self) -> i64;
+}
+
+/// The arithmetic of a datapath. Ray parameters are words that only it can read.
+pub(super) trait Planes {
+    /// One axis of a ray after setup.
+    type Axis: Along + Copy;
+
+    /// The design.
+    fn design(&self) -> &Design;
+    /// Setup of one ray.
+    fn ray(&self, ray: &RayInput) -> Setup<Self::Axis>;
+    /// Whether parameter `a` comes before `b`.
+    fn before(&self, a: u64, b: u64) -> bool;
+    /// Where a node of that height code is met.
+    fn top(&self, height: u32) -> u64;
+    /// Where the ray meets integer plane `b`.
+    fn met(&self, axis: &Self::Axis, b: i64) -> u64;
+    /// The texel where the ray is at `t`, or one that it has left already: never one that it has yet to reach.
+    fn behind(&self, axis: &Self::Axis, t: u64) -> i64;
+    /// The texel where the ray is at `t`, or one further on: never one that it has left already.
+    fn reach(&self, axis: &Self::Axis, t: u64) -> i64;
+    /// Where the ray is at `t`, in 2^-FRAC_W texels.
+    fn position(&self, axis: &Self::Axis, t: u64) -> i64;
+
+    /// The larger of two parameters; the first when they are equal.
+    fn later(&self, a: u64, b: u64) -> u64 {
+        if self.before(a, b) { b } else { a }
+    }
+}
+
+/// What setup says of both axes, and the first level of the walk: start level and level of detail, where the design has them.
+pub(super) fn both<A: Along>(d: &Design, lod: u32, u: A, v: A) -> Setup<A> {
+    let (n, idx_w) = (d.traverse.levels, d.traverse.idx_bits());
+    let level = if d.mode.start_level { start_level(n, idx_w, u.entry(), v.entry(), u.end(), v.end()) } else { n };
+    let lod = if d.mode.lod { lod.min(n) } else { 0 };
+    Setup { valid: true, u, v, level: level.max(lod), lod }
+}
+
+/// Traces a ray. `SEEN`: somebody looks at the iterations, so that what no decision needs is computed too.
+///
+/// # Panics
+/// If the pyramid has other levels or height bits than the design.
+pub(super) fn walk<const SEEN: bool, P: Planes>(
+    planes: &P,
+    pyramid: &Pyramid,
+    ray: &RayInput,
+    see: &mut dyn FnMut(&Iteration),
+) -> RayHit {
+    let size = &planes.design().traverse;
+    assert_eq!((pyramid.levels(), pyramid.height_bits()), (size.levels, size.height_bits), "wrong pyramid");
+    let setup = planes.ray(ray);
+    if !setup.valid {
+        return RayHit { limit: true, ..RayHit::default() };
+    }
+    let mut state = State {
+        level: setup.level,
+        x: setup.u.entry(),
+        y: setup.v.entry(),
+        t: 0,
+        crossed: false,
+        prev: false,
+        descended: false,
+    };
+    let mut hit = RayHit::default();
+    loop {
+        let it = iterate::<SEEN, P>(planes, pyramid, &setup, &state);
+        if SEEN {
+            see(&it);
+        }
+        hit.steps += 1;
+        let crossing = matches!(it.decision, Decision::CrossX | Decision::CrossY);
+        hit.crossings += u32::from(crossing);
+        hit.ups += u32::from(crossing && it.next_level > it.level);
+        state = State {
+            level: it.next_level,
+            x: it.next_x,
+            y: it.next_y,
+            t: it.next_t,
+            crossed: state.crossed || crossing,
+            prev: crossing,
+            descended: it.decision == Decision::Descend,
+        };
+        if it.decision == Decision::Hit {
+            hit.wall = planes.before(it.t_v, it.t);
+            break;
+        }
+        if hit.steps == size.step_limit {
+            hit.limit = true;
+            break;
+        }
+    }
+    hit.t = state.t;
+    (hit.i, hit.fu) = leave(planes, &setup.u, state.x, state.t, setup.lod);
+    (hit.j, hit.fv) = leave(planes, &setup.v, state.y, state.t, setup.lod);
+    hit
+}
+
+/// Wrapped texel and position inside it: where the ray is at `t`, kept in the level-`lod` node of texel `x`.
+fn leave<P: Planes>(planes: &P, axis: &P::Axis, x: i64, t: u64, lod: u32) -> (u32, u32) {
+    let size = &planes.design().traverse;
+    let mask = (1i64 << lod) - 1;
+    let (first, behind) = ((x & !mask) << size.frac_bits, ((x | mask) + 1) << size.frac_bits);
+    let kept = planes.position(axis, t).clamp(first, behind - 1);
+    (wrap(kept >> size.frac_bits, size.levels), (kept & ((1 << size.frac_bits) - 1)) as u32)
+}
+
+fn iterate<const SEEN: bool, P: Planes>(planes: &P, pyramid: &Pyramid, setup: &Setup<P::Axis>, s: &State) -> Iteration {
+    let (n, mode) = (planes.design().traverse.levels, planes.design().mode);
+    let (k, rule) = (s.level, mode.level_up);
+    let (b_x, b_y) = (exit(&setup.u, k, s.x), exit(&setup.v, k, s.y));
+    let (t_x, t_y) = (planes.met(&setup.u, b_x), planes.met(&setup.v, b_y));
+    let trims = match mode.trim {
+        Trim::None => false,
+        Trim::Descent => s.descended,
+        Trim::Always => true,
+    };
+    let chord = trims.then(|| super::trim::chord(planes, setup, k, [s.x, s.y], [t_x, t_y]));
+    // The node that is read: all else but a descent goes on from the node of level k.
+    let r = chord.map_or(k, |c| c.level);
+    let height = pyramid.node(r, wrap(s.x, n) >> r, wrap(s.y, n) >> r);
+    let t_v = planes.top(height);
+    let m = planes.later(s.t, t_v);
+    let inside = planes.before(m, t_x) && planes.before(m, t_y);
+    let estimates = SEEN || (inside && r > setup.lod) || (!inside && rule == LevelUp::Selective);
+    let (e_x, e_y) = if estimates { (planes.behind(&setup.u, m), planes.behind(&setup.v, m)) } else { (0, 0) };
+
+    let mut it = Iteration {
+        level: k,
+        x: s.x,
+        y: s.y,
+        t: s.t,
+        chord,
+        height,
+        t_v,
+        b_x,
+        b_y,
+        t_x,
+        t_y,
+        m,
+        e_x,
+        e_y,
+        decision: Decision::Hit,
+        next_level: k,
+        next_x: s.x,
+        next_y: s.y,
+        next_t: m,
+    };
+    if inside && r == setup.lod {
+        it.next_level = r;
+        return it;
+    }
+    if inside {
+        it.decision = Decision::Descend;
+        it.next_level = (r - descend_levels(mode.levels_down, r, s.crossed)).max(setup.lod);
+        it.next_x = kept(&setup.u, k, s.x, e_x);
+        it.next_y = kept(&setup.v, k, s.y, e_y);
+        return it;
+    }
+    // x goes first on a tie.
+    let x_first = !planes.before(t_y, t_x);
+    let (t_e, plane) = if x_first { (t_x, b_x) } else { (t_y, b_y) };
+    if x_first {
+        it.decision = Decision::CrossX;
+        it.next_x = beyond(&setup.u, b_x);
+    } else {
+        it.decision = Decision::CrossY;
+        it.next_y = beyond(&setup.v, b_y);
+    }
+    it.next_t = planes.later(s.t, t_e);
+    let c = |level| Crossing { level, plane, x: s.x, y: s.y, e_x, e_y, previous: s.prev };
+    it.next_level = if r < k { trim_return(rule, k, &c(r)) } else { n.min(k + u32::from(level_up(rule, &c(k)))) };
+    it
+}
+
+/// What one iteration hands to the next.
+#[derive(Clone, Copy, Debug)]
+struct State {
+    level: u32,
+    x: i64,
+    y: i64,
+    t: u64,
+    /// Something was crossed so far.
+    crossed: bool,
+    /// The last iteration crossed.
+    prev: bool,
+    /// The last iteration descended.
+    descended: bool,
+}
+
+/// The plane by which the ray can leave the level-k node of texel `x`.
+fn exit(axis: &impl Along, k: u32, x: i64) -> i64 {
+    let mask = (1i64 << k) - 1;
+    if axis.neg() { x & !mask } else { (x | mask) + 1 }
+}
+
+/// Texel `to`, but still in the level-k node of `x`, and never before `x`.
+///
+/// An estimate may lie behind a plane that was crossed already. Going back there would cost steps on an axis that moves,
+/// could repeat for ever when each crossing goes a level up, and on an axis that never crosses would be wrong for good.
+pub(super) fn kept(axis: &impl Along, k: u32, x: i64, to: i64) -> i64 {
+    let mask = (1i64 << k) - 1;
+    if axis.neg() { to.clamp(x & !mask, x) } else { to.clamp(x, x | mask) }
+}
+
+/// The texel behind plane `b`, seen along the ray.
+fn beyond(axis: &impl Along, b: i64) -> i64 {
+    if axis.neg() { b - 1 } else { b }
+}
+
+/// The map repeats.
+fn wrap(x: i64, n: u32) -> u32 {
+    x.rem_euclid(1 << n) as u32
+}

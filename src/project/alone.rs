@@ -1,0 +1,45 @@
+//! A unit of arithmetic by itself, for people who need nothing else: at any format, whatever a traversal asks of its own.
+use crate::bench::bench_files;
+use crate::catalogue::vector_set;
+use crate::config::Config;
+use crate::emit::{self, Files};
+use crate::error::Result;
+use crate::ir::{Binding, Module};
+use crate::units::arithmetic;
+use crate::vectors::{Plan, set_files};
+use std::sync::Arc;
+
+/// The unit of arithmetic of that name; `None` if there is none.
+pub fn alone(c: &Config, name: &str) -> Option<Arc<Module>> {
+    arithmetic(&c.design()).into_iter().find(|m| m.name == name)
+}
+
+/// Its vectors, under `golden/`.
+pub fn alone_vectors(c: &Config, m: &Module) -> Files {
+    let plan = Plan { rows: c.vectors.arithmetic as usize, seed: c.vectors.seed };
+    let set = vector_set(&c.design(), m, &Binding::new(), plan);
+    set_files(&set).into_iter().map(|(n, t)| (format!("golden/{}/{n}", m.name), t)).collect()
+}
+
+/// Its Verilog and that of what it is made of, with the manifest.
+///
+/// # Errors
+/// Parameter values that the unit refuses.
+pub fn alone_hardware(c: &Config, m: &Arc<Module>) -> Result<Files> {
+    let modules = emit::modules(std::slice::from_ref(m))?;
+    let mut files = emit::rtl(c, &modules);
+    let manifest = emit::manifest(c, &modules, &files);
+    files.insert("manifest.json".into(), serde_json::to_string_pretty(&manifest).expect("plain data") + "\n");
+    Ok(files)
+}
+
+/// Verilog, manifest, bench and vectors.
+///
+/// # Errors
+/// As [`alone_hardware`].
+pub fn alone_files(c: &Config, m: &Arc<Module>) -> Result<Files> {
+    let mut files = alone_hardware(c, m)?;
+    files.extend(bench_files(std::slice::from_ref(m), None, &c.emit.prefix));
+    files.extend(alone_vectors(c, m));
+    Ok(files)
+}

@@ -1,0 +1,50 @@
+//! What stands in the directory of a unit's vectors.
+use crate::config::Design;
+use crate::error::{Error, Result};
+use crate::golden::{Pyramid, RayInput, address};
+use crate::vectors::{Column, Rows, VectorSet, read_csv, read_json};
+use std::path::Path;
+
+/// The pyramid of a memory image.
+pub(super) fn pyramid_of(d: &Design, image: &[u64]) -> Result<Pyramid> {
+    let n = d.traverse.levels;
+    let side = 1u32 << n;
+    let texel = |k: u32| image[address(n, 0, k % side, k / side)] as u32;
+    Pyramid::build(n, d.traverse.height_bits, &(0..side * side).map(texel).collect::<Vec<u32>>())
+}
+
+/// The words of a ray.
+pub(super) fn ray_of(row: &[u64]) -> RayInput {
+    RayInput { u: row[0], v: row[1], du: row[2], dv: row[3], lod: row.get(4).map_or(0, |v| *v as u32) }
+}
+
+/// The words of a pyramid's image.
+pub(super) fn memory(place: &Path) -> Result<Vec<u64>> {
+    let path = place.join("memory.hex");
+    let text = std::fs::read_to_string(&path).map_err(|e| Error::file("read", &path, e))?;
+    let bad = || Error::input(format!("{} is not a pyramid image", path.display()));
+    let words = text.lines().map(|l| l.split("//").next().unwrap_or("").trim()).filter(|l| !l.is_empty());
+    let words = words.map(|w| u64::from_str_radix(w, 16).map_err(|_| bad())).collect::<Result<Vec<u64>>>()?;
+    Ok(words.get(1..).ok_or_else(bad)?.to_vec())
+}
+
+/// The exports hold the rows that the hex files hold: whoever reads those checks against the same set.
+pub(super) fn same_rows(place: &Path, set: &VectorSet) -> Result<()> {
+    type Read = fn(&str, &[Column], &[Column]) -> Result<Rows>;
+    for (name, read) in [("vectors.csv", read_csv as Read), ("rows.json", read_json)] {
+        let path = place.join(name);
+        let text = std::fs::read_to_string(&path).map_err(|e| Error::file("read", &path, e))?;
+        let at = |e: &dyn std::fmt::Display| Error::input(format!("{}: {e}", place.display()));
+        let (stimulus, expected) = read(&text, &set.inputs, &set.outputs).map_err(|e| at(&e))?;
+        let differs = |a: &[Vec<u64>], b: &[Vec<u64>]| a.iter().zip(b).position(|(a, b)| a != b);
+        let row = differs(&stimulus, &set.stimulus).into_iter().chain(differs(&expected, &set.expected)).min();
+        if let Some(row) = row {
+            return Err(at(&format!("{name} and the hex files differ in row {row}")));
+        }
+        if stimulus.len() != set.stimulus.len() {
+            let (here, there) = (stimulus.len(), set.stimulus.len());
+            return Err(at(&format!("{name} has {here} rows, the hex files have {there}")));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,94 @@
+//! Whether every ray ends: a hard case's rays in all modes in turn, counted, and nothing else asked.
+use super::hard::combinations;
+use crate::config::{DatapathKind, Design, ModeConfig, Trim};
+use crate::error::Result;
+use crate::golden::{Pyramid, RayInput, Tracer, encode_ray};
+use crate::scene::hard::HardScene;
+use rayon::prelude::*;
+
+/// The ray with the most iterations of those that end.
+#[derive(Clone, Copy, Debug)]
+pub struct Longest {
+    /// Its iterations.
+    pub steps: u32,
+    /// Its words.
+    pub ray: RayInput,
+    /// The mode it was traced in.
+    pub mode: ModeConfig,
+}
+
+/// What became of a case's rays.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Endured {
+    /// Rays traced.
+    pub rays: usize,
+    /// Rays given up at the step limit.
+    pub given_up: usize,
+    /// The first of them.
+    pub witness: Option<(RayInput, ModeConfig)>,
+    /// Rays that the design does not take.
+    pub refused: usize,
+    /// The longest of the rest.
+    pub longest: Option<Longest>,
+}
+
+impl Endured {
+    fn of(tracer: &Tracer, pyramid: &Pyramid, ray: &RayInput) -> Self {
+        let hit = tracer.trace(pyramid, ray);
+        let mode = tracer.design().mode;
+        let given_up = hit.limit && hit.steps > 0;
+        Self {
+            rays: 1,
+            given_up: usize::from(given_up),
+            witness: given_up.then_some((*ray, mode)),
+            refused: usize::from(hit.limit && hit.steps == 0),
+            longest: (!hit.limit).then_some(Longest { steps: hit.steps, ray: *ray, mode }),
+        }
+    }
+
+    /// Both together; where the iterations are the same, the earlier ray.
+    pub fn and(self, other: Self) -> Self {
+        let steps = |l: &Option<Longest>| l.map_or(0, |l| l.steps);
+        let longest = if steps(&self.longest) >= steps(&other.longest) { self.longest } else { other.longest };
+        Self {
+            rays: self.rays + other.rays,
+            given_up: self.given_up + other.given_up,
+            witness: self.witness.or(other.witness),
+            refused: self.refused + other.refused,
+            longest: longest.or(self.longest).or(other.longest),
+        }
+    }
+}
+
+/// Traces the rays of a scene by the golden model, the k-th in the k-th mode of [`modes`], over and over.
+///
+/// # Errors
+/// A design that has no golden model.
+pub fn endure(scene: &HardScene) -> Result<Endured> {
+    let design = scene.design;
+    let pyramid = Pyramid::build(design.traverse.levels, design.traverse.height_bits, &scene.texels)?;
+    let tracers: Vec<Tracer> =
+        modes(&design).into_iter().map(|mode| Tracer::new(&Design { mode, ..design })).collect::<Result<_>>()?;
+    let one =
+        |(k, ray): (usize, &[f64; 4])| Endured::of(&tracers[k % tracers.len()], &pyramid, &encode_ray(&design, *ray));
+    // In order, so that the witnesses do not depend on the threads.
+    let parts: Vec<Endured> = scene
+        .rays
+        .par_chunks(4096)
+        .enumerate()
+        .map(|(c, part)| {
+            part.iter().enumerate().map(|(k, r)| one((4096 * c + k, r))).fold(Endured::default(), Endured::and)
+        })
+        .collect();
+    Ok(parts.into_iter().fold(Endured::default(), Endured::and))
+}
+
+/// Every mode that the design's datapath and format have: 40, or 120 with the chord trims.
+pub fn modes(design: &Design) -> Vec<ModeConfig> {
+    let trims = match design.datapath.kind {
+        DatapathKind::Fixed => true,
+        DatapathKind::Watertight => i64::from(design.format.man) + 4 <= i64::from(design.format.bias()),
+        DatapathKind::Published => false,
+    };
+    combinations(design.mode, if trims { &Trim::ALL } else { &[Trim::None] })
+}

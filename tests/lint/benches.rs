@@ -1,0 +1,95 @@
+//! The emitted benches are read and linted as the modules are. (slang alone is not asked: it takes `$fopen` of a name in a `reg`, all that
+//! Verilog-2005 has, for an error.)
+use super::configs::{Emitted, all};
+use super::no_problems;
+use super::tools::{Tool, run};
+use reliefrtl::bench::bench_files;
+use reliefrtl::catalogue;
+use reliefrtl::units::traversal::traverse;
+use std::process::Command;
+
+/// Configurations whose benches differ in more than widths.
+const CHOSEN: [&str; 6] = [
+    "default",
+    "emit.prefix=pdm_",
+    "format.exp=8 format.man=23",
+    "mode.trim=always mode.lod=true",
+    "datapath.kind=published",
+    "datapath.kind=fixed",
+];
+
+/// Writes the benches of a configuration beside its modules; returns the benches and their tops.
+fn benches(e: &Emitted) -> (Vec<String>, Vec<String>) {
+    let d = e.config.design();
+    let t = traverse(&d);
+    let depth = t.setup + t.slots + t.finish;
+    let files = bench_files(&catalogue::units(&d), Some((&t.module, depth)), &e.config.emit.prefix);
+    std::fs::create_dir_all(e.dir.join("testbench")).expect("target is writable");
+    for (path, text) in &files {
+        std::fs::write(e.dir.join(path), text).expect("target is writable");
+    }
+    let all: Vec<String> = files.into_keys().filter(|f| f.ends_with(".v")).collect();
+    assert!(all.len() > 30, "{} files", all.len());
+    all.into_iter().partition(|f| !f.ends_with("_top.v"))
+}
+
+fn silent(arguments: impl Fn(&Emitted, &[String], &[String]) -> Vec<Command>) {
+    let mut problems = Vec::new();
+    let chosen: Vec<&Emitted> = all().iter().filter(|e| CHOSEN.contains(&e.label.as_str())).collect();
+    assert_eq!(chosen.len(), CHOSEN.len(), "a configuration was renamed");
+    for e in chosen {
+        let (benches, tops) = benches(e);
+        for mut c in arguments(e, &benches, &tops) {
+            problems.extend(run(&mut c, &e.dir).unless_silent(&e.label));
+        }
+    }
+    no_problems(&problems);
+}
+
+/// Each bench as the top, with the look into the loop; and each with its own clock. (One at a time: 5.006 mixes up the widths of a module that
+/// several tops have at several parameter values.)
+fn verilate(tool: Tool) {
+    silent(|_, benches, tops| {
+        let each = |flag: &'static str| {
+            move |file: &String| {
+                let mut c = tool.command()?;
+                let top = file.strip_prefix("testbench/").and_then(|f| f.strip_suffix(".v")).expect("a bench's path");
+                c.args([flag, "--top-module", top, "-y", "rtl", "-y", "testbench", file]);
+                Some(c)
+            }
+        };
+        benches.iter().filter_map(each("-DITERATIONS")).chain(tops.iter().filter_map(each("--timing"))).collect()
+    });
+}
+
+#[test]
+fn verilator_has_no_warning_of_a_bench() {
+    verilate(Tool::Verilator);
+}
+
+#[test]
+fn the_current_verilator_has_no_warning_of_a_bench() {
+    verilate(Tool::VerilatorNew);
+}
+
+#[test]
+fn icarus_has_no_warning_of_a_bench() {
+    silent(|e, benches, tops| {
+        let Some(mut c) = Tool::Icarus.command() else { return Vec::new() };
+        let name = |f: &String| f.rsplit('/').next().and_then(|n| n.strip_suffix(".v")).map(str::to_owned);
+        for top in tops.iter().filter_map(name) {
+            c.args(["-s", &top]);
+        }
+        c.arg("-DITERATIONS").args(e.verilog()).args(benches).args(tops);
+        vec![c]
+    });
+}
+
+#[test]
+fn verible_has_no_finding_in_a_bench() {
+    silent(|_, benches, tops| {
+        let Some(mut c) = Tool::Verible.command() else { return Vec::new() };
+        c.args(benches).args(tops);
+        vec![c]
+    });
+}
