@@ -32,7 +32,7 @@ fn cases(c: &Config, scene: &Scene) -> Vec<Case> {
         let block = float::to_f64(d.format, hit.t);
         Some(Case { ray, exact: exact_ray(&d, &ray).unwrap(), block, refined })
     };
-    scene.sample(c).into_iter().filter_map(one).collect()
+    scene.sample(c).unwrap().into_iter().filter_map(one).collect()
 }
 
 fn exact_map<'a>(c: &Config, texels: &'a [u32]) -> ExactMap<'a> {

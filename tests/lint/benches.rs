@@ -9,11 +9,12 @@ use reliefrtl::units::traversal::traverse;
 use std::process::Command;
 
 /// Configurations whose benches differ in more than widths.
-const CHOSEN: [&str; 6] = [
+const CHOSEN: [&str; 7] = [
     "default",
     "emit.prefix=pdm_",
     "format.exp=8 format.man=23",
     "mode.trim=always mode.lod=true",
+    "mode.bilinear=true",
     "datapath.kind=published",
     "datapath.kind=fixed",
 ];
