@@ -42,8 +42,8 @@ pub fn bilinear_window(d: &Design) -> Arc<Module> {
 
     b.section("ends", "");
     let minus = negated(&b, half, "minus_half");
-    let before = b.inst(&add, "u_before", &[], &[("a", t), ("b", minus)])[0].named("before");
-    let behind = b.inst(&add, "u_behind", &[], &[("a", t), ("b", half)])[0].named("behind");
+    let before = b.inst(&add, "u_before", &[], &[("a", t), ("b", minus)])[0].named("t_before");
+    let behind = b.inst(&add, "u_behind", &[], &[("a", t), ("b", half)])[0].named("t_behind");
 
     b.section("clamp", "The planes of full height and of none.");
     let m_exp = b.konst(f.bias() + &h - 1, &f.exp).named("m_exp");
