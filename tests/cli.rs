@@ -76,7 +76,9 @@ fn same_bytes(rays: &str, engines: &[&str], sets: &[&str]) -> String {
         all.push(std::fs::read_to_string(dir.path().join("h.csv")).unwrap());
     }
     assert!(all.iter().all(|h| h == &all[0]), "{sets:?}: {all:?}");
-    assert!(all[0].starts_with("ray,i,j,u,v,t,steps,crossings,ups,wall,limit\n"));
+    let refined = if sets.contains(&"mode.bilinear=true") { ",bi,bj,bu,bv,bt,patch" } else { "" };
+    let header = all[0].lines().next();
+    assert_eq!(header, Some(format!("ray,i,j,u,v,t,steps,crossings,ups,wall,limit{refined}").as_str()));
     assert_eq!(all[0].lines().count(), rays.lines().count());
     all.remove(0)
 }
@@ -84,6 +86,36 @@ fn same_bytes(rays: &str, engines: &[&str], sets: &[&str]) -> String {
 #[test]
 fn engines_write_the_same_bytes() {
     same_bytes("u,v,du,dv\n0.1,0.2,0.3,-0.4\n0.99999999,0.5,-1.5,0.25\n0.5,0.5,0,0\n0.3,0.3,20,0\n", &engines(), &[]);
+}
+
+/// Refined hits stand beside the same block hits as without a refinement; rays that end above, below and nowhere are among them.
+#[test]
+fn engines_write_the_same_bytes_with_the_refinement() {
+    let mut rays = "u,v,du,dv\n0.1,0.2,0.3,-0.4\n0.99999999,0.5,-1.5,0.25\n0.5,0.5,0,0\n0.3,0.3,20,0\n".to_string();
+    for k in 0..60 {
+        let turn = f64::from(k) * 0.61803;
+        rays += &format!("{:.6},{:.6},{:.6},{:.6}\n", turn.fract(), (turn * 1.7).fract(), turn.sin() * 3.0, turn.cos());
+    }
+    let sets = ["traverse.levels=5", "map.kind=spikes", "mode.bilinear=true"];
+    let plain = same_bytes(&rays, &["golden"], &sets[..2]);
+    let refined = same_bytes(&rays, &engines(), &sets);
+    let mut words = std::collections::BTreeSet::new();
+    for (a, b) in plain.lines().zip(refined.lines()).skip(1) {
+        let cells: Vec<&str> = b.split(',').collect();
+        assert_eq!(cells.len(), 17, "{b}");
+        assert_eq!(a, cells[..11].join(","));
+        let block = [cells[1], cells[2], cells[3], cells[4], cells[5]];
+        assert_eq!(cells[16] != "hit", cells[11..16] == block, "{b}");
+        words.insert(cells[16].to_owned());
+    }
+    assert_eq!(words.into_iter().collect::<Vec<_>>(), ["above", "below", "hit", "none"]);
+    let dir = tempfile::tempdir().unwrap();
+    std::fs::write(dir.path().join("r.csv"), &rays).unwrap();
+    let (code, text) = said(dir.path(), &["list", "--set", "mode.bilinear=true"]);
+    assert_eq!(code, Some(0));
+    for unit in ["bilinear_window", "patch_memory", "surface_gap", "secant_step", "bilinear_hit"] {
+        assert!(text.contains(unit), "{unit} is missing in:\n{text}");
+    }
 }
 
 /// Rays with finest levels of their own, one above the root; and the same hits as without a trim, in fewer iterations.

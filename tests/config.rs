@@ -148,6 +148,30 @@ fn trim_and_level_of_detail_need_planes() {
 }
 
 #[test]
+fn the_refinement_is_refused_where_it_is_not() {
+    with(&["mode.bilinear=true"]).validate().unwrap();
+    with(&["mode.bilinear=true", "mode.trim=always"]).validate().unwrap();
+    let refused = |more: &[&str]| sentence(with(&[&["mode.bilinear=true"], more].concat()).validate());
+    for kind in ["published", "fixed"] {
+        assert_eq!(
+            refused(&[&format!("datapath.kind={kind}")]),
+            format!(
+                "mode.bilinear = true and datapath.kind = \"{kind}\" exclude each other: the refinement needs datapath.kind = \"watertight\""
+            )
+        );
+    }
+    assert_eq!(
+        refused(&["mode.lod=true"]),
+        "mode.bilinear = true and mode.lod = true exclude each other: a hit in a node of a coarser level has no texels to interpolate, so one of them must be false"
+    );
+    assert_eq!(
+        refused(&["format.exp=8", "format.man=23", "traverse.frac_bits=15", "traverse.tile_bits=4"]),
+        "traverse.frac_bits = 15 is too large for mode.bilinear with traverse.height_bits = 8 and format.man = 23: height_bits + 2 * frac_bits + man = 61 may be at most 60"
+    );
+    with(&["mode.bilinear=true", "format.exp=8", "format.man=22", "traverse.frac_bits=15"]).validate().unwrap();
+}
+
+#[test]
 fn what_holds_between_keys() {
     let refused = |assignments: &[&str]| sentence(with(assignments).validate());
     assert_eq!(

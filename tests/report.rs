@@ -53,7 +53,7 @@ fn page_json_and_csv_hold_the_same_numbers_and_a_resumed_run_the_same_bytes() {
     }
     let html = text(&first, "report.html");
     let mut numbers = 0;
-    for id in ["worst", "pareto", "series", "steps", "histogram", "matrix", "maps"] {
+    for id in ["worst", "pareto", "series", "steps", "histogram", "matrix", "maps", "bilinear"] {
         // The page leaves no column with a number out, so that all of a table's numbers stand there in the order of the JSON.
         let values = json[id].as_array().unwrap().iter().flat_map(|row| row.as_object().unwrap().values());
         let expected: Vec<String> = values.filter(|v| v.is_number()).map(plain).collect();

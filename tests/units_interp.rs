@@ -55,6 +55,22 @@ fn units_of_trim_and_detail_equal_their_models() {
     }
 }
 
+/// The units of the bilinear refinement, at clocks from none to many.
+#[test]
+fn units_of_the_refinement_equal_their_models() {
+    let mut d = Design { mode: ModeConfig { bilinear: true, ..ModeConfig::default() }, ..Design::default() };
+    let of = |d: &Design| units(d).iter().map(|m| m.name.clone()).collect::<Vec<_>>();
+    let added = of(&d).len() - of(&Design::default()).len();
+    assert_eq!(added, 6, "{:?}", of(&d));
+    let checked = check_all(&d, 2000);
+    assert!(checked > 100_000, "{checked}");
+    for l in [0, 1, 3, 7] {
+        (d.latency.add, d.latency.mul, d.latency.div, d.latency.compare) = (l, l, 2 * l, l);
+        (d.latency.from_int, d.latency.to_int) = (l, l);
+        check_all(&d, 200);
+    }
+}
+
 #[test]
 fn latency_changes_no_result() {
     for l in [0, 1, 2, 3, 5, 8, 20] {

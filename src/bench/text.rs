@@ -59,7 +59,7 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Module, u32)>, pref
         unit => "traverse", dut => format!("{prefix}traverse"), params => params(traverse), warm_up,
         // The published datapath has rays that never end by themselves.
         lingers => traverse.params.iter().any(|p| p.name == "NUDGE_W"),
-        inputs => named(&crate::trace::inputs(traverse)), outputs => named(&crate::trace::OUTPUTS),
+        inputs => named(&crate::trace::inputs(traverse)), outputs => named(&crate::trace::outputs(traverse)),
     };
     files.insert("testbench/tb_traverse.v".into(), render("traverse", value.clone()));
     files.insert("testbench/tb_traverse_top.v".into(), render("top", value));

@@ -18,9 +18,11 @@ use crate::units;
 use crate::vectors::{Campaign, Column, Counts, Kind, Plan, VectorSet, campaign_rows, plan_rows};
 use std::sync::Arc;
 
-/// The units that have vectors of their own, leaves first: all but the memory and `traverse`, which ray sets exercise.
+/// The units that have vectors of their own, leaves first: all but `traverse` and those that hold a memory, which ray sets exercise.
 pub fn units(d: &Design) -> Vec<Arc<Module>> {
-    units::all(d).into_iter().filter(|m| m.latency.is_some() && m.name != "height_memory").collect()
+    let holds =
+        |m: &Module| m.name == "height_memory" || units::traversal::bilinear::WITH_MEMORY.contains(&m.name.as_str());
+    units::all(d).into_iter().filter(|m| m.latency.is_some() && !holds(m)).collect()
 }
 
 /// A unit by name.

@@ -3,7 +3,7 @@ use crate::config::{Design, Trim};
 use crate::error::Result;
 use crate::golden::{Pyramid, RayInput, Tracer};
 use crate::ir::Module;
-use crate::trace::{OUTPUTS, inputs, row};
+use crate::trace::{hit_row, inputs, outputs, row};
 use crate::units::traversal::traverse;
 use crate::vectors::{Column, Counts, VectorSet};
 use std::fmt::Write;
@@ -25,7 +25,7 @@ pub fn ray_columns(m: &Module) -> (Vec<Column>, Vec<Column>) {
         let port = m.port(name).expect("traverse has its ports").1;
         Column { name: name.to_string(), width: port.width.eval(&b) as u32 }
     };
-    (inputs(m).iter().map(column).collect(), OUTPUTS.iter().map(column).collect())
+    (inputs(m).iter().map(column).collect(), outputs(m).iter().map(column).collect())
 }
 
 /// The golden model's hits of `rays`, with the per-iteration trace.
@@ -48,9 +48,7 @@ pub fn ray_set(d: &Design, pyramid: &Pyramid, rays: &[RayInput], seed: u64) -> R
                 .expect("writing to a string can't fail");
             step += 1;
         });
-        let words = [h.i, h.j, h.fu, h.fv].map(u64::from);
-        let tail = [h.steps, h.crossings, h.ups].map(u64::from);
-        expected.push([&words[..], &[h.t, u64::from(h.wall), u64::from(h.limit)], &tail].concat());
+        expected.push(hit_row(d, &h));
     }
     let names = inputs(m);
     let (inputs, outputs) = ray_columns(m);

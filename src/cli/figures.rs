@@ -127,13 +127,17 @@ pub fn accuracy(cli: &Cli, a: &AccuracyArgs) -> Result<()> {
     let own = a.map.is_none() && c.map.kind != MapKind::File;
     let kinds: Vec<MapKind> =
         if own { MapKind::ALL.iter().copied().filter(|k| *k != MapKind::File).collect() } else { vec![c.map.kind] };
-    let (mut rows, mut witnesses) = (Vec::new(), Vec::new());
+    let (mut rows, mut witnesses, mut refined) = (Vec::new(), Vec::new(), super::refined::Refined::default());
     for kind in kinds {
         let mut c = c.clone();
         c.map.kind = kind;
         let scene = Scene::new(&c, a.map.as_deref(), a.resample)?;
         for view in View::ALL {
-            let rays: Vec<RayInput> = scene.view(&c, *view, c.view.stride)?.iter().map(|x| encode(&c, x)).collect();
+            let seen = scene.view(&c, *view, c.view.stride)?;
+            let rays: Vec<RayInput> = seen.iter().map(|x| encode(&c, x)).collect();
+            if c.mode.bilinear {
+                refined.add(&c, &scene, a.map.as_deref(), *view, &seen)?;
+            }
             let hits = trace_golden(&c.design(), &scene.pyramid, &rays)?;
             let r = crate::report::accuracy(&c.design(), &scene.texels, &rays, &hits)?;
             for w in &r.wrong {
@@ -167,12 +171,18 @@ pub fn accuracy(cli: &Cli, a: &AccuracyArgs) -> Result<()> {
         rows.iter().map(object).collect::<Vec<_>>().into()
     };
     if cli.json {
-        let value = json!({"views": objects(&head, &rows), "witnesses": objects(&each, &witnesses)});
+        let mut value = json!({"views": objects(&head, &rows), "witnesses": objects(&each, &witnesses)});
+        if c.mode.bilinear {
+            value["bilinear"] = objects(&super::refined::HEAD, &refined.rows);
+        }
         println!("{}", serde_json::to_string_pretty(&value).expect("plain data"));
     } else {
         print!("{}", table(&head, &rows));
         println!("\nevery wrong texel (margin: how close the exact decision was, over the height range):");
         print!("{}", table(&each, &witnesses));
+        if c.mode.bilinear {
+            refined.print();
+        }
     }
     Ok(())
 }

@@ -11,6 +11,7 @@ mod list;
 mod output;
 mod prove;
 mod rates;
+mod refined;
 mod render;
 mod report;
 mod synth;

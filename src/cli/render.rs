@@ -3,10 +3,10 @@ use super::args::{Cli, Engine, RenderArgs};
 use crate::config::{Config, View};
 use crate::error::{Error, Result};
 use crate::golden::RayHit;
-use crate::golden::decode_time;
 use crate::project::{Scene, encode};
 use crate::scene::border::tiles;
-use crate::scene::{Camera, Picture, ShadePoint, Shader, ViewRay};
+use crate::scene::{Camera, Picture, Shader, ViewRay};
+use crate::trace::shade_point;
 use std::path::Path;
 
 /// Runs `render`.
@@ -93,14 +93,9 @@ pub fn picture(
         rays.iter().zip(hits).for_each(|(r, x)| pixels[at(r)] = Some(x.steps));
         return Ok(Picture::steps(w, h, &pixels));
     }
-    let full = f64::from((1u32 << t.height_bits) - 1);
-    let unit =
-        |i: u32, f: u32| (f64::from(i) + f64::from(f) / 2f64.powi(t.frac_bits as i32)) / 2f64.powi(t.levels as i32);
+    let d = c.design();
     let mut pixels = vec![None; w * h];
-    for (r, x) in rays.iter().zip(hits) {
-        let t = decode_time(&c.design(), x.t) / full;
-        pixels[at(r)] = Some(ShadePoint { u: unit(x.i, x.fu), v: unit(x.j, x.fv), t, wall: x.wall });
-    }
+    rays.iter().zip(hits).for_each(|(r, x)| pixels[at(r)] = Some(shade_point(&d, x)));
     let shader =
         Shader::new(&scene.texels, t.levels, t.height_bits, c.map.scale, tiles(c.map.border, c.map.repeat), scene.kind);
     Ok(Picture::shaded(&shader, w, h, &pixels))

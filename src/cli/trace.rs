@@ -9,7 +9,7 @@ use crate::golden::{RayHit, RayInput};
 use crate::ir::Binding;
 use crate::project::{self, Scene};
 use crate::scene::read_rays;
-use crate::trace::{enter_border, hit, hits_csv, record, saw_border, trace_golden, trace_interp};
+use crate::trace::{enter_border, hit, hits_csv, outputs, record, saw_border, trace_golden, trace_interp};
 use crate::vectors::set_files;
 use std::time::Duration;
 
@@ -159,12 +159,13 @@ fn simulate(c: &Config, sim: Simulator, scene: &Scene, rays: &[RayInput]) -> Res
     let outcome = run_bench(sim, &tree, "traverse", &Binding::new(), &[format!("results={}", results.display())])?;
     let text = std::fs::read_to_string(&results).map_err(|e| Error::file("read", &results, e))?;
     let mut hits = vec![RayHit::default(); rays.len()];
+    let words_of_hit = outputs(&t.module).len();
     let broken = || Error::ToolFailed(format!("{} wrote results that can't be read", sim.name()));
     for line in text.lines() {
         let mut words = line.split_whitespace();
         let ray: usize = words.next().and_then(|w| w.parse().ok()).ok_or_else(broken)?;
         let row = words.map(|w| u64::from_str_radix(w, 16).map_err(|_| broken())).collect::<Result<Vec<u64>>>()?;
-        *hits.get_mut(ray).filter(|_| row.len() == 10).ok_or_else(broken)? = hit(&row);
+        *hits.get_mut(ray).filter(|_| row.len() == words_of_hit).ok_or_else(broken)? = hit(&row);
     }
     Ok((hits, outcome))
 }

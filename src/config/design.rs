@@ -103,11 +103,20 @@ pub struct ModeConfig {
     pub trim: Trim,
     /// The finest level is an input of each ray (PDM section 3.4).
     pub lod: bool,
+    /// The hit is refined to the surface interpolated between the centres of texels (PDM section 3.3).
+    pub bilinear: bool,
 }
 
 impl Default for ModeConfig {
     fn default() -> Self {
-        Self { start_level: true, levels_down: 2, level_up: LevelUp::Selective, trim: Trim::None, lod: false }
+        Self {
+            start_level: true,
+            levels_down: 2,
+            level_up: LevelUp::Selective,
+            trim: Trim::None,
+            lod: false,
+            bilinear: false,
+        }
     }
 }
 

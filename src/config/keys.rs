@@ -156,6 +156,11 @@ pub const KEYS: &[Key] = &[
         Legal::Word(&["none", "descent", "always"]),
     ),
     key("mode.lod", "the finest level is an input of each ray", Legal::Flag),
+    key(
+        "mode.bilinear",
+        "refine the hit to the surface interpolated between the centres of texels (watertight, without mode.lod)",
+        Legal::Flag,
+    ),
     key("latency.add", "fp_add, in clocks", CLOCKS),
     key("latency.mul", "fp_mul, in clocks", CLOCKS),
     key("latency.div", "fp_div and fp_recip, in clocks", Legal::Whole(0, 32)),

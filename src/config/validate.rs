@@ -16,6 +16,7 @@ impl Config {
             self.width_problems(&mut problems);
             self.published_problems(&mut problems);
             self.trim_problems(&mut problems);
+            self.bilinear_problems(&mut problems);
             self.map_problems(&mut problems);
         }
         report(problems)
@@ -138,6 +139,34 @@ impl Config {
             if set {
                 problems.push(format!("{key} is set, but datapath.kind = \"published\" does not have it"));
             }
+        }
+    }
+
+    /// Where the bilinear refinement is (`docs/bilinear.md`, Parameters).
+    fn bilinear_problems(&self, problems: &mut Vec<String>) {
+        if !self.mode.bilinear {
+            return;
+        }
+        let kind = self.datapath.kind;
+        if kind != DatapathKind::Watertight {
+            problems.push(format!(
+                "mode.bilinear = true and datapath.kind = \"{}\" exclude each other: the refinement needs datapath.kind = \"watertight\"",
+                kind.word()
+            ));
+            return;
+        }
+        if self.mode.lod {
+            problems.push(
+                "mode.bilinear = true and mode.lod = true exclude each other: a hit in a node of a coarser level has no texels to interpolate, so one of them must be false"
+                    .to_owned(),
+            );
+        }
+        let (height, frac, man) = (self.traverse.height_bits, self.traverse.frac_bits, self.format.man);
+        let depth = height + 2 * frac + man;
+        if depth > 60 {
+            problems.push(format!(
+                "traverse.frac_bits = {frac} is too large for mode.bilinear with traverse.height_bits = {height} and format.man = {man}: height_bits + 2 * frac_bits + man = {depth} may be at most 60"
+            ));
         }
     }
 

@@ -50,7 +50,8 @@ pub fn config_line(c: &Config) -> String {
         Trim::Descent => ", trim after descents",
         Trim::Always => ", trim always",
     };
-    let more = format!("{trim}{}", if m.lod { ", level of detail" } else { "" });
+    let lod = if m.lod { ", level of detail" } else { "" };
+    let more = format!("{trim}{lod}{}", if m.bilinear { ", bilinear" } else { "" });
     let numbers = match c.datapath.kind {
         DatapathKind::Fixed => {
             format!("fixed point {}, reciprocal {}", c.datapath.fraction_bits, c.datapath.reciprocal_bits)

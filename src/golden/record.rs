@@ -1,5 +1,52 @@
 //! What a traversal returns, and what each of its iterations did.
 
+/// What the bilinear refinement found (`docs/bilinear.md`).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Patch {
+    /// The ray goes from above the interpolated surface to below it within the window.
+    Hit,
+    /// It is still above at the window's end.
+    Above,
+    /// It is below at the window's begin already.
+    Below,
+}
+
+impl Patch {
+    /// All.
+    pub const ALL: [Self; 3] = [Self::Hit, Self::Above, Self::Below];
+
+    /// The code at the port `out_patch`; 0 is a ray that was given up.
+    pub const fn code(self) -> u64 {
+        self as u64 + 1
+    }
+
+    /// The word in tables.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Hit => "hit",
+            Self::Above => "above",
+            Self::Below => "below",
+        }
+    }
+}
+
+/// A refined hit. Where the patch was not hit, texel, fractions and parameter are those of the block hit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct BilinearHit {
+    /// What was found.
+    pub patch: Patch,
+    /// Texel along u, 0 to 2^n - 1.
+    pub i: u32,
+    /// Texel along v.
+    pub j: u32,
+    /// Position inside the texel along u, in units of 2^-FRAC_W.
+    pub fu: u32,
+    /// Position inside the texel along v.
+    pub fv: u32,
+    /// Ray parameter in height codes, encoded.
+    pub t: u64,
+}
+
 /// What the unit returns for a ray.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct RayHit {
@@ -23,6 +70,8 @@ pub struct RayHit {
     pub crossings: u32,
     /// Crossings that went a level up.
     pub ups: u32,
+    /// The refined hit of a design with `mode.bilinear`; `None` of a ray that was given up.
+    pub bilinear: Option<BilinearHit>,
 }
 
 /// What an iteration does.

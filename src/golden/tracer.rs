@@ -32,6 +32,9 @@ impl Tracer {
                 "mode.trim and mode.lod need a datapath that compares parameters of planes: watertight or fixed",
             ));
         }
+        if design.mode.bilinear && design.datapath.kind != DatapathKind::Watertight {
+            return Err(Error::input("mode.bilinear needs the watertight datapath"));
+        }
         match design.datapath.kind {
             DatapathKind::Watertight => Golden::new(design).map(Self::Watertight),
             DatapathKind::Published => Published::new(design).map(Self::Published),

@@ -52,7 +52,9 @@ impl Golden {
             && (1..=4).contains(&design.mode.levels_down)
             && (1..=65535).contains(&size.step_limit)
             // A chord's end is estimated forward by more than all errors, what underflows included.
-            && (design.mode.trim == Trim::None || fmt.man + 4 <= bias);
+            && (design.mode.trim == Trim::None || fmt.man + 4 <= bias)
+            // A refined hit stands on the finest level, and the surface's depth is exact before it is rounded.
+            && (!design.mode.bilinear || !design.mode.lod && h + 2 * size.frac_bits + fmt.man <= 60);
         if !legal {
             return Err(Error::input(format!(
                 "no datapath of {n} levels, {h} height bits, {tile} tile bits and format {fmt}: see docs/datapath.md, Parameters"
@@ -81,7 +83,8 @@ impl Golden {
     /// # Panics
     /// If the pyramid has other levels or height bits than the design.
     pub fn trace(&self, pyramid: &Pyramid, ray: &RayInput) -> RayHit {
-        walk::<false, _>(self, pyramid, ray, &mut |_| ())
+        let hit = walk::<false, _>(self, pyramid, ray, &mut |_| ());
+        self.refined(pyramid, ray, hit)
     }
 
     /// Traces a ray and shows every iteration to `see`.
@@ -89,7 +92,16 @@ impl Golden {
     /// # Panics
     /// As [`Golden::trace`].
     pub fn trace_with(&self, pyramid: &Pyramid, ray: &RayInput, mut see: impl FnMut(&Iteration)) -> RayHit {
-        walk::<true, _>(self, pyramid, ray, &mut see)
+        let hit = walk::<true, _>(self, pyramid, ray, &mut see);
+        self.refined(pyramid, ray, hit)
+    }
+
+    /// The hit with what the design adds to it.
+    fn refined(&self, pyramid: &Pyramid, ray: &RayInput, hit: RayHit) -> RayHit {
+        match self.design.mode.bilinear {
+            true => RayHit { bilinear: self.refine(pyramid, ray, &hit).map(|r| r.hit()), ..hit },
+            false => hit,
+        }
     }
 }
 

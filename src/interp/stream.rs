@@ -64,14 +64,14 @@ impl Stream {
     pub fn run_parallel(
         &self,
         items: &[Vec<u64>],
-        image: &Arc<Vec<u64>>,
+        images: &[Arc<Vec<u64>>],
         lanes: usize,
         threads: usize,
         traffic: Traffic,
     ) -> Result<StreamRun> {
         let share = items.len().div_ceil(threads.max(1)).max(1);
         let part = |(i, part): (usize, &[Vec<u64>])| {
-            self.run(part, image, lanes, Traffic { seed: traffic.seed.wrapping_add(i as u64), ..traffic })
+            self.run(part, images, lanes, Traffic { seed: traffic.seed.wrapping_add(i as u64), ..traffic })
         };
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads can be started");
         let parts: Vec<Result<StreamRun>> = pool.install(|| items.par_chunks(share).enumerate().map(part).collect());
@@ -86,14 +86,20 @@ impl Stream {
         Ok(all)
     }
 
-    /// Runs `items` (rows of `ins`) through `lanes` copies; `image` is the content of the memory.
+    /// Runs `items` (rows of `ins`) through `lanes` copies; `images` are the contents of the memories, in their order.
     ///
     /// # Errors
     /// A result that never comes, or one that nobody waits for.
-    pub fn run(&self, items: &[Vec<u64>], image: &Arc<Vec<u64>>, lanes: usize, traffic: Traffic) -> Result<StreamRun> {
+    pub fn run(
+        &self,
+        items: &[Vec<u64>],
+        images: &[Arc<Vec<u64>>],
+        lanes: usize,
+        traffic: Traffic,
+    ) -> Result<StreamRun> {
         let lanes = lanes.clamp(1, items.len().max(1));
         let mut sim = Lanes::of_ports(&self.net, lanes);
-        (0..self.net.mems.len()).for_each(|i| sim.load(i, image.clone()));
+        images.iter().enumerate().for_each(|(i, words)| sim.load(i, words.clone()));
         sim.fill(self.net.input("rst"), 1);
         sim.eval();
         sim.clock();

@@ -9,6 +9,7 @@ const RESERVED: &[&str] = &[
     "always",
     "and",
     "assign",
+    "before",
     "begin",
     "bit",
     "buf",

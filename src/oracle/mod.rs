@@ -18,11 +18,13 @@
 //! Parameters are compared in f64 where they differ by more than f64 can err, and as quotients of 256-bit integers where they don't:
 //! formats up to 8/23, fixed point up to 28 fraction bits and maps of up to 4096 texels always fit.
 mod axis;
+mod bilinear;
 mod exact;
 mod value;
 mod walk;
 mod wide;
 
+pub use bilinear::Root;
 pub use exact::{Dyadic, Ratio};
 pub use walk::{ExactHit, ExactMap, ExactRay};
 pub use wide::U256;

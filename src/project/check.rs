@@ -7,7 +7,7 @@ use crate::emit::Files;
 use crate::error::{Error, Result};
 use crate::interp::{Traffic, Wave, elaborate};
 use crate::ir::{Binding, Module};
-use crate::trace::{Pipeline, diagnose, record_mismatch, record_ray, record_rows, wrong_iteration};
+use crate::trace::{Pipeline, diagnose, images, record_mismatch, record_ray, record_rows, wrong_iteration};
 use crate::units::traversal::traverse;
 use crate::vectors::{VectorSet, read_set, set_files};
 
@@ -146,7 +146,7 @@ fn mismatch_wave(d: &Design, dir: &Path, m: &Arc<Module>, canary: Option<Canary>
     }
     let (p, image) = (Pipeline::new(d, &Binding::new())?, memory(&place)?);
     let stream = p.stream();
-    let run = stream.run(&set.stimulus, &Arc::new(image.clone()), 1, Traffic::default())?;
+    let run = stream.run(&set.stimulus, &images(&p.net, &image), 1, Traffic::default())?;
     let first = compare(&set, "interp", &run.results)?.first.ok_or_else(nothing)?;
     let ray = ray_of(&set.stimulus[first.vector]);
     let pyramid = pyramid_of(d, &image)?;
@@ -241,7 +241,7 @@ fn located(
 
 /// The traverse unit in the interpreter.
 fn rays(d: &Design, place: &Path, m: &Module, set: &VectorSet) -> Result<Checked> {
-    let image = Arc::new(memory(place)?);
+    let image = memory(place)?;
     let p = Pipeline::new(d, &Binding::new())?;
     if image.len() != p.net.mems[0].depth {
         return Err(Error::input(format!(
@@ -252,7 +252,7 @@ fn rays(d: &Design, place: &Path, m: &Module, set: &VectorSet) -> Result<Checked
         )));
     }
     let stream = p.stream();
-    let run = stream.run(&set.stimulus, &image, 1, Traffic::default())?;
+    let run = stream.run(&set.stimulus, &images(&p.net, &image), 1, Traffic::default())?;
     let r: CheckReport = compare(set, "interp", &run.results)?;
     if let Some(x) = &r.first {
         let told = match diagnose(d, &pyramid_of(d, &image)?, &ray_of(&set.stimulus[x.vector]))? {

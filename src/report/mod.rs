@@ -1,5 +1,6 @@
 //! Figures: steps, error against the exact oracle, speed of the engines. Each with its count and its worst case.
 mod accuracy;
+mod bilinear;
 mod cost;
 pub mod endure;
 mod fit;
@@ -8,6 +9,8 @@ pub mod page;
 mod steps;
 
 pub use accuracy::{Accuracy, WrongTexel, accuracy, exact_ray};
+pub use bilinear::{Bilinear, bilinear};
 pub use cost::Cost;
 pub use fit::{Budget, Fit, Limits, Rejected, Trial, Truth, fit};
+pub use page::stats::Spread;
 pub use steps::{PUBLISHED, Published, ROWS, Steps, TRIM_ROWS, steps};

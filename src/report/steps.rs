@@ -37,7 +37,7 @@ pub fn steps(hits: &[RayHit]) -> Steps {
 }
 
 const fn mode(start_level: bool, levels_down: u32, level_up: LevelUp) -> ModeConfig {
-    ModeConfig { start_level, levels_down, level_up, trim: Trim::None, lod: false }
+    ModeConfig { start_level, levels_down, level_up, trim: Trim::None, lod: false, bilinear: false }
 }
 
 /// Rows of the published table: name and modes.

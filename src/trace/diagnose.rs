@@ -1,5 +1,6 @@
 //! Where a ray goes wrong: the pipeline's signals beside the golden model's, iteration by iteration.
 use super::interp::Pipeline;
+use super::memory::images;
 use crate::config::{DatapathKind, Design, Trim};
 use crate::error::Result;
 use crate::format::FloatFormat;
@@ -7,7 +8,6 @@ use crate::golden::float::to_f64;
 use crate::golden::{Iteration, Pyramid, RayInput, Tracer, decode_time};
 use crate::interp::{Lanes, Netlist, Slot};
 use crate::ir::Binding;
-use std::sync::Arc;
 
 /// The first signal that differs from the model.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -141,7 +141,8 @@ fn record(
     probes: &[(u32, String, Slot)],
 ) -> (Vec<Vec<u64>>, usize) {
     let mut sim = Lanes::new(net, 1);
-    sim.load(0, Arc::new(pyramid.memory().iter().map(|w| u64::from(*w)).collect()));
+    let image: Vec<u64> = pyramid.memory().iter().map(|w| u64::from(*w)).collect();
+    images(net, &image).into_iter().enumerate().for_each(|(k, words)| sim.load(k, words));
     let set = |sim: &mut Lanes, name: &str, v: u64| sim.set(net.input(name), 0, v);
     set(&mut sim, "rst", 1);
     sim.eval();

@@ -1,7 +1,8 @@
 //! The traverse unit in the interpreter, as a tracer.
+use super::memory::images;
 use crate::config::Design;
 use crate::error::Result;
-use crate::golden::{Pyramid, RayHit, RayInput};
+use crate::golden::{BilinearHit, Patch, Pyramid, RayHit, RayInput};
 use crate::interp::{BLOCK, Netlist, Stream, StreamRun, Traffic, elaborate};
 use crate::ir::{Binding, Module};
 use crate::units::traversal::traverse;
@@ -19,9 +20,29 @@ pub fn row(inputs: &[&str], r: &RayInput) -> Vec<u64> {
     words.truncate(inputs.len());
     words
 }
-/// Data outputs of `traverse`, in the order of a hit's row.
+/// Data outputs of every `traverse`, in the order of a hit's row.
 pub const OUTPUTS: [&str; 10] =
     ["out_i", "out_j", "out_fu", "out_fv", "out_t", "out_wall", "out_limit", "out_steps", "out_crossings", "out_ups"];
+/// Those that a design with the bilinear refinement has besides.
+const REFINED: [&str; 6] = ["out_patch", "out_bi", "out_bj", "out_bfu", "out_bfv", "out_bt"];
+/// The data outputs that `traverse` has, in the order of a hit's row.
+pub fn outputs(traverse: &Module) -> Vec<&'static str> {
+    OUTPUTS.into_iter().chain(REFINED).filter(|n| traverse.port(n).is_some()).collect()
+}
+/// The row of a hit: a word for each of [`outputs`].
+pub fn hit_row(design: &Design, h: &RayHit) -> Vec<u64> {
+    let mut row = [h.i, h.j, h.fu, h.fv].map(u64::from).to_vec();
+    row.extend([h.t, u64::from(h.wall), u64::from(h.limit)]);
+    row.extend([h.steps, h.crossings, h.ups].map(u64::from));
+    if design.mode.bilinear {
+        // A ray that was given up keeps its words here too.
+        let block = [0, u64::from(h.i), u64::from(h.j), u64::from(h.fu), u64::from(h.fv), h.t];
+        row.extend(h.bilinear.map_or(block, |r| {
+            [r.patch.code(), u64::from(r.i), u64::from(r.j), u64::from(r.fu), u64::from(r.fv), r.t]
+        }));
+    }
+    row
+}
 
 /// The traverse unit of a design, elaborated.
 pub struct Pipeline {
@@ -31,6 +52,8 @@ pub struct Pipeline {
     pub slots: u32,
     /// Data inputs, in the order of a ray's row.
     pub inputs: Vec<&'static str>,
+    /// Data outputs, in the order of a hit's row.
+    pub outputs: Vec<&'static str>,
     /// Clocks of setup, loop and hit position together: until the pipeline can be full.
     pub depth: u32,
 }
@@ -43,7 +66,13 @@ impl Pipeline {
     pub fn new(design: &Design, over: &Binding) -> Result<Self> {
         let t = traverse(design);
         let net = elaborate(&t.module, over)?;
-        Ok(Self { net, slots: t.slots, inputs: inputs(&t.module), depth: t.setup + t.slots + t.finish })
+        Ok(Self {
+            net,
+            slots: t.slots,
+            inputs: inputs(&t.module),
+            outputs: outputs(&t.module),
+            depth: t.setup + t.slots + t.finish,
+        })
     }
 
     /// Runs `rays` through `lanes` copies; multiples of [`BLOCK`] are fastest.
@@ -51,8 +80,8 @@ impl Pipeline {
     /// # Errors
     /// A ray that gets lost, or a result that nobody waits for.
     pub fn run(&self, pyramid: &Pyramid, rays: &[RayInput], lanes: usize, traffic: Traffic) -> Result<StreamRun> {
-        let (image, items) = self.words(pyramid, rays);
-        self.stream().run(&items, &image, lanes, traffic)
+        let (images, items) = self.words(pyramid, rays);
+        self.stream().run(&items, &images, lanes, traffic)
     }
 
     /// As [`Pipeline::run`], on `threads` threads of `lanes` lanes each.
@@ -67,19 +96,19 @@ impl Pipeline {
         threads: usize,
         traffic: Traffic,
     ) -> Result<StreamRun> {
-        let (image, items) = self.words(pyramid, rays);
-        self.stream().run_parallel(&items, &image, lanes, threads, traffic)
+        let (images, items) = self.words(pyramid, rays);
+        self.stream().run_parallel(&items, &images, lanes, threads, traffic)
     }
 
-    /// The memory's image and a row of inputs for each ray.
-    fn words(&self, pyramid: &Pyramid, rays: &[RayInput]) -> (Arc<Vec<u64>>, Vec<Vec<u64>>) {
-        let image = pyramid.memory().iter().map(|w| u64::from(*w)).collect();
-        (Arc::new(image), rays.iter().map(|r| row(&self.inputs, r)).collect())
+    /// The memories' images and a row of inputs for each ray.
+    fn words(&self, pyramid: &Pyramid, rays: &[RayInput]) -> (Vec<Arc<Vec<u64>>>, Vec<Vec<u64>>) {
+        let image: Vec<u64> = pyramid.memory().iter().map(|w| u64::from(*w)).collect();
+        (images(&self.net, &image), rays.iter().map(|r| row(&self.inputs, r)).collect())
     }
 
     /// The unit as a stream of rays.
     pub fn stream(&self) -> Stream {
-        Stream::new(&self.net, &self.inputs, &OUTPUTS, u64::from(self.depth))
+        Stream::new(&self.net, &self.inputs, &self.outputs, u64::from(self.depth))
     }
 }
 
@@ -106,5 +135,8 @@ pub fn hit(r: &[u64]) -> RayHit {
         steps: r[7] as u32,
         crossings: r[8] as u32,
         ups: r[9] as u32,
+        bilinear: r.get(10).and_then(|code| Patch::ALL.into_iter().find(|p| p.code() == *code)).map(|patch| {
+            BilinearHit { patch, i: r[11] as u32, j: r[12] as u32, fu: r[13] as u32, fv: r[14] as u32, t: r[15] }
+        }),
     }
 }

@@ -1,6 +1,7 @@
 //! One ray through the pipeline from power-up, undefined values tracked, as a waveform.
 use super::diagnose::{Divergence, diagnose};
-use super::interp::{OUTPUTS, Pipeline, hit, row};
+use super::interp::{Pipeline, hit, row};
+use super::memory::images;
 use crate::bits::mask;
 use crate::config::Design;
 use crate::error::{Error, Result};
@@ -46,7 +47,7 @@ pub fn record_ray(
     let mut wave = if let Some(w) = window { wave.window(w.before) } else { wave };
     let mut sim = Tracked::new(net);
     let image: Vec<u64> = pyramid.memory().iter().map(|w| u64::from(*w)).collect();
-    sim.load(0, &image);
+    images(net, &image).iter().enumerate().for_each(|(k, words)| sim.load(k, words));
     net.inputs.iter().for_each(|i| sim.set(i.slot, 0));
     sim.set(net.input("out_ready"), 1);
     let data: Vec<_> = p.inputs.iter().map(|n| net.input(n)).collect();
@@ -63,13 +64,13 @@ pub fn record_ray(
         wave.sample(&sim);
         match window {
             None => {
-                hit = result(net, &sim, clock)?;
+                hit = result(p, &sim, clock)?;
                 if hit.is_some() {
                     return Ok((hit, wave));
                 }
             }
             Some(w) => {
-                hit = hit.or(result(net, &sim, clock).unwrap_or_default());
+                hit = hit.or(result(p, &sim, clock).unwrap_or_default());
                 if clock == w.at {
                     wave.trigger(w.after);
                 }
@@ -113,10 +114,11 @@ pub fn record_rows(net: &Netlist, latency: usize, ports: &[&str], rows: &[Vec<u6
 }
 
 /// The hit that stands at the output.
-fn result(net: &Netlist, sim: &Tracked<'_>, clock: u64) -> Result<Option<RayHit>> {
+fn result(p: &Pipeline, sim: &Tracked<'_>, clock: u64) -> Result<Option<RayHit>> {
     if clock == 0 {
         return Ok(None);
     }
+    let net = &p.net;
     let undefined = |name: &str| Error::Mismatch(format!("{name} has undefined bits in clock {clock}"));
     let known = |name: &str| match sim.get(net.output(name)) {
         (v, 0) => Ok(v),
@@ -126,7 +128,7 @@ fn result(net: &Netlist, sim: &Tracked<'_>, clock: u64) -> Result<Option<RayHit>
     if valid == 0 {
         return Ok(None);
     }
-    let words = OUTPUTS.iter().map(|n| known(n)).collect::<Result<Vec<u64>>>()?;
+    let words = p.outputs.iter().map(|n| known(n)).collect::<Result<Vec<u64>>>()?;
     Ok(Some(hit(&words)))
 }
 

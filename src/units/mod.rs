@@ -66,7 +66,10 @@ pub fn all(d: &Design) -> Vec<Arc<Module>> {
         (path.setup)(d),
         (path.hit)(d),
         traversal::height_memory(2 * t.levels + 1, t.height_bits, ((1 << (2 * t.levels + 2)) - 1) / 3),
-        traversal::traverse(d).module,
     ]);
+    if d.mode.bilinear {
+        list.extend(traversal::bilinear::units(d));
+    }
+    list.push(traversal::traverse(d).module);
     list
 }

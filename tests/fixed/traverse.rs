@@ -54,7 +54,7 @@ fn every_trim_equals_golden_and_hits_alike() {
         for level_up in LevelUp::ALL {
             for levels_down in 1..=4 {
                 for start_level in [false, true] {
-                    d.mode = ModeConfig { start_level, levels_down, level_up, trim, lod: true };
+                    d.mode = ModeConfig { start_level, levels_down, level_up, trim, lod: true, bilinear: false };
                     let g = Tracer::new(&d).unwrap();
                     let p = Pipeline::new(&d, &Binding::new()).unwrap();
                     let run = p.run(&pyramid, &rays, 8, Traffic { gaps: 60, stalls: 90, seed: runs }).unwrap();

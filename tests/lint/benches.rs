@@ -14,6 +14,7 @@ const CHOSEN: [&str; 7] = [
     "emit.prefix=pdm_",
     "format.exp=8 format.man=23",
     "mode.trim=always mode.lod=true",
+    "mode.bilinear=true",
     "datapath.kind=published",
     "datapath.kind=fixed",
     EXTRA[0],

@@ -17,7 +17,8 @@ fn modes(format: FloatFormat) -> Vec<ModeConfig> {
     for &trim in trims {
         for start_level in [false, true] {
             for levels_down in 1..=4 {
-                let mode = |level_up| ModeConfig { start_level, levels_down, level_up, trim, lod: true };
+                let mode =
+                    |level_up| ModeConfig { start_level, levels_down, level_up, trim, lod: true, bilinear: false };
                 all.extend(LevelUp::ALL.map(mode));
             }
         }

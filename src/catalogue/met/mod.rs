@@ -66,7 +66,8 @@ fn words(unit: &str) -> Option<Word> {
             [("x", u.entry), ("y", v.entry), ("x_end", u.end), ("y_end", v.end)].iter().find(|w| w.0 == p).map(|w| w.1)
         },
         "hit_position" => |p, m| if p == "x" { Some(m.axes[0].at) } else { one_axis(p, m) },
-        "plane_time" | "predicted_hit" | "chord_end" => one_axis,
+        "plane_time" | "predicted_hit" | "chord_end" | "ray_place" => one_axis,
+        "bilinear_window" | "surface_gap" | "secant_step" => refined,
         "height_test" | "node_crossing" | "multi_level_down" | "level_up" | "chord_trim" => both_axes,
         _ => return None,
     })
@@ -85,6 +86,20 @@ fn one_axis(port: &str, m: &Moment) -> Option<u64> {
         "plane" => s.plane,
         "t" => m.t,
         "m" => m.m,
+        _ => return None,
+    })
+}
+
+/// Windows and gaps of every size that a ray has; that they belong together does not matter to the units.
+fn refined(port: &str, m: &Moment) -> Option<u64> {
+    let [u, v] = &m.axes;
+    Some(match port {
+        "r_x" => u.a.r,
+        "r_y" => v.a.r,
+        "t" | "t_begin" => m.t,
+        "t_end" => m.m,
+        "gap_begin" => u.a.p,
+        "gap_end" => v.a.dt,
         _ => return None,
     })
 }

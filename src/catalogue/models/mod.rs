@@ -1,4 +1,5 @@
 //! The golden model of each unit, in the order of its ports: those of every datapath here, the others in a file a datapath.
+mod bilinear;
 mod fixed;
 mod float;
 mod published;

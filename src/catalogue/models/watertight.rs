@@ -62,6 +62,6 @@ pub(super) fn model(unit: &str, d: &Design, b: &Binding, x: &[u64]) -> Vec<u64> 
             let infinite = matches!(gf::decode(f, x[3]), gf::Value::Infinite(_) | gf::Value::Nan);
             vec![index(if infinite { far } else { at() })]
         }
-        _ => super::float::model(unit, d, b, x),
+        _ => super::bilinear::model(unit, d, b, x).unwrap_or_else(|| super::float::model(unit, d, b, x)),
     }
 }

@@ -267,7 +267,14 @@ fn fixed(d: &Design) -> Vec<Design> {
 }
 
 fn plain() -> ModeConfig {
-    ModeConfig { start_level: false, levels_down: 1, level_up: LevelUp::None, trim: Trim::None, lod: false }
+    ModeConfig {
+        start_level: false,
+        levels_down: 1,
+        level_up: LevelUp::None,
+        trim: Trim::None,
+        lod: false,
+        bilinear: false,
+    }
 }
 
 fn modes() -> Vec<ModeConfig> {
@@ -281,6 +288,7 @@ fn modes() -> Vec<ModeConfig> {
                     level_up,
                     trim,
                     lod: false,
+                    bilinear: false,
                 }));
             }
         }

@@ -1,13 +1,14 @@
 //! The report: speed against error of every design, as one page, JSON and CSV with the same numbers.
+mod bilinear;
 mod cell;
 mod charts;
 mod figures;
 mod pictures;
 mod plan;
 mod published;
-mod replay;
+pub(in crate::report) mod replay;
 mod sections;
-mod stats;
+pub(in crate::report) mod stats;
 mod store;
 mod svg;
 mod table;

@@ -3,17 +3,17 @@ use super::cell::walk;
 use super::plan::{DesignSpec, Plan, Site};
 use crate::config::View;
 use crate::error::Result;
-use crate::golden::{decode_time, encode_ray};
+use crate::golden::encode_ray;
 use crate::oracle::ExactHit;
 use crate::report::accuracy::distance;
 use crate::report::exact_ray;
 use crate::scene::border::tiles;
 use crate::scene::{Camera, Picture, ShadePoint, Shader};
-use crate::trace::trace_golden;
+use crate::trace::{shade_point, trace_golden};
 use rayon::prelude::*;
 
 /// Pixels of a picture.
-const SIZE: (u32, u32) = (360, 270);
+pub(super) const SIZE: (u32, u32) = (360, 270);
 /// Pixels of the enlarged neighbourhood.
 const NEAR: (usize, usize) = (24, 18);
 /// Same texel: from no error to half a texel; another texel; given up; no ray.
@@ -56,7 +56,6 @@ pub fn view(plan: &Plan, site: &Site, spec: &DesignSpec, view: View) -> Result<V
         words.par_iter().map(|r| Ok(walk(site, &exact_ray(&d, r)?))).collect::<Result<_>>()?;
     let bottom = f64::from((1u32 << site.spec.height_bits) - 1);
     let side = 2f64.powi(site.spec.levels as i32);
-    let part = 2f64.powi(-(d.traverse.frac_bits as i32));
     let pixels = (SIZE.0 * SIZE.1) as usize;
     let (mut ours, mut truth, mut differ) = (vec![None; pixels], vec![None; pixels], vec![MISS; pixels]);
     let mut worst = (-1.0, [0, 0]);
@@ -64,10 +63,8 @@ pub fn view(plan: &Plan, site: &Site, spec: &DesignSpec, view: View) -> Result<V
     let mut wrong = Vec::new();
     for ((r, h), e) in rays.iter().zip(&hits).zip(&exact) {
         let at = (r.py * SIZE.0 + r.px) as usize;
-        let unit = |i: u32, f: u32| (f64::from(i) + f64::from(f) * part) / side;
         if !h.limit {
-            let t = decode_time(&d, h.t) / bottom;
-            ours[at] = Some(ShadePoint { u: unit(h.i, h.fu), v: unit(h.j, h.fv), t, wall: h.wall });
+            ours[at] = Some(shade_point(&d, h));
         }
         let Some((e, place)) = e else { continue };
         let [u, v] = place.map(|x| (x / side).rem_euclid(1.0));

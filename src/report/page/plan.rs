@@ -112,8 +112,14 @@ pub struct Plan {
 }
 
 /// The mode that the page takes where it compares formats.
-pub const BEST: ModeConfig =
-    ModeConfig { start_level: true, levels_down: 2, level_up: LevelUp::Selective, trim: Trim::None, lod: false };
+pub const BEST: ModeConfig = ModeConfig {
+    start_level: true,
+    levels_down: 2,
+    level_up: LevelUp::Selective,
+    trim: Trim::None,
+    lod: false,
+    bilinear: false,
+};
 
 /// Iterations after which a ray without nudge is given up: more than any ray of the usual maps needs.
 const STUCK_LIMIT: u32 = 511;
@@ -200,7 +206,7 @@ impl DesignSpec {
 
 /// A mode in a few words: that of the published table where it has one.
 pub fn mode_label(m: &ModeConfig) -> String {
-    let plain = ModeConfig { trim: Trim::None, lod: false, ..*m };
+    let plain = ModeConfig { trim: Trim::None, lod: false, bilinear: false, ..*m };
     let up = serde_json::to_value(m.level_up).expect("plain data");
     let named = ROWS.iter().find(|(_, row)| *row == plain).map(|(name, _)| (*name).to_owned());
     let name = named.unwrap_or_else(|| {
@@ -228,7 +234,7 @@ pub fn modes(extent: Extent) -> Vec<ModeConfig> {
         for level_up in LevelUp::ALL {
             for levels_down in 1..=4 {
                 for start_level in [false, true] {
-                    out.push(ModeConfig { start_level, levels_down, level_up, trim, lod: false });
+                    out.push(ModeConfig { start_level, levels_down, level_up, trim, ..BEST });
                 }
             }
         }

@@ -3,6 +3,7 @@ use super::cell::{Cell, Witness};
 use super::plan::{Plan, Site};
 use crate::config::Config;
 use serde_json::Value;
+use std::path::Path;
 
 /// `--set key=value` of everything in `c` that is not the default.
 fn sets(c: &Config) -> String {
@@ -36,14 +37,25 @@ fn arguments(plan: &Plan, site: &Site, cell: &Cell) -> String {
     map + &sets(&c)
 }
 
+/// Traces a ray (u, v, du, dv, in tiles of the map) again with the configuration's design on its map, or on that of `file`.
+pub(in crate::report) fn trace_again(c: &Config, file: Option<&Path>, numbers: [f64; 4]) -> String {
+    let mut c = c.clone();
+    (c.vectors, c.latency, c.emit) = Default::default();
+    let map = file.map_or(String::new(), |f| format!(" --map '{}'", f.display()));
+    line(numbers, &(map + &sets(&c)))
+}
+
+/// A ray as a table, its hit as another.
+fn line([u, v, du, dv]: [f64; 4], arguments: &str) -> String {
+    format!(
+        "printf 'u,v,du,dv\\n{u:?},{v:?},{du:?},{dv:?}\\n' > ray.csv && reliefrtl trace --engine golden --rays ray.csv --out hit.csv{arguments} && cat hit.csv"
+    )
+}
+
 /// Traces the witness again: its ray as a table, its hit as another.
 pub fn command(plan: &Plan, cell: &Cell, w: &Witness) -> String {
     let Some(site) = plan.sites.iter().find(|s| s.spec == cell.spec.map) else {
         return String::new();
     };
-    let [u, v, du, dv] = w.numbers;
-    format!(
-        "printf 'u,v,du,dv\\n{u:?},{v:?},{du:?},{dv:?}\\n' > ray.csv && reliefrtl trace --engine golden --rays ray.csv --out hit.csv{} && cat hit.csv",
-        arguments(plan, site, cell)
-    )
+    line(w.numbers, &arguments(plan, site, cell))
 }

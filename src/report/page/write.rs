@@ -4,7 +4,7 @@ use super::charts::Plot;
 use super::figures::{Dot, dots, headlines, series};
 use super::plan::{Extent, Plan, mode_label};
 use super::table::{grouped, short};
-use super::{charts, pictures, published, sections};
+use super::{bilinear, charts, pictures, published, sections};
 use crate::config::View;
 use crate::error::{Error, Result};
 use crate::files::write_atomic;
@@ -74,6 +74,7 @@ pub fn files(plan: &Plan, cells: &[Cell], again: &str) -> Result<Output> {
         claims.clone(),
         sections::not_legal(&plan.not_legal),
         sections::maps(plan),
+        bilinear::table(plan)?,
         sections::cells(cells),
     ];
     let c = &plan.config;
@@ -128,7 +129,7 @@ pub fn files(plan: &Plan, cells: &[Cell], again: &str) -> Result<Output> {
     let shown: serde_json::Map<String, Value> =
         tables.iter().filter(|t| t.name != "cells").map(|t| (t.name.to_owned(), t.page())).collect();
     let page = json!({
-        "head": head, "rays": grouped(cells.iter().map(|x| x.rays).sum()), "cards": cards, "left_out": left_out, "charts": charts, "tables": shown, "pictures": picture_rows(plan)?,
+        "head": head, "rays": grouped(cells.iter().map(|x| x.rays).sum()), "cards": cards, "left_out": left_out, "charts": charts, "tables": shown, "pictures": picture_rows(plan)?, "refined": bilinear::pictures(plan)?,
         "claims": published::claim_words(&claims), "levels": c.traverse.levels, "map": plan.sites[0].spec.name,
     });
     out.push(("report.html".to_owned(), html(&page)?.into_bytes()));

@@ -36,10 +36,10 @@ impl Census {
     }
 }
 
-/// Counts what stands in the loop of `t`: all of it but setup, and the position of the hit.
+/// Counts what stands in the loop of `t`: all of it but setup, the position of the hit, and its refinement.
 pub fn census(d: &Design, t: &Traverse) -> Census {
     let path = Datapath::of(d);
-    let outside = [(path.setup)(d).name.clone(), (path.hit)(d).name.clone()];
+    let outside = [(path.setup)(d).name.clone(), (path.hit)(d).name.clone(), "bilinear_hit".to_string()];
     let inside = t.module.insts.iter().map(|i| &i.module).filter(|m| !outside.contains(&m.name));
     let inside: Vec<&Arc<Module>> = inside.collect();
     let of = |name: &str| inside.iter().map(|m| count(m, name)).sum();

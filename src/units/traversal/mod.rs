@@ -1,4 +1,5 @@
 //! The traversal's units, one file each, and `traverse` on top. Units of one datapath stand in a folder of its name.
+pub mod bilinear;
 mod census;
 mod chord_trim;
 mod datapath;

@@ -3,6 +3,7 @@
 //! A ray is set up once, then goes round the loop, one node an iteration, one iteration a clock. A slot that is free, or
 //! whose ray has just left, takes the next ray. A ray that is done goes round unchanged until it can leave, so
 //! back-pressure stops neither the others nor loses anything. The number of stages follows from the latencies.
+use super::bilinear::{bilinear_hit, latency as bilinear_clocks};
 use super::datapath::Datapath;
 use super::loop_state::{Ray, Sizes, fields};
 use super::stream_delay::{stream_delay, valid_delay, word_delay};
@@ -48,12 +49,14 @@ pub fn traverse(d: &Design) -> Traverse {
     let o_valid = b.output("out_valid", 1, "bit", "a result is offered");
     let out_ready = b.input_static("out_ready", 1, "bit", "it is taken at the next edge");
     let o = Outputs::declare(&b, &s);
+    let o_refined = d.mode.bilinear.then(|| Refined::declare(&b, &s));
     let o_busy = b.output("slot_busy", 1, "bit", "the slot that starts now holds a ray: counts the loop's load");
 
     // The state registers are declared first; what they hold is decided at the end of the loop.
     let fields = fields(&s, d, path);
     let back = Ray::registers(&b, &fields);
     let (clocks_setup, clocks_hit) = ((path.setup_clocks)(d), (path.hit_clocks)(d));
+    let finish = if d.mode.bilinear { bilinear_clocks(&d.latency) } else { clocks_hit };
 
     b.section("leave", "A ray that is done leaves when the output pipeline moves.");
     let hit_valid = b.wire("hit_valid", 1);
@@ -98,7 +101,13 @@ pub fn traverse(d: &Design) -> Traverse {
         let mut ins = (path.hit_inputs)(&back, axis);
         ins.push(("ce", hit_ce));
         let o = b.inst(&hit, &format!("u_hit_{name}"), &[("IDX_W", s.idx.clone())], &ins);
-        fractions.push(o[0].unstaged().named(&format!("hit_f{name}")));
+        let mut fraction = o[0].unstaged();
+        if finish > clocks_hit {
+            let waits = word_delay("fraction_delay", finish - clocks_hit, 1);
+            let ins = [("in_data", fraction.named(&format!("block_f{name}"))), ("ce", hit_ce)];
+            fraction = b.inst(&waits, &format!("u_hit_f{name}"), &[("W", s.frac.clone())], &ins)[0].unstaged();
+        }
+        fractions.push(fraction.named(&format!("hit_f{name}")));
         texels.extend(o.get(1).map(|x| x.unstaged().named(&format!("hit_{}", if axis == "x" { "i" } else { "j" }))));
     }
     let (i, j) = match texels[..] {
@@ -115,19 +124,40 @@ pub fn traverse(d: &Design) -> Traverse {
             outs.push(*part);
             continue;
         }
-        let delay = word_delay("hit_delay", clocks_hit, 1);
+        let delay = word_delay("hit_delay", finish, 1);
         let ins = [("in_data", *part), ("ce", hit_ce)];
         let r = b.inst(&delay, &format!("u_hit_{name}"), &[("W", part.width())], &ins);
         outs.push(r[0].unstaged().named(&format!("hit_{name}")));
     }
-    let delay = valid_delay("hit_valid_delay", clocks_hit);
+    let delay = valid_delay("hit_valid_delay", finish);
     let r = b.inst(&delay, "u_hit_valid", &[], &[("in_valid", leaves), ("ce", hit_ce)]);
     b.connect(hit_valid, r[0].unstaged().named("hit_tracked"));
     b.drive(o_valid, hit_valid, None);
     o.drive(&b, &outs, &fractions);
+    if let Some(o) = o_refined {
+        let block = [outs[1], outs[2], fractions[0], fractions[1], outs[3]];
+        o.drive(&b, &refine(&b, d, &s, &back, &load, hit_ce), block, outs[5]);
+    }
     let at = |l: i64, h: i64| Binding::from([("LEVELS".into(), l), ("HEIGHT_W".into(), h)]);
     let module = b.finish(None, &[at(2, 8), at(3, 16), at(12, 8), at(12, 16)]);
-    Traverse { module, slots, setup: clocks_setup, finish: clocks_hit }
+    Traverse { module, slots, setup: clocks_setup, finish }
+}
+
+/// The refinement beside the hit position: code of the patch, texel, fractions, parameter.
+fn refine<'b>(b: &'b Builder, d: &Design, s: &Sizes, back: &Ray<'b>, load: &Load<'b>, ce: Sig<'b>) -> [Sig<'b>; 6] {
+    b.section("refine", "The hit moved to the surface between the centres of texels.");
+    let mut ins = vec![("load_en", load.en), ("load_addr", load.addr), ("load_data", load.data), ("ce", ce)];
+    ins.extend(["p_x", "d_x", "r_x", "p_y", "d_y", "r_y", "t"].map(|n| (n, back.get(n))));
+    let o = b.inst(&bilinear_hit(d), "u_bilinear", &[("IDX_W", s.idx.clone())], &ins);
+    let named = |k: usize, name: &str| o[k].unstaged().named(name);
+    [
+        named(0, "found_patch"),
+        named(2, "found_i"),
+        named(3, "found_j"),
+        named(4, "found_fu"),
+        named(5, "found_fv"),
+        named(1, "found_t"),
+    ]
 }
 
 /// The load port of the pyramid.
@@ -167,5 +197,37 @@ impl Outputs {
     fn drive(&self, b: &Builder, carried: &[Sig<'_>], fractions: &[Sig<'_>]) {
         self.carried.iter().zip(carried).for_each(|(p, v)| b.drive(*p, *v, None));
         self.fractions.iter().zip(fractions).for_each(|(p, v)| b.drive(*p, *v, None));
+    }
+}
+
+/// Output ports of a refined hit.
+struct Refined {
+    patch: usize,
+    /// Texel, fractions, parameter.
+    words: [usize; 5],
+}
+
+impl Refined {
+    fn declare(b: &Builder, s: &Sizes) -> Self {
+        b.require(&s.height + s.frac.clone() * 2 + &s.numbers.float.as_ref().expect("the watertight datapath").man, 60);
+        let code = "surface between texel centres: 0 given up, 1 hit; not met: 2 above it, 3 below it";
+        let patch = b.output("out_patch", 2, "code", code);
+        let i = b.output("out_bi", &s.levels, "texels", "texel of the refined hit, column (u); not met: of the hit");
+        let j = b.output("out_bj", &s.levels, "texels", "texel of the refined hit, row (v); not met: of the hit");
+        let fu = b.output("out_bfu", &s.frac, "1/2^FRAC_W texel", "position of the refined hit in its texel along u");
+        let fv = b.output("out_bfv", &s.frac, "1/2^FRAC_W texel", "position of the refined hit in its texel along v");
+        let t = b.output("out_bt", &s.numbers.time.0, s.numbers.time.1, "ray parameter of the refined hit");
+        Self { patch, words: [i, j, fu, fv, t] }
+    }
+
+    /// `found` as of [`refine`]; `block` are the hit's words where it finds nothing, and `limit` says that there is no hit.
+    fn drive<'b>(&self, b: &'b Builder, found: &[Sig<'b>; 6], block: [Sig<'b>; 5], limit: Sig<'b>) {
+        let ends = (!limit).named("has_hit");
+        let patch = (found[0] & ends.rep(2)).named("patch");
+        let is_met = (patch.bit(0) & !patch.bit(1)).named("is_met");
+        b.drive(self.patch, patch, None);
+        for ((port, new), old) in self.words.iter().zip(&found[1..]).zip(block) {
+            b.drive(*port, is_met.mux(*new, old), None);
+        }
     }
 }

@@ -1,0 +1,136 @@
+//! The bilinear refinement: its error against the exact root, and what it does to a magnified picture.
+use super::pictures::{SIZE, data_uri};
+use super::plan::{Extent, Plan, Site};
+use super::table::{Table, real};
+use crate::config::{Config, DatapathConfig, MapConfig, ModeConfig, View};
+use crate::error::Result;
+use crate::golden::{RayInput, encode_ray};
+use crate::report::bilinear;
+use crate::scene::border::tiles;
+use crate::scene::{Camera, Picture, Shader, ViewRay};
+use crate::trace::{shade_point, trace_golden};
+use serde_json::{Value, json};
+
+/// Rays of a view, evenly over the picture: the exact root costs far more than the exact walk.
+const RAYS: usize = 120;
+/// EXP_W and MAN_W.
+const FORMATS: [(u32, u32); 3] = [(7, 16), (8, 23), (5, 10)];
+/// log2 of the side of the map in the pictures: texels must be large to be seen.
+const PICTURE_LEVELS: u32 = 5;
+
+/// The refined design of a format on a site's map; `None` if there is none.
+fn config(plan: &Plan, site: &Site, (exp, man): (u32, u32)) -> Option<Config> {
+    let (mut c, s) = (plan.config.clone(), &site.spec);
+    (c.format.exp, c.format.man, c.traverse.levels) = (exp, man, s.levels);
+    (c.datapath, c.mode) = (DatapathConfig::default(), ModeConfig { bilinear: true, ..super::plan::BEST });
+    (c.map.kind, c.map.scale, c.map.repeat, c.map.border) = (s.kind, s.scale, s.repeat, s.border);
+    c.map.file = site.file.clone();
+    c.validate().is_ok().then_some(c)
+}
+
+fn rays(c: &Config, site: &Site, view: View, stride: u32) -> Result<Vec<ViewRay>> {
+    let all = site.rays(c, &Camera::standard(view, c.view.width, c.view.height), stride)?;
+    let n = all.len().min(RAYS);
+    Ok((0..n).map(|k| all[k * all.len() / n]).collect())
+}
+
+fn words(c: &Config, rays: &[ViewRay]) -> Vec<RayInput> {
+    rays.iter().map(|r| encode_ray(&c.design(), [r.u, r.v, r.du, r.dv])).collect()
+}
+
+/// Refined hits against the exact root, a row a map, view and format.
+///
+/// # Errors
+/// As [`bilinear`].
+pub fn table(plan: &Plan) -> Result<Table> {
+    let keys = [
+        ("map", "map"),
+        ("levels", "levels"),
+        ("view", "view"),
+        ("format", "float"),
+        ("rays", "rays"),
+        ("hit", "hit"),
+        ("above", "above"),
+        ("below", "below"),
+        ("rootless", "hit without a root"),
+        ("missed", "root not seen"),
+        ("t_p50", "t p50, codes"),
+        ("t_p99", "t p99"),
+        ("t_max", "t max"),
+        ("uv_p50", "uv p50, texel"),
+        ("uv_p99", "uv p99"),
+        ("uv_max", "uv max"),
+        ("block_p50", "block hit, uv p50"),
+        ("block_p99", "block hit, uv p99"),
+        ("words", "u v du dv (hex) of the largest"),
+        ("command", "see it again"),
+    ];
+    let mut t = Table::new("bilinear", &keys);
+    for site in plan.sites.iter().filter(|s| s.spec.levels == plan.config.traverse.levels) {
+        for format in FORMATS {
+            let Some(c) = config(plan, site, format) else { continue };
+            for view in View::ALL {
+                let rays = rays(&c, site, *view, plan.stride(*view))?;
+                let words = words(&c, &rays);
+                let b = bilinear(&c.design(), &site.pyramid, &site.texels, &words)?;
+                let w = words.get(b.uv.max_ray).filter(|_| b.uv.rays > 0);
+                t.push(vec![
+                    json!(site.spec.name),
+                    json!(site.spec.levels),
+                    json!(view.word()),
+                    json!(format!("{}/{}", format.0, format.1)),
+                    json!(b.rays),
+                    json!(b.patches[0]),
+                    json!(b.patches[1]),
+                    json!(b.patches[2]),
+                    json!(b.rootless),
+                    json!(b.missed),
+                    real(b.t.p50),
+                    real(b.t.p99),
+                    real(b.t.max),
+                    real(b.uv.p50),
+                    real(b.uv.p99),
+                    real(b.uv.max),
+                    real(b.uv_block.p50),
+                    real(b.uv_block.p99),
+                    json!(w.map(|w| format!("{:x} {:x} {:x} {:x}", w.u, w.v, w.du, w.dv))),
+                    json!(b.command(&c, site.file.as_deref(), &rays)),
+                ]);
+            }
+        }
+    }
+    Ok(t)
+}
+
+/// A map of few texels by its block hits, and by its refined ones; null if there is no such design.
+///
+/// # Errors
+/// A map or a design that is not legal.
+pub fn pictures(plan: &Plan) -> Result<Value> {
+    let first = &plan.sites[0].spec;
+    let levels = PICTURE_LEVELS + first.border.levels();
+    let map = MapConfig { kind: first.kind, file: None, seed: first.seed, ..plan.config.map.clone() };
+    let site = Site::new(&plan.config, &map, levels)?;
+    let Some(c) = config(plan, &site, FORMATS[0]) else { return Ok(Value::Null) };
+    // Tests need no more than one picture.
+    let views = if plan.extent == Extent::Tiny { &View::ALL[1..2] } else { View::ALL };
+    let s = &site.spec;
+    let shader = Shader::new(&site.texels, s.levels, s.height_bits, s.scale, tiles(s.border, s.repeat), s.kind);
+    let mut out = Vec::new();
+    for view in views {
+        let rays = site.rays(&c, &Camera::standard(*view, SIZE.0, SIZE.1), 1)?;
+        let words = words(&c, &rays);
+        let picture = |bilinear: bool| -> Result<String> {
+            let mut d = c.design();
+            d.mode.bilinear = bilinear;
+            let hits = trace_golden(&d, &site.pyramid, &words)?;
+            let mut pixels = vec![None; (SIZE.0 * SIZE.1) as usize];
+            for (r, h) in rays.iter().zip(hits.iter()).filter(|x| !x.1.limit) {
+                pixels[(r.py * SIZE.0 + r.px) as usize] = Some(shade_point(&d, h));
+            }
+            data_uri(&Picture::shaded(&shader, SIZE.0 as usize, SIZE.1 as usize, &pixels))
+        };
+        out.push(json!({"view": view.word(), "pair": [picture(false)?, picture(true)?]}));
+    }
+    Ok(json!({"map": s.name, "side": 1u64 << levels, "views": out}))
+}

@@ -1,0 +1,44 @@
+//! The bilinear refinement of a hit (`docs/bilinear.md`; PDM section 3.3): a pipeline behind the loop, with a copy of the map for each end of its window.
+mod bank_address;
+mod bilinear_hit;
+mod bilinear_window;
+mod patch_corner;
+mod patch_memory;
+mod ray_place;
+mod secant_step;
+mod surface_gap;
+
+pub use bank_address::bank_address;
+pub use bilinear_hit::{bilinear_hit, latency};
+pub use bilinear_window::bilinear_window;
+pub use patch_corner::patch_corner;
+pub use patch_memory::patch_memory;
+pub use ray_place::ray_place;
+pub use secant_step::secant_step;
+pub use surface_gap::surface_gap;
+
+use crate::config::Design;
+use crate::ir::{Builder, Module, Sig};
+use std::sync::Arc;
+
+/// Units of the refinement that hold memories: rays through `traverse` are their vectors.
+pub const WITH_MEMORY: [&str; 2] = ["patch_memory", "bilinear_hit"];
+
+/// All of them, leaves first.
+pub fn units(d: &Design) -> Vec<Arc<Module>> {
+    vec![
+        bilinear_window(d),
+        ray_place(d),
+        patch_corner(&d.traverse),
+        bank_address(&d.traverse),
+        patch_memory(&d.traverse),
+        surface_gap(d),
+        secant_step(d),
+        bilinear_hit(d),
+    ]
+}
+
+/// A float with the other sign.
+fn negated<'b>(b: &'b Builder, x: Sig<'b>, name: &str) -> Sig<'b> {
+    b.cat(&[!x.msb(), x.slice(0, x.width() - 1)]).named(name)
+}
