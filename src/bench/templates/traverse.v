@@ -381,8 +381,8 @@ module tb_traverse #(
         $display("FAIL tb_traverse: ray %0d was expected and never came", rays);
         finish(8'd6);
       end else if (got_stim == 1 || got_exp == 1 || got_mem == 1) begin
-        $display("FAIL tb_traverse: %0s in %0s holds more rows than it announces",
-                 "stimulus.hex, expected.hex or memory.hex", dir);
+        $display("FAIL tb_traverse: %0s in %0s holds more rows than it announces, with %0h",
+                 "stimulus.hex, expected.hex or memory.hex", dir, word);
         finish(8'd2);
       end else if (wrong > 0) begin
         $display("FAIL tb_traverse: %0d of %0d mismatched", wrong, checked);
