@@ -22,7 +22,16 @@ module height_memory #(
 
   // Illegal parameters end elaboration here: the missing module's name says what must hold.
   generate
-    if (DEPTH > (1 << ADDR_W)) begin : gen_illegal_0
+    if (1 > ADDR_W) begin : gen_illegal_0
+      must_hold_1_at_most_ADDR_W u_illegal ();
+    end
+    if (1 > DATA_W) begin : gen_illegal_1
+      must_hold_1_at_most_DATA_W u_illegal ();
+    end
+    if (1 > DEPTH) begin : gen_illegal_2
+      must_hold_1_at_most_DEPTH u_illegal ();
+    end
+    if (DEPTH > (1 << ADDR_W)) begin : gen_illegal_3
       must_hold_DEPTH_at_most_2_to_the_ADDR_W u_illegal ();
     end
   endgenerate

@@ -105,6 +105,7 @@ module tb_fp_from_int #(
   // One clock. What is needed within the clock alone is local to the task.
   task automatic step;
     integer got;
+    integer got_exp;
     reg [63:0] word;
     reg bad_in;
     reg bad_out;
@@ -149,9 +150,15 @@ module tb_fp_from_int #(
         done <= 1'b1;
       end else if (drain > Latency + 4) begin
         done <= 1'b1;
+        got = $fscanf(stim_fd, "%h", word);
+        got_exp = $fscanf(exp_fd, "%h", word);
         if (exp_left > 0) begin
           $display("FAIL tb_fp_from_int: vector %0d was expected and never came", checked);
           exit_code <= 8'd6;
+        end else if (got == 1 || got_exp == 1) begin
+          $display("FAIL tb_fp_from_int: %0s in %0s holds more rows than it announces",
+                   "stimulus.hex or expected.hex", dir);
+          exit_code <= 8'd2;
         end else if (wrong > 0) begin
           $display("FAIL tb_fp_from_int: %0d of %0d mismatched", wrong, checked);
           exit_code <= 8'd1;

@@ -136,7 +136,7 @@ fn faults_of_the_stream_are_told_apart() {
             if !body.is_empty() {
                 wrap(dir.path(), &m, taken, &format!("{COUNT}\n{body}"));
             }
-            let mut args = vec!["vectors=v".to_string(), "patience=20000".into()];
+            let mut args = vec!["vectors=v".to_string()];
             args.extend(plusargs.iter().map(|s| s.to_string()));
             let got = match run_bench(sim, dir.path(), "traverse", &over, &args) {
                 Ok(o) => {
@@ -189,4 +189,37 @@ fn faults_of_a_pipeline_are_mismatches() {
         let (got, text) = got.map_or_else(|e| (e.exit_code(), e.to_string()), |_| (0, String::new()));
         assert_eq!(got, *code, "{fault}: {text}");
     }
+}
+
+/// Rows behind those that a file announces: whoever adds one must hear of it.
+#[test]
+fn rows_too_many_are_noticed() {
+    if skip() {
+        return;
+    }
+    let mut c = Config::default();
+    (c.vectors.arithmetic, c.vectors.rays, c.traverse.levels) = (60, 10, 4);
+    let files = project(&c, &Scene::new(&c, None, false).unwrap()).unwrap().files;
+    let mut runs = 0;
+    for (unit, names) in [("fp_add", &["stimulus", "expected"][..]), ("traverse", &["stimulus", "expected", "memory"])]
+    {
+        for name in names {
+            let dir = tempfile::tempdir().unwrap();
+            for (path, text) in &files {
+                let place = dir.path().join(path);
+                std::fs::create_dir_all(place.parent().unwrap()).unwrap();
+                let last = text.lines().last().unwrap();
+                let spoiled = *path == format!("golden/{unit}/{name}.hex");
+                std::fs::write(place, if spoiled { format!("{text}{last}\n") } else { text.clone() }).unwrap();
+            }
+            for sim in [Simulator::Icarus, Simulator::Verilator] {
+                let said = run_bench(sim, dir.path(), unit, &Binding::new(), &[]).map(|o| o.output);
+                let e = said.expect_err(&format!("{unit} {name} in {}", sim.name()));
+                assert_eq!(e.exit_code(), 2, "{unit} {name} in {}: {e}", sim.name());
+                assert!(e.to_string().contains("more rows than"), "{e}");
+                runs += 1;
+            }
+        }
+    }
+    assert_eq!(runs, 10);
 }

@@ -1,6 +1,6 @@
 //! How files and directories are written: whole or not at all, and nobody else's are touched.
 use reliefrtl::error::Error;
-use reliefrtl::files::{MANIFEST, OutDir, write_atomic};
+use reliefrtl::files::{MANIFEST, OutDir, Part, write_atomic};
 use std::fs;
 use std::path::Path;
 
@@ -76,6 +76,8 @@ fn files_of_other_origin_stay() {
     emit(&target, &[("a.v", "a"), ("b.v", "b"), ("old/c.v", "c"), ("old/d.v", "d")]).unwrap();
     fs::write(target.join("notes.txt"), "mine").unwrap();
     fs::write(target.join("b.v"), "b, edited").unwrap();
+    let edited = sentence(emit(&target, &[("b.v", "b2")]));
+    assert!(edited.contains("b.v was edited since it was generated and would be overwritten"), "{edited}");
     emit(&target, &[("a.v", "a2"), ("new/e.v", "e")]).unwrap();
     assert_eq!(
         names(&target),
@@ -105,4 +107,39 @@ fn files_of_other_origin_stay() {
     );
     let below = sentence(emit(&file.join("out"), &[]));
     assert!(below.starts_with("cannot create "), "{below}");
+}
+
+fn write(target: &Path, part: Part, files: &[(&str, &str)]) -> Result<usize, Error> {
+    let mut out = OutDir::part(target, part)?;
+    for (path, text) in files {
+        out.add(path, text.as_bytes())?;
+    }
+    Ok(out.commit()?.len())
+}
+
+/// What writes a part leaves the rest alone, if it comes from the same configuration.
+#[test]
+fn parts_make_one_tree() {
+    let directory = tempfile::tempdir().unwrap();
+    let target = directory.path().join("out");
+    let part = |config: &str, replaces| Part { config: config.into(), replaces, alone_in: &[] };
+    write(&target, part("1", &["rtl/", "list"]), &[("rtl/a.v", "a"), ("rtl/b.v", "b"), ("list", "a b")]).unwrap();
+    write(&target, part("1", &["golden/"]), &[("golden/a.hex", "a"), ("golden/b.hex", "b")]).unwrap();
+    write(&target, part("1", &["golden/b.hex"]), &[("golden/b.hex", "b2")]).unwrap();
+    assert_eq!(names(&target), [MANIFEST, "golden", "list", "rtl"]);
+    assert_eq!(names(&target.join("golden")), ["a.hex", "b.hex"]);
+    write(&target, part("1", &["rtl/", "list"]), &[("rtl/a.v", "a2"), ("list", "a")]).unwrap();
+    assert_eq!(names(&target.join("rtl")), ["a.v"], "of what this run replaces, the rest is gone");
+    let before = fs::read(target.join(MANIFEST)).unwrap();
+    let other = sentence(write(&target, part("2", &["rtl/", "list"]), &[("rtl/a.v", "x"), ("list", "x")]));
+    assert!(other.contains("holds golden/a.hex of another configuration"), "{other}");
+    let alone = Part { config: "1".into(), replaces: &[], alone_in: &["rtl/", "list"] };
+    let crowded = sentence(write(&target, alone.clone(), &[("rtl/c.v", "c"), ("list", "c")]));
+    assert!(crowded.contains("holds rtl/a.v of another run, which the new manifest would not list"), "{crowded}");
+    assert_eq!(fs::read(target.join(MANIFEST)).unwrap(), before, "refused before anything was moved");
+    // The whole tree goes where it is written whole; then another configuration is as good.
+    emit(&target, &[("rtl/a.v", "y")]).unwrap();
+    assert_eq!(names(&target), [MANIFEST, "rtl"]);
+    write(&target, Part { config: "3".into(), ..alone }, &[("rtl/a.v", "z")]).unwrap();
+    assert_eq!(names(directory.path()), ["out"]);
 }

@@ -106,6 +106,10 @@ fn build_icarus(dir: &Path, unit: &str, params: &Binding, define: Option<&str>, 
     Ok(run)
 }
 
+fn in_path(program: &str) -> bool {
+    std::env::var_os("PATH").is_some_and(|path| std::env::split_paths(&path).any(|dir| dir.join(program).is_file()))
+}
+
 fn build_verilator(dir: &Path, unit: &str, params: &Binding, define: Option<&str>, work: &Path) -> Result<Command> {
     let mut c = Command::new(Simulator::Verilator.program());
     c.args([
@@ -125,6 +129,10 @@ fn build_verilator(dir: &Path, unit: &str, params: &Binding, define: Option<&str
     c.arg(format!("tb_{unit}")).args(define).arg("--Mdir").arg(work.join("obj"));
     c.args(params.iter().map(|(k, v)| format!("-G{k}={v}")));
     c.arg("-y").arg(dir.join("rtl")).args(bench(dir, unit, false)).arg(dir.join("testbench/verilator_main.cpp"));
+    // Most of the time that a small bench takes goes into Verilator's own library, which is the same for all of them.
+    if std::env::var_os("OBJCACHE").is_none() && in_path("ccache") {
+        c.env("OBJCACHE", "ccache");
+    }
     finish(Simulator::Verilator, c)?;
     Ok(Command::new(work.join("obj/Vtb")))
 }

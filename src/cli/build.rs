@@ -3,6 +3,7 @@ use super::args::{BuildArgs, Cli, Engine, VectorsArgs};
 use super::output::{spinner, table};
 use crate::config::View;
 use crate::error::{Error, Result};
+use crate::files::{OutDir, Part};
 use crate::project::{self, Scene, check_tree};
 use crate::report::steps;
 use crate::scene::Camera;
@@ -19,7 +20,7 @@ pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
     bar.set_message("tracing the picture through the datapath");
     let (rays, hits) = super::render::trace(cli, &c, Engine::Interp, &scene, &camera, stride)?;
     let picture = super::render::picture(&c, &scene, &camera, stride, &rays, &hits, false)?.to_png()?;
-    let mut dir = crate::files::OutDir::new(&a.out)?;
+    let mut dir = OutDir::new(&a.out)?.of(c.hash());
     p.files.iter().try_for_each(|(path, text)| dir.add(path, text.as_bytes()))?;
     dir.add("preview.png", &picture)?;
     dir.commit()?;
@@ -115,7 +116,9 @@ pub fn vectors(cli: &Cli, a: &VectorsArgs) -> Result<()> {
     if files.is_empty() {
         return Err(Error::NothingRan("this unit has no vectors of its own".into()));
     }
-    super::output::write_tree(&a.out, &files)?;
+    let own = a.unit.as_ref().map_or("golden/".into(), |name| format!("golden/{name}/"));
+    let part = Part { config: c.hash(), replaces: &[&own], alone_in: &[] };
+    super::output::write_part(&a.out, &files, part)?;
     bar.finish_and_clear();
     if cli.json {
         println!("{}", json!({"out": a.out, "files": files.keys().collect::<Vec<_>>()}));

@@ -26,6 +26,8 @@ use clap::{CommandFactory, Parser};
 /// Runs the command line; returns the exit code (0 ok, 1 mismatch, 2 usage or input, 3 tool missing, 4 tool failed,
 /// 5 nothing ran, 6 a result never came, 7 a result too many).
 pub fn main() -> i32 {
+    // An interrupted run leaves nothing behind. Without a handler it ends all the same.
+    let _ = ctrlc::set_handler(|| crate::files::abandon(130));
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(e) => {

@@ -2,7 +2,7 @@
 use super::args::Cli;
 use crate::emit::Files;
 use crate::error::{Error, Result};
-use crate::files::OutDir;
+use crate::files::{OutDir, Part};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::path::Path;
@@ -23,6 +23,16 @@ pub fn error(cli: &Cli, e: &Error) {
 /// If the directory can't be written.
 pub fn write_tree(out: &Path, files: &Files) -> Result<()> {
     let mut dir = OutDir::new(out)?;
+    files.iter().try_for_each(|(path, text)| dir.add(path, text.as_bytes()))?;
+    dir.commit().map(|_| ())
+}
+
+/// Writes `files` under `out` beside what else was generated there, or nothing.
+///
+/// # Errors
+/// If the directory can't be written, or holds what does not go with them.
+pub fn write_part(out: &Path, files: &Files, part: Part) -> Result<()> {
+    let mut dir = OutDir::part(out, part)?;
     files.iter().try_for_each(|(path, text)| dir.add(path, text.as_bytes()))?;
     dir.commit().map(|_| ())
 }

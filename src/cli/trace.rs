@@ -92,7 +92,7 @@ impl Lost {
         }
         if self.refused > self.beyond {
             println!(
-                "{} of {of} can't be traced by this design: they travel 2^tile_bits = {} tiles of the design or more",
+                "{} of {of} can't be traced by this design: in its number format they travel 2^tile_bits = {} tiles of the design or more",
                 self.refused - self.beyond,
                 1u32 << c.traverse.tile_bits
             );

@@ -28,7 +28,7 @@ pub(crate) fn problem(key: &Key, value: &Value) -> Option<String> {
         (Legal::Words(words), Value::Array(list)) => words_problem(path, list, words),
         (Legal::Words(_), _) => Some(format!("{path} = {shown} is not a list in brackets of {legal}")),
         (Legal::Prefix, Value::String(text)) if is_prefix(text) => None,
-        (Legal::Prefix, _) => Some(format!("{path} = {shown} can't start a Verilog name: {legal}")),
+        (Legal::Prefix, _) => Some(format!("{path} = {shown} can't stand before a module's name: {legal}")),
     }
 }
 
@@ -85,6 +85,7 @@ fn is_prefix(text: &str) -> bool {
     text.len() <= 32
         && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
         && !text.starts_with(|c: char| c.is_ascii_digit())
+        && !["tb_", "fv_"].contains(&text)
 }
 
 /// A value as it would stand in the file, cut if it is long.

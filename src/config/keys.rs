@@ -32,7 +32,9 @@ impl fmt::Display for Legal {
             Self::Flag => f.write_str("true or false"),
             Self::Word(words) | Self::Words(words) => f.write_str(&words.join(", ")),
             Self::Path => f.write_str("a path"),
-            Self::Prefix => f.write_str("empty, or letters, digits and _ with no digit first, at most 32"),
+            Self::Prefix => f.write_str(
+                "empty, or letters, digits and _ with no digit first, at most 32; not tb_ or fv_, as benches are named",
+            ),
         }
     }
 }

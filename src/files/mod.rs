@@ -1,6 +1,8 @@
 //! Writing files so that a reader never meets half of one: beside the target first, then renamed.
 mod out_dir;
-pub use out_dir::{MANIFEST, OutDir};
+mod staging;
+pub use out_dir::{MANIFEST, OutDir, Part};
+pub use staging::abandon;
 
 use crate::error::{Error, Result};
 use std::io::Write;

@@ -21,25 +21,25 @@ pub fn alone_vectors(c: &Config, m: &Module) -> Files {
     set_files(&set).into_iter().map(|(n, t)| (format!("golden/{}/{n}", m.name), t)).collect()
 }
 
-/// Its Verilog and that of what it is made of, with the manifest.
+/// Its Verilog and that of what it is made of, with bench and manifest.
 ///
 /// # Errors
 /// Parameter values that the unit refuses.
-pub fn alone_hardware(c: &Config, m: &Arc<Module>) -> Result<Files> {
+pub fn alone_text(c: &Config, m: &Arc<Module>) -> Result<Files> {
     let modules = emit::modules(std::slice::from_ref(m))?;
     let mut files = emit::rtl(c, &modules);
     let manifest = emit::manifest(c, &modules, &files);
     files.insert("manifest.json".into(), serde_json::to_string_pretty(&manifest).expect("plain data") + "\n");
+    files.extend(bench_files(std::slice::from_ref(m), None, &c.emit.prefix));
     Ok(files)
 }
 
 /// Verilog, manifest, bench and vectors.
 ///
 /// # Errors
-/// As [`alone_hardware`].
+/// As [`alone_text`].
 pub fn alone_files(c: &Config, m: &Arc<Module>) -> Result<Files> {
-    let mut files = alone_hardware(c, m)?;
-    files.extend(bench_files(std::slice::from_ref(m), None, &c.emit.prefix));
+    let mut files = alone_text(c, m)?;
     files.extend(alone_vectors(c, m));
     Ok(files)
 }

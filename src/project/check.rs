@@ -166,7 +166,8 @@ fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary:
             place.display()
         )));
     }
-    same_rows(&place, &set)?;
+    // What an engine says about a spoiled row tells more than that two files differ.
+    let exports = same_rows(&place, &set);
     fits(m, &set).map_err(|e| Error::input(format!("{}: {e}", place.display())))?;
     if let Some(canary) = canary {
         canary.spoil(&mut set);
@@ -199,6 +200,7 @@ fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary:
             Checked { unit: m.name.clone(), rows: o.checked, note }
         }
     };
+    exports?;
     if !whole && canary.is_none() {
         return Err(Error::input(format!(
             "{} does not hold the rows that vectors.json describes (blake3 differs)",

@@ -4,7 +4,7 @@ mod check;
 mod scene;
 mod stored;
 
-pub use alone::{alone, alone_files, alone_hardware, alone_vectors};
+pub use alone::{alone, alone_files, alone_text, alone_vectors};
 pub use check::{Canary, Checked, check_tree};
 pub use scene::{Scene, encode, ray};
 
@@ -63,11 +63,11 @@ pub fn vectors(c: &Config, scene: &Scene) -> Result<Files> {
     Ok(files)
 }
 
-/// The whole project.
+/// The Verilog with its benches and proof harnesses, and the manifest.
 ///
 /// # Errors
-/// As [`hardware`] and [`vectors`].
-pub fn project(c: &Config, scene: &Scene) -> Result<Project> {
+/// As [`hardware`].
+pub fn text(c: &Config) -> Result<Project> {
     let mut p = hardware(c)?;
     let d = c.design();
     let depth = p.traverse.setup + p.traverse.slots + p.traverse.finish;
@@ -75,6 +75,15 @@ pub fn project(c: &Config, scene: &Scene) -> Result<Project> {
     let names: Vec<String> = p.files.keys().filter_map(|f| f.strip_prefix("rtl/")).map(str::to_string).collect();
     let names: Vec<String> = names.into_iter().filter(|f| f.ends_with(".v")).collect();
     p.files.extend(proof_files(&d, &all(&d), &p.traverse, &c.emit.prefix, &names));
+    Ok(p)
+}
+
+/// The whole project.
+///
+/// # Errors
+/// As [`text`] and [`vectors`].
+pub fn project(c: &Config, scene: &Scene) -> Result<Project> {
+    let mut p = text(c)?;
     p.files.extend(vectors(c, scene)?);
     Ok(p)
 }

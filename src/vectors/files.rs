@@ -207,7 +207,7 @@ fn rows(text: &str, columns: &[Column], at: &str) -> Result<Vec<Vec<u64>>> {
         Ok(v)
     };
     let (line, head) =
-        lines.next().ok_or_else(|| Error::input(format!("{at} is empty: it starts with the number of rows")))?;
+        lines.next().ok_or_else(|| Error::NothingRan(format!("{at} is empty: it starts with the number of rows")))?;
     let (count, bits) = head.split_once(' ').ok_or_else(|| {
         Error::input(format!("{at}, line {line}: {head}, where the number of rows and the bits of a row stand"))
     })?;

@@ -2,7 +2,8 @@
 //   +vectors=DIR   directory with memory.hex, stimulus.hex, expected.hex (default golden/traverse)
 //   +gaps          rays are held back at random      +stalls    results are taken at random
 //   +flood         fills the pipeline with rays, resets it, and only then runs the set
-//   +patience=N    clocks without a result after which a ray counts as lost (default 2000000)
+//   +patience=N    clocks without a result after which a ray counts as lost (default: four times
+//                  what the longest ray sent so far may take)
 //   +results=FILE  one line a ray: its number, then its outputs in hex
 // Compiled with ITERATIONS defined, it looks into the loop (which a netlist hasn't under these names):
 //   +iterations=FILE  one line an iteration: ray, level, x, y, t in hex, as the ray enters stage 0
@@ -55,6 +56,7 @@ module tb_traverse #(
   integer checked;
   integer wrong;
   integer quiet;
+  reg [31:0] longest;
   integer cycles;
   integer first_in;
   integer last_out;
@@ -94,6 +96,8 @@ module tb_traverse #(
   wire       taken = out_valid & out_ready & ~rst;
   wire       expected = (tag_used[slot] === 1'b1) & (out_tag === tag_sent[slot]);
   // Rays that are on their way have been accepted, and not been checked.
+  // An iteration takes less than WarmUp clocks; the rest of a ray takes no longer than some of them.
+  wire [31:0] limit = (patience > 0) ? patience : 4 * WarmUp * (longest + 16);
   wire       all_back = stim_left == 0 && rays == checked && !in_valid;
 
   {{ dut }} #(
@@ -158,6 +162,7 @@ module tb_traverse #(
     checked = 0;
     wrong = 0;
     quiet = 0;
+    longest = 0;
     cycles = 0;
     first_in = 0;
     last_out = 0;
@@ -184,7 +189,7 @@ module tb_traverse #(
     gaps = $test$plusargs("gaps") != 0;
     stalls = $test$plusargs("stalls") != 0;
     if ($test$plusargs("flood") != 0) flood_left = 200;
-    if ($value$plusargs("patience=%d", patience) == 0) patience = 2000000;
+    if ($value$plusargs("patience=%d", patience) == 0) patience = 0;
     if ($value$plusargs("vectors=%s", dir) == 0) dir = "golden/traverse";
     $sformat(path, "%0s/memory.hex", dir);
     mem_fd = $fopen(path, "r");
@@ -320,6 +325,9 @@ module tb_traverse #(
         got = $fscanf(exp_fd, "%h", word);
         if (got != 1 || (word >> ({{ p.width }})) != 0) bad = 1'b1;
         want_{{ p.name }}[in_tag[TagBits-1:0]] <= word{{ p.select }};
+{%- if p.name == "out_steps" %}
+        if (word[31:0] > longest) longest <= word[31:0];
+{%- endif %}
 {%- endfor %}
         exp_left <= exp_left - 1;
       end
@@ -361,10 +369,21 @@ module tb_traverse #(
 
   // How it went, once every ray is back or none comes any more.
   task automatic verdict;
+    reg [63:0] word;
+    integer got_stim;
+    integer got_exp;
+    integer got_mem;
     begin
+      got_stim = $fscanf(stim_fd, "%h", word);
+      got_exp = $fscanf(exp_fd, "%h", word);
+      got_mem = $fscanf(mem_fd, "%h", word);
       if (exp_left > 0) begin
         $display("FAIL tb_traverse: ray %0d was expected and never came", rays);
         finish(8'd6);
+      end else if (got_stim == 1 || got_exp == 1 || got_mem == 1) begin
+        $display("FAIL tb_traverse: %0s in %0s holds more rows than it announces, with %0h",
+                 "stimulus.hex, expected.hex or memory.hex", dir, word);
+        finish(8'd2);
       end else if (wrong > 0) begin
         $display("FAIL tb_traverse: %0d of %0d mismatched", wrong, checked);
         finish(8'd1);
@@ -404,8 +423,9 @@ module tb_traverse #(
         finish(8'd7);
       end else if (all_back && quiet > 2 * WarmUp) begin
         verdict;
-      end else if (quiet > patience) begin
-        $display("FAIL tb_traverse: %0d rays went in and never came out", rays - checked);
+      end else if (quiet > limit) begin
+        $display("FAIL tb_traverse: %0d rays went in and never came out, %0d clocks without any",
+                 rays - checked, quiet);
         finish(8'd6);
       end
     end

@@ -10,6 +10,9 @@ pub fn height_memory(addr: u32, data: u32, depth: u32) -> Arc<Module> {
     let addr_w = b.param("ADDR_W", addr, "address bits");
     let data_w = b.param("DATA_W", data, "bits of a word");
     let depth = b.param("DEPTH", depth, "words");
+    for least in [&addr_w, &data_w, &depth] {
+        b.require(1, least);
+    }
     b.require(&depth, addr_w.pow2());
     b.clock();
     b.input_static("write_en", 1, "bit", "write at the next edge");
