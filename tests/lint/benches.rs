@@ -9,7 +9,7 @@ use reliefrtl::units::traversal::traverse;
 use std::process::Command;
 
 /// Configurations whose benches differ in more than widths.
-const CHOSEN: [&str; 7] = [
+const CHOSEN: [&str; 8] = [
     "default",
     "emit.prefix=pdm_",
     "format.exp=8 format.man=23",
