@@ -38,7 +38,6 @@ module tb_level_decision #(
     (EXP_W+MAN_W+1);
 
   reg [8*1000-1:0] dir;
-  reg [8*1020-1:0] path;
   integer stim_fd;
   integer exp_fd;
   integer stim_left;
@@ -140,10 +139,8 @@ module tb_level_decision #(
     stim_left = 0;
     exp_left = 0;
     if ($value$plusargs("vectors=%s", dir) == 0) dir = "golden/level_decision";
-    $sformat(path, "%0s/stimulus.hex", dir);
-    stim_fd = $fopen(path, "r");
-    $sformat(path, "%0s/expected.hex", dir);
-    exp_fd = $fopen(path, "r");
+    stim_fd = $fopen($sformatf("%0s/stimulus.hex", dir), "r");
+    exp_fd = $fopen($sformatf("%0s/expected.hex", dir), "r");
     if (stim_fd == 0 || exp_fd == 0) begin
       $display("FAIL tb_level_decision: %0s in %0s",
                "cannot read stimulus.hex and expected.hex", dir);

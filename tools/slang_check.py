@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Elaborates emitted Verilog with slang: any warning is an error.
 
-    python slang_check.py DIR...
+    python slang_check.py [--benches] DIR...
 
 Every DIR is the output of `reliefrtl emit`: rtl/filelist.f names its files, from DIR. Each module is a top of its own,
-at its default parameters. Prints how many modules were elaborated; ends with 1 if slang had anything to say.
+at its default parameters; with --benches, each file of testbench/ is instead, with the look into the loop compiled in.
+Prints how many modules were elaborated; ends with 1 if slang had anything to say.
 """
 
 import pathlib
@@ -14,12 +15,15 @@ import sys
 from pyslang import driver
 
 
-def check(directory):
+def check(directory, benches):
     """Elaborates one output directory; returns the number of modules, or None if slang complained."""
     files = [directory / line for line in (directory / "rtl/filelist.f").read_text().split()]
-    tops = [word for file in files for word in ("--top", file.stem)]
+    asked = sorted((directory / "testbench").glob("*.v")) if benches else files
+    tops = [word for file in asked for word in ("--top", file.stem)]
+    define = ["-DITERATIONS"] if benches else []
+    read = files + asked if benches else files
     # Options come before files, so that a file's name can't be taken for one.
-    words = ["slang", "--std", "1364-2005", "-Wextra", "-Werror", *tops, *map(str, files)]
+    words = ["slang", "--std", "1364-2005", "-Wextra", "-Werror", *define, *tops, *map(str, read)]
     d = driver.Driver()
     d.addStandardArgs()
     if not d.parseCommandLine(shlex.join(words)) or not d.processOptions() or not d.parseAllSources():
@@ -34,7 +38,9 @@ def check(directory):
 
 def main():
     """Checks all directories, also after a bad one."""
-    counts = [(directory, check(pathlib.Path(directory))) for directory in sys.argv[1:]]
+    benches = "--benches" in sys.argv[1:]
+    directories = [word for word in sys.argv[1:] if word != "--benches"]
+    counts = [(directory, check(pathlib.Path(directory), benches)) for directory in directories]
     bad = [directory for directory, count in counts if count is None]
     for directory in bad:
         print(f"slang_check.py: not clean: {directory}", file=sys.stderr)

@@ -1,5 +1,4 @@
-//! The emitted benches are read and linted as the modules are. (slang alone is not asked: it takes `$fopen` of a name in a `reg`, all that
-//! Verilog-2005 has, for an error.)
+//! The emitted benches are read and linted as the modules are.
 use super::configs::{EXTRA, Emitted, all};
 use super::no_problems;
 use super::tools::{Tool, run};
@@ -35,17 +34,26 @@ fn benches(e: &Emitted) -> (Vec<String>, Vec<String>) {
     all.into_iter().partition(|f| !f.ends_with("_top.v"))
 }
 
-fn silent(arguments: impl Fn(&Emitted, &[String], &[String]) -> Vec<Command>) {
-    let mut problems = Vec::new();
+/// What `problems` finds in the benches of each chosen configuration must be nothing.
+fn none_of(problems: impl Fn(&Emitted, &[String], &[String]) -> Vec<String>) {
     let chosen: Vec<&Emitted> = all().iter().filter(|e| CHOSEN.contains(&e.label.as_str())).collect();
     assert_eq!(chosen.len(), CHOSEN.len(), "a configuration was renamed");
-    for e in chosen {
-        let (benches, tops) = benches(e);
-        for mut c in arguments(e, &benches, &tops) {
-            problems.extend(run(&mut c, &e.dir).unless_silent(&e.label));
-        }
-    }
-    no_problems(&problems);
+    let found: Vec<String> = chosen
+        .into_iter()
+        .flat_map(|e| {
+            let (benches, tops) = benches(e);
+            problems(e, &benches, &tops)
+        })
+        .collect();
+    no_problems(&found);
+}
+
+/// The commands must have nothing to say.
+fn silent(arguments: impl Fn(&Emitted, &[String], &[String]) -> Vec<Command>) {
+    none_of(|e, benches, tops| {
+        let commands = arguments(e, benches, tops);
+        commands.into_iter().filter_map(|mut c| run(&mut c, &e.dir).unless_silent(&e.label)).collect()
+    });
 }
 
 /// Each bench as the top, with the look into the loop; and each with its own clock. (One at a time: 5.006 mixes up the widths of a module that
@@ -93,5 +101,17 @@ fn verible_has_no_finding_in_a_bench() {
         let Some(mut c) = Tool::Verible.command() else { return Vec::new() };
         c.args(benches).args(tops);
         vec![c]
+    });
+}
+
+/// slang says how many tops it elaborated: every bench, with and without its own clock.
+#[test]
+fn slang_has_no_warning_of_a_bench() {
+    none_of(|e, benches, tops| {
+        let Some(mut c) = Tool::Slang.command() else { return Vec::new() };
+        c.args(["--benches", "."]);
+        let said = run(&mut c, &e.dir);
+        let expected = format!("modules elaborated without a warning: {}", benches.len() + tops.len());
+        (said.text.trim() != expected).then(|| format!("{}: {}", e.label, said.text)).into_iter().collect()
     });
 }

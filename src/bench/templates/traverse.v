@@ -191,12 +191,9 @@ module tb_traverse #(
     if ($test$plusargs("flood") != 0) flood_left = 200;
     if ($value$plusargs("patience=%d", patience) == 0) patience = 0;
     if ($value$plusargs("vectors=%s", dir) == 0) dir = "golden/traverse";
-    $sformat(path, "%0s/memory.hex", dir);
-    mem_fd = $fopen(path, "r");
-    $sformat(path, "%0s/stimulus.hex", dir);
-    stim_fd = $fopen(path, "r");
-    $sformat(path, "%0s/expected.hex", dir);
-    exp_fd = $fopen(path, "r");
+    mem_fd = $fopen($sformatf("%0s/memory.hex", dir), "r");
+    stim_fd = $fopen($sformatf("%0s/stimulus.hex", dir), "r");
+    exp_fd = $fopen($sformatf("%0s/expected.hex", dir), "r");
     if (mem_fd == 0 || stim_fd == 0 || exp_fd == 0) begin
       $display("FAIL tb_traverse: cannot read memory.hex, stimulus.hex, expected.hex in %0s", dir);
       exit_code = 8'd2;
@@ -220,7 +217,7 @@ module tb_traverse #(
         exit_code = 8'd2;
         done = 1'b1;
       end
-      if ($value$plusargs("results=%s", path) != 0) res_fd = $fopen(path, "w");
+      if ($value$plusargs("results=%s", path) != 0) res_fd = $fopen($sformatf("%0s", path), "w");
     end
   end
 
@@ -276,8 +273,7 @@ module tb_traverse #(
       if (flood_left == 1) begin
         in_valid <= 1'b0;
         $fclose(stim_fd);
-        $sformat(path, "%0s/stimulus.hex", dir);
-        stim_fd = $fopen(path, "r");
+        stim_fd = $fopen($sformatf("%0s/stimulus.hex", dir), "r");
         read_head(stim_fd, unused_rows, unused_bits);
       end else if (flood_rows < stim_left) begin
         flood_rows <= flood_rows + 1;
@@ -447,7 +443,9 @@ module tb_traverse #(
   reg [8*1020-1:0] it_path;
   initial begin
     it_fd = 0;
-    if ($value$plusargs("iterations=%s", it_path) != 0) it_fd = $fopen(it_path, "w");
+    if ($value$plusargs("iterations=%s", it_path) != 0) begin
+      it_fd = $fopen($sformatf("%0s", it_path), "w");
+    end
   end
   always @(posedge clk) begin
     if (it_fd != 0 && !done && !rst && dut.s0_valid && !dut.s0_done)
