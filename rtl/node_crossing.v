@@ -102,9 +102,11 @@ module node_crossing #(
   wire [FloatW-1:0] s1_t_exit = s1_y_before_x ? s1_t_y : s1_t_x;
   wire              s1_t_grows = s1_y_before_x ? s1_t_before_y : s1_t_before_x;
   wire [FloatW-1:0] s1_t_behind = s1_t_grows ? s1_t_exit : s1_t;
+  wire              s1_in_both = s1_m_before_x & s1_m_before_y;
+  wire              s1_x_not_later = ~s1_y_before_x;
 
-  assign is_inside = s1_m_before_x & s1_m_before_y;
-  assign x_first = ~s1_y_before_x;
+  assign is_inside = s1_in_both;
+  assign x_first = s1_x_not_later;
   assign t_next = s1_t_behind;
 endmodule
 `default_nettype wire

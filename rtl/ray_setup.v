@@ -175,7 +175,8 @@ module ray_setup #(
   wire [EXP_W:0]    s0_x_reach = {1'b0, s0_x_dn[EXP_W+MAN_W-1:MAN_W]} + {{(EXP_W - 2){1'b0}}, 3'd5};
   wire [EXP_W:0]    s0_x_bias_top = (Least[EXP_W:0] < s0_x_reach) ? s0_x_reach : Least[EXP_W:0];
   wire [EXP_W:0]    s0_x_bias_exp = s0_x_bias_top - Ulps[EXP_W:0];
-  wire [FloatW-1:0] s0_x_bias = {~s0_x_d_in_sign, s0_x_bias_exp[EXP_W-1:0], {MAN_W{1'b0}}};
+  wire              s0_x_forward = ~s0_x_d_in_sign;
+  wire [FloatW-1:0] s0_x_bias = {s0_x_forward, s0_x_bias_exp[EXP_W-1:0], {MAN_W{1'b0}}};
   wire [FloatW-1:0] s2_x_pb;
   fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_x_back (
     .clk   (clk),
@@ -254,7 +255,8 @@ module ray_setup #(
   wire [EXP_W:0]    s0_y_reach = {1'b0, s0_y_dn[EXP_W+MAN_W-1:MAN_W]} + {{(EXP_W - 2){1'b0}}, 3'd5};
   wire [EXP_W:0]    s0_y_bias_top = (Least[EXP_W:0] < s0_y_reach) ? s0_y_reach : Least[EXP_W:0];
   wire [EXP_W:0]    s0_y_bias_exp = s0_y_bias_top - Ulps[EXP_W:0];
-  wire [FloatW-1:0] s0_y_bias = {~s0_y_d_in_sign, s0_y_bias_exp[EXP_W-1:0], {MAN_W{1'b0}}};
+  wire              s0_y_forward = ~s0_y_d_in_sign;
+  wire [FloatW-1:0] s0_y_bias = {s0_y_forward, s0_y_bias_exp[EXP_W-1:0], {MAN_W{1'b0}}};
   wire [FloatW-1:0] s2_y_pb;
   fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_y_back (
     .clk   (clk),

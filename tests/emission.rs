@@ -38,7 +38,7 @@ fn the_same_bytes_twice() {
 fn committed_files_are_what_is_emitted() {
     let files = emitted();
     if std::env::var_os("RELIEFRTL_REFRESH").is_some() {
-        for dir in ["rtl", "testbench", "golden"] {
+        for dir in ["rtl", "testbench", "golden", "flow"] {
             let _ = std::fs::remove_dir_all(root().join(dir));
         }
         for (path, text) in &files {
@@ -49,7 +49,7 @@ fn committed_files_are_what_is_emitted() {
         return;
     }
     let mut found = BTreeSet::new();
-    ["rtl", "testbench", "golden"].iter().for_each(|d| committed(&root().join(d), &mut found));
+    ["rtl", "testbench", "golden", "flow"].iter().for_each(|d| committed(&root().join(d), &mut found));
     let mut bad: Vec<String> = Vec::new();
     for (path, text) in &files {
         match std::fs::read_to_string(root().join(path)) {

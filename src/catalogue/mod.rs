@@ -20,8 +20,10 @@ use std::sync::Arc;
 
 /// The units that have vectors of their own, leaves first: all but `traverse` and those that hold a memory, which ray sets exercise.
 pub fn units(d: &Design) -> Vec<Arc<Module>> {
-    let holds =
-        |m: &Module| m.name == "height_memory" || units::traversal::bilinear::WITH_MEMORY.contains(&m.name.as_str());
+    let memories = ["height_memory", "height_banks"];
+    let holds = |m: &Module| {
+        memories.contains(&m.name.as_str()) || units::traversal::bilinear::WITH_MEMORY.contains(&m.name.as_str())
+    };
     units::all(d).into_iter().filter(|m| m.latency.is_some() && !holds(m)).collect()
 }
 

@@ -1,6 +1,6 @@
 //! `reliefrtl config`: the configuration as it stands, with comments, or its schema.
 use super::args::{Cli, ConfigArgs};
-use crate::config::Config;
+use crate::config::{Config, DatapathKind};
 use crate::error::{Error, Result};
 use crate::ir::Module;
 use std::sync::Arc;
@@ -38,8 +38,18 @@ pub(super) fn load_ranges(cli: &Cli) -> Result<Config> {
         Some(path) => Config::load(path)?,
         None => Config::default(),
     };
+    if let Some(profile) = cli.profile {
+        c.latency = profile.latency(kind(cli, &c)?);
+    }
     cli.sets.iter().try_for_each(|s| c.apply_set(s))?;
     Ok(c)
+}
+
+/// The datapath that the configuration ends up with.
+fn kind(cli: &Cli, c: &Config) -> Result<DatapathKind> {
+    let mut c = c.clone();
+    cli.sets.iter().filter(|s| s.trim_start().starts_with("datapath.kind")).try_for_each(|s| c.apply_set(s))?;
+    Ok(c.datapath.kind)
 }
 
 /// Runs `config`.

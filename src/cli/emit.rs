@@ -20,7 +20,7 @@ pub fn run(cli: &Cli, a: &EmitArgs) -> Result<()> {
         (None, Some(name)) => one(&c, &crate::catalogue::find(&c.design(), name)?)?,
     };
     // A unit alone has a manifest and a list of files of its own: no other Verilog may stand beside it.
-    let places = ["rtl/", "testbench/", "manifest.json"];
+    let places = ["rtl/", "testbench/", "flow/", "manifest.json"];
     let part = match a.unit {
         None => Part { config: c.hash(), replaces: &places, alone_in: &[] },
         Some(_) => Part { config: c.hash(), replaces: &[], alone_in: &places },
@@ -41,6 +41,7 @@ fn one(c: &Config, top: &Arc<Module>) -> Result<(usize, Files)> {
     let mut files = emit::rtl(c, &modules);
     let manifest = emit::manifest(c, &modules, &files);
     files.insert("manifest.json".into(), serde_json::to_string_pretty(&manifest).expect("plain data") + "\n");
+    files.extend(emit::flow(c, top, &files));
     let mut whole = project::text(c)?.files;
     whole.retain(|path, _| {
         let name = &top.name;

@@ -26,6 +26,13 @@ pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
             return Err(Error::input("fit needs a budget: --max-wrong-texel SHARE or --max-uv-error TEXELS"));
         }
     };
+    for (key, is_on) in [("mode.lod", c.mode.lod), ("mode.bilinear", c.mode.bilinear)] {
+        if is_on {
+            return Err(Error::input(format!(
+                "fit judges block hits and chooses the modes itself: leave out {key} = true, and set it in the configuration that fit writes"
+            )));
+        }
+    }
     let views = if a.views.is_empty() { c.view.names.clone() } else { a.views.clone() };
     let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
     let of = |shift| {

@@ -26,7 +26,6 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
         for latency in &latencies {
             let mut d = d;
             if let Some(l) = *latency {
-                let decision = d.latency.decision;
                 d.latency = LatencyConfig {
                     add: l,
                     mul: l,
@@ -36,12 +35,12 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
                     to_int: l,
                     sqrt: l,
                     add3: l,
-                    decision,
+                    ..d.latency
                 };
             }
             let unit = catalogue::find(&d, name)?;
             let bar = spinner(cli, format!("{name} at {latency:?} for {}", target.name()));
-            done.push(measure(&unit, &target, &a.seeds)?);
+            done.push(measure(&unit, &target, &a.seeds, a.freq)?);
             bar.finish_and_clear();
         }
     }

@@ -173,11 +173,30 @@ pub struct LatencyConfig {
     pub add3: u32,
     /// `level_decision` and what stands before it.
     pub decision: u32,
+    /// Behind the choice of the slot's ray and behind the node's planes (watertight, fixed): 0 to 2.
+    pub node: u32,
+    /// The read of a height: 1 to 4.
+    pub memory: u32,
+    /// Behind the choice of one of two parameters (watertight): 0 or 1.
+    pub select: u32,
 }
 
 impl Default for LatencyConfig {
     fn default() -> Self {
-        Self { add: 2, mul: 1, div: 2, compare: 1, from_int: 1, to_int: 1, sqrt: 4, add3: 4, decision: 1 }
+        Self {
+            add: 2,
+            mul: 1,
+            div: 2,
+            compare: 1,
+            from_int: 1,
+            to_int: 1,
+            sqrt: 4,
+            add3: 4,
+            decision: 1,
+            node: 0,
+            memory: 1,
+            select: 0,
+        }
     }
 }
 

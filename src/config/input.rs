@@ -248,11 +248,19 @@ impl Default for VectorsConfig {
 }
 
 /// What the emitted files look like.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct EmitConfig {
     /// Put before the name of every emitted module; empty, or a Verilog identifier.
     pub prefix: String,
     /// Units besides what the traversal needs.
     pub units: Vec<ExtraUnit>,
+    /// Clock of the constraints in `flow/`, MHz; 1 to 1000.
+    pub clock_mhz: u32,
+}
+
+impl Default for EmitConfig {
+    fn default() -> Self {
+        Self { prefix: String::new(), units: Vec::new(), clock_mhz: 84 }
+    }
 }

@@ -170,6 +170,21 @@ pub const KEYS: &[Key] = &[
     key("latency.sqrt", "fp_sqrt, in clocks", Legal::Whole(0, 32)),
     key("latency.add3", "fp_add3, in clocks", CLOCKS),
     key("latency.decision", "level_decision and what stands before it, in clocks", Legal::Whole(1, 4)),
+    key(
+        "latency.node",
+        "registers behind a node's exit planes (1), and behind the choice of the slot's ray (2); not the published datapath",
+        Legal::Whole(0, 2),
+    ),
+    key(
+        "latency.memory",
+        "the read of a height, in clocks; from 2 on the memory is in banks with a register behind each",
+        Legal::Whole(1, 4),
+    ),
+    key(
+        "latency.select",
+        "registers behind the choice of one of two ray parameters; the watertight datapath",
+        Legal::Whole(0, 1),
+    ),
     key("map.kind", "a procedural map, or file", Legal::Word(MapKind::WORDS)),
     key("map.file", "the image if kind is file; relative to this file", Legal::Path),
     key("map.seed", "seed of the procedural maps", SEED),
@@ -191,6 +206,7 @@ pub const KEYS: &[Key] = &[
     key("vectors.rays", "rays of each view", Legal::Whole(1, 1_000_000)),
     key("emit.prefix", "put before the name of every emitted module", Legal::Prefix),
     key("emit.units", "units besides what the traversal needs", Legal::SomeWords(ExtraUnit::WORDS)),
+    key("emit.clock_mhz", "clock that the constraints in flow/ ask for, in MHz", Legal::Whole(1, 1000)),
 ];
 
 /// The key of this path.

@@ -10,6 +10,7 @@ mod extra;
 mod input;
 pub mod keys;
 pub(crate) mod lines;
+mod profile;
 mod source;
 pub(crate) mod validate;
 
@@ -19,6 +20,7 @@ pub use extra::{ExtraUnit, ExtraUnits};
 pub use input::{
     Border, EmitConfig, FormatConfig, Generator, MapConfig, MapKind, NanRule, VectorsConfig, View, ViewConfig,
 };
+pub use profile::Profile;
 
 use serde::{Deserialize, Serialize};
 

@@ -1,8 +1,10 @@
 //! What a configuration emits: the modules, their Verilog files, the file list and the manifest.
 //!
 //! Everything is made in memory first; the same configuration gives the same bytes.
+mod flow;
 mod manifest;
 
+pub use flow::flow;
 pub use manifest::manifest;
 
 use crate::config::{Config, DatapathKind, ExtraUnit, Trim};

@@ -101,6 +101,20 @@ impl Flat {
                 });
                 BTreeMap::from([(k, read_data)])
             }
+            Prim::Banks => {
+                let (k, w) = o("read_data");
+                let (read, out) = (self.source(w), self.source(w));
+                self.mems.push(FlatMem {
+                    write_en: i("write_en"),
+                    write_addr: i("write_addr"),
+                    write_data: i("write_data"),
+                    read_addr: i("read_addr"),
+                    read_data: read,
+                    depth: b["DEPTH"] as usize,
+                });
+                self.regs.push(FlatReg { q: out, d: read, enable: None, reset: None });
+                BTreeMap::from([(k, out)])
+            }
         }
     }
 

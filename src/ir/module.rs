@@ -230,6 +230,8 @@ pub enum Prim {
     SqrtRows,
     /// Single read, single write memory with registered read.
     Memory,
+    /// The same in banks, each with a second register.
+    Banks,
 }
 
 /// What is inside a module.

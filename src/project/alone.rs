@@ -36,6 +36,7 @@ pub fn alone_text(c: &Config, m: &Arc<Module>) -> Result<Files> {
     let mut files = emit::rtl(c, &modules);
     let manifest = emit::manifest(c, &modules, &files);
     files.insert("manifest.json".into(), serde_json::to_string_pretty(&manifest).expect("plain data") + "\n");
+    files.extend(emit::flow(c, m, &files));
     files.extend(bench_files(std::slice::from_ref(m), None, &c.emit.prefix));
     Ok(files)
 }

@@ -40,7 +40,9 @@ pub fn hardware(c: &Config) -> Result<Project> {
     let mut files = emit::rtl(c, &modules);
     let manifest = emit::manifest(c, &modules, &files);
     files.insert("manifest.json".into(), serde_json::to_string_pretty(&manifest).expect("plain data") + "\n");
-    Ok(Project { modules, traverse: traverse(&d), files })
+    let traverse = traverse(&d);
+    files.extend(emit::flow(c, &traverse.module, &files));
+    Ok(Project { modules, traverse, files })
 }
 
 /// The vectors of every unit, and of `traverse` over `scene`.

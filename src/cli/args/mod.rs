@@ -3,6 +3,7 @@ mod figures;
 
 pub use figures::*;
 
+use crate::config::Profile;
 use crate::error::{Error, Result};
 use crate::project::Canary;
 use crate::vectors::{Campaign, Level, Shard};
@@ -16,6 +17,9 @@ pub struct Cli {
     /// Configuration file (TOML); `reliefrtl config --print` shows every key.
     #[arg(long, global = true, value_name = "FILE.toml")]
     pub config: Option<PathBuf>,
+    /// Latencies by name; `--set` can still change single ones.
+    #[arg(long, global = true, value_enum)]
+    pub profile: Option<Profile>,
     /// Overrides one key of the configuration, e.g. --set traverse.levels=10.
     #[arg(long = "set", global = true, value_name = "KEY=VALUE")]
     pub sets: Vec<String>,

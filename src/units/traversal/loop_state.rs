@@ -193,6 +193,11 @@ impl<'b> Ray<'b> {
         Ray { valid: valid.named("valid").valid(), words: fields.iter().map(pick).collect() }
     }
 
+    /// The same ray one clock later.
+    pub fn cut(&self) -> Self {
+        Ray { valid: self.valid.cut(), words: self.words.iter().map(|w| (w.0, w.1.cut())).collect() }
+    }
+
     /// Registers and what they take at the end of the loop.
     pub fn pairs(&self, next: &Self) -> Vec<(Sig<'b>, Sig<'b>)> {
         let words = self.words.iter().map(|w| (w.1, next.get(w.0)));

@@ -43,6 +43,9 @@ pub fn plane_iteration<'b>(
 ) -> Ray<'b> {
     let t = &d.traverse;
     let idx = || [("IDX_W", s.idx.clone())];
+    // The choice between two rays and the node's planes are long on their own: a clock behind each, as latency.node has it.
+    let chosen = if d.latency.node > 1 { ray.cut() } else { ray.clone() };
+    let ray = &chosen;
 
     b.section("node", "Extent and exit planes of the node, and its place in memory.");
     let parity = matches!(d.mode.level_up, LevelUp::Tevs | LevelUp::Selective);
@@ -50,7 +53,8 @@ pub fn plane_iteration<'b>(
         let ins = [("level", ray.get("level")), ("x", x), ("neg", neg)];
         let o = b.inst(&node_planes(t, parity), &format!("u_planes_{axis}"), &idx(), &ins);
         let names = ["low", "high", "plane", "beyond", "even"];
-        o.iter().zip(names).map(|(v, n)| v.named(&format!("{axis}_{n}")).id()).collect::<Vec<_>>()
+        let cut = |v: Sig<'b>| if d.latency.node > 0 { v.cut() } else { v };
+        o.iter().zip(names).map(|(v, n)| cut(v.named(&format!("{axis}_{n}"))).id()).collect::<Vec<_>>()
     };
     let px: Vec<Sig<'b>> = planes("x", ray.get("x"), ray.get("neg_x")).into_iter().map(|i| b.sig(i)).collect();
     let py: Vec<Sig<'b>> = planes("y", ray.get("y"), ray.get("neg_y")).into_iter().map(|i| b.sig(i)).collect();
@@ -186,11 +190,5 @@ fn read_height<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>, load: &
         b.inst(&height_address(t), "u_address", &[], &[("level", level), ("i", i), ("j", j)])[0].named("address");
 
     b.section("height", "");
-    let words = pyramid_words(&s.levels);
-    let addr_w = s.levels.clone() * 2 + 1;
-    let n = t.levels;
-    let memory = height_memory(2 * n + 1, t.height_bits, ((1 << (2 * n + 2)) - 1) / 3);
-    let params = [("ADDR_W", addr_w), ("DATA_W", s.height.clone()), ("DEPTH", words)];
-    let ins = [("write_en", load.en), ("write_addr", load.addr), ("write_data", load.data), ("read_addr", address)];
-    b.inst(&memory, "u_heights", &params, &ins)[0].named("height")
+    height_read::read(b, s, d, load, address)
 }

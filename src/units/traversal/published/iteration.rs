@@ -4,7 +4,7 @@ use crate::ir::Sig;
 use crate::units::float::{fp_from_int, fp_to_int};
 use crate::units::traversal::loop_state::Ray;
 use crate::units::traversal::traverse::Load;
-use crate::units::traversal::{height_address, height_memory, level_up, pyramid_words, start_level};
+use crate::units::traversal::{height_address, height_read, level_up, start_level};
 
 /// Builds the iteration; operands meet at the stage at which the latest of them is known.
 pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>, load: &Load<'b>) -> Ray<'b> {
@@ -28,13 +28,7 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
         .named("address");
 
     b.section("height read", "");
-    let n = t.levels;
-    let memory = height_memory(2 * n + 1, t.height_bits, ((1 << (2 * n + 2)) - 1) / 3);
-    let params =
-        [("ADDR_W", s.levels.clone() * 2 + 1), ("DATA_W", s.height.clone()), ("DEPTH", pyramid_words(&s.levels))];
-    let ins =
-        [("write_en", load.en), ("write_addr", load.addr), ("write_data", load.data), ("read_addr", address.cut())];
-    let height = b.inst(&memory, "u_heights", &params, &ins)[0].named("height");
+    let height = height_read::read(b, s, d, load, address.cut());
 
     b.section("boundaries", "The two dividers of the loop.");
     let when = |axis: &str, plane: Sig<'b>, neg: Sig<'b>| {

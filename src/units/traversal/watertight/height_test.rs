@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 /// Clocks through `height_test`.
 pub fn latency(l: &LatencyConfig) -> u32 {
-    l.from_int + l.compare
+    l.from_int + l.compare + l.select
 }
 
 /// Builds `height_test`.

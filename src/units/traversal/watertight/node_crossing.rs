@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 /// Clocks through `node_crossing`.
 pub fn latency(l: &LatencyConfig) -> u32 {
-    l.compare
+    l.compare + l.select
 }
 
 /// Builds `node_crossing`.
@@ -38,8 +38,8 @@ pub fn node_crossing(d: &Design) -> Arc<Module> {
     let grow = y_less.mux(grow_y, grow_x).named("t_grows");
     let next = grow.mux(exit, t).named("t_behind");
     let l = latency(&d.latency);
-    b.drive(inside, in_x & in_y, Some(l));
-    b.drive(x_first, !y_less, Some(l));
+    b.drive(inside, (in_x & in_y).named("in_both"), Some(l));
+    b.drive(x_first, (!y_less).named("x_not_later"), Some(l));
     b.drive(t_next, next, Some(l));
     b.finish(Some(l), &bindings())
 }

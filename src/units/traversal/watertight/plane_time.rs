@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 /// Clocks through `plane_time`.
 pub fn latency(l: &LatencyConfig) -> u32 {
-    l.from_int + l.add + l.mul
+    l.from_int + l.add + l.mul + l.select
 }
 
 /// Builds `plane_time`.

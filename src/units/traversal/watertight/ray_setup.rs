@@ -12,8 +12,18 @@ use std::sync::Arc;
 pub fn latency(d: &Design) -> u32 {
     let l: &LatencyConfig = &d.latency;
     let start = if d.mode.start_level { l.add + l.to_int } else { l.to_int };
-    let ahead = if d.mode.trim == Trim::None { 0 } else { 2 * l.add + l.to_int };
-    l.div.max(l.mul).max(l.add).max(start).max(ahead).max(1)
+    let ahead = if d.mode.trim == Trim::None { 0 } else { bias_clocks(l) + 2 * l.add + l.to_int };
+    scale_clocks(l) + l.div.max(l.mul).max(bias_clocks(l) + l.add).max(start).max(ahead).max(1)
+}
+
+/// The scaled ray has a register of its own where a node has one.
+fn scale_clocks(l: &LatencyConfig) -> u32 {
+    l.node.min(1)
+}
+
+/// The bias too, where the choice of a slot's ray has one.
+fn bias_clocks(l: &LatencyConfig) -> u32 {
+    l.node.saturating_sub(1)
 }
 
 /// What setup computes for one axis.
@@ -128,8 +138,9 @@ fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &'static str, p_in: Sig
         let keep = (!x.is_zero).rep(&f.exp + &f.man);
         b.cat(&[sign, b.cat(&[x.exp + grow, x.frac]) & keep]).named(&n(net)).id()
     };
-    let p = b.sig(scaled(&fp, b.zeros(1), "p"));
-    let dn = b.sig(scaled(&fd, fd.sign, "dn"));
+    let cut = |v: Sig<'b>| if scale_clocks(&d.latency) > 0 { v.cut() } else { v };
+    let p = cut(b.sig(scaled(&fp, b.zeros(1), "p")));
+    let dn = cut(b.sig(scaled(&fd, fd.sign, "dn")));
     let neg = fd.sign;
 
     b.section(&n("slope"), "In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.");
@@ -159,7 +170,9 @@ fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &'static str, p_in: Sig
     let top = least.lt(reach).mux(reach, least).named(&n("bias_top"));
     let b_exp = (top - b.konst(&f.man + 1, &wide).named("ulps")).named(&n("bias_exp"));
     b.unused(b_exp.msb());
-    let bias = b.cat(&[!neg, b_exp.slice(0, f.exp.clone()), b.zeros(&f.man)]).named(&n("bias"));
+    let cut = |v: Sig<'b>| if bias_clocks(&d.latency) > 0 { v.cut() } else { v };
+    let bias = b.cat(&[(!neg).named(&n("forward")), b_exp.slice(0, f.exp.clone()), b.zeros(&f.man)]).named(&n("bias"));
+    let bias = cut(bias);
     let add = fp_add(d.format, d.latency.add);
     let p_back = b.inst(&add, &format!("u_{name}_back"), &[], &[("a", p), ("b", bias)])[0].named(&n("pb"));
 
@@ -176,7 +189,7 @@ fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &'static str, p_in: Sig
             &n("ahead"),
             "The same bias along the direction. A direction too small for a number says nothing: then the whole way.",
         );
-        let bias = b.cat(&[neg, b_exp.slice(0, f.exp.clone()), b.zeros(&f.man)]).named(&n("bias_ahead"));
+        let bias = cut(b.cat(&[neg, b_exp.slice(0, f.exp.clone()), b.zeros(&f.man)]).named(&n("bias_ahead")));
         let moved = b.inst(&add, &format!("u_{name}_ahead"), &[], &[("a", p), ("b", bias)])[0].named(&n("moved"));
         let begin = dn_zero.mux(p, moved).named(&n("begin"));
         let end = b.inst(&add, &format!("u_{name}_whole"), &[], &[("a", begin), ("b", dn)])[0].named(&n("whole"));

@@ -1,0 +1,50 @@
+//! Latencies by name.
+use super::{DatapathKind, LatencyConfig};
+
+/// A named set of latencies. Clocks that were measured of each: `docs/clocks.md`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum Profile {
+    /// Those of the published unit: add 2, multiply 1, compare 1, divide 2 (PIDM-HW section 4.2). Where the divider is outside of the loop, it is
+    /// as deep as the rest needs, and what the published numbers do not name has the registers that 84 MHz need on an ECP5.
+    Published,
+    /// Between the two: about the published unit's clock and a half.
+    Balanced,
+    /// Every unit as deep as still pays.
+    Fast,
+}
+
+impl Profile {
+    /// All, slowest first.
+    pub const ALL: [Self; 3] = [Self::Published, Self::Balanced, Self::Fast];
+
+    /// The word on the command line.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Published => "published",
+            Self::Balanced => "balanced",
+            Self::Fast => "fast",
+        }
+    }
+
+    /// Its latencies. The published datapath divides in its loop: with the published latencies it has the published 15 stages.
+    pub const fn latency(self, kind: DatapathKind) -> LatencyConfig {
+        let (add, mul, compare) = match self {
+            Self::Published => (2, 1, 1),
+            Self::Balanced => (3, 2, 1),
+            Self::Fast => (5, 2, 2),
+        };
+        let (div, from_int, to_int, sqrt, add3) = match (self, kind) {
+            (Self::Published, DatapathKind::Published) => (2, 1, 1, 4, 4),
+            (Self::Published, _) => (20, 1, 1, 8, 4),
+            (Self::Balanced, _) => (20, 2, 2, 12, 8),
+            (Self::Fast, _) => (20, 3, 3, 20, 12),
+        };
+        let (decision, node, memory, select) = match (self, kind) {
+            (Self::Published, DatapathKind::Published) => (1, 0, 1, 0),
+            (Self::Published, _) => (1, 1, 2, 0),
+            (Self::Balanced, _) => (2, 1, 3, 0),
+            (Self::Fast, _) => (2, 2, 4, 1),
+        };
+        LatencyConfig { add, mul, div, compare, from_int, to_int, sqrt, add3, decision, node, memory, select }
+    }
+}

@@ -1,0 +1,58 @@
+//! What tools need beside the Verilog: scripts for Yosys, nextpnr and Vivado, and the clock as SDC, XDC and LPF.
+use super::Files;
+use crate::config::Config;
+use crate::ir::Module;
+use minijinja::{Environment, context};
+
+const SCRIPTS: [(&str, &str); 5] = [
+    ("ecp5.ys", include_str!("templates/ecp5.ys")),
+    ("ecp5.sh", include_str!("templates/ecp5.sh")),
+    ("ice40.ys", include_str!("templates/ice40.ys")),
+    ("xilinx.ys", include_str!("templates/xilinx.ys")),
+    ("vivado.tcl", include_str!("templates/vivado.tcl")),
+];
+
+const CLOCKS: [(&str, &str); 3] = [
+    ("sdc", include_str!("templates/clock.sdc")),
+    ("xdc", include_str!("templates/clock.xdc")),
+    ("lpf", include_str!("templates/clock.lpf")),
+];
+
+/// Nanoseconds of a clock of whole MHz, rounded down to picoseconds: a tool that meets it meets the clock.
+fn period(mhz: u32) -> String {
+    let ps = 1_000_000 / mhz;
+    format!("{}.{:03}", ps / 1000, ps % 1000)
+}
+
+/// `flow/*` for `top`; `rtl` holds the emitted files, by path, and the clock is `emit.clock_mhz`.
+pub fn flow(c: &Config, top: &Module, rtl: &Files) -> Files {
+    let name = format!("{}{}", c.emit.prefix, top.name);
+    let files: Vec<&String> = rtl.keys().filter(|f| f.starts_with("rtl/") && f.ends_with(".v")).collect();
+    let inputs: Vec<&str> = top.data_inputs().map(|(_, p)| p.name.as_str()).collect();
+    let mhz = c.emit.clock_mhz;
+    let value = context! { top => name, files, inputs, mhz, ns => period(mhz), clocked => top.clk.is_some() };
+    let mut env = Environment::new();
+    env.set_keep_trailing_newline(true);
+    let mut out = Files::new();
+    for (file, text) in SCRIPTS {
+        let text = env.render_str(text, &value).expect("templates use only what they are given");
+        out.insert(format!("flow/{file}"), text);
+    }
+    for (kind, text) in CLOCKS {
+        let text = env.render_str(text, &value).expect("templates use only what they are given");
+        out.insert(format!("flow/{name}.{kind}"), text);
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::period;
+
+    #[test]
+    fn a_period_is_never_too_long() {
+        assert_eq!(period(100), "10.000");
+        assert_eq!(period(84), "11.904");
+        assert_eq!(period(1000), "1.000");
+    }
+}
