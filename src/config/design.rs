@@ -179,6 +179,8 @@ pub struct LatencyConfig {
     pub memory: u32,
     /// Behind the choice of one of two parameters (watertight): 0 or 1.
     pub select: u32,
+    /// Between ready in and ready out, before the loop and behind the hit: 0 or 1.
+    pub handshake: u32,
 }
 
 impl Default for LatencyConfig {
@@ -196,6 +198,7 @@ impl Default for LatencyConfig {
             node: 0,
             memory: 1,
             select: 0,
+            handshake: 0,
         }
     }
 }

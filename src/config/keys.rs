@@ -185,6 +185,11 @@ pub const KEYS: &[Key] = &[
         "registers behind the choice of one of two ray parameters; the watertight datapath",
         Legal::Whole(0, 1),
     ),
+    key(
+        "latency.handshake",
+        "registers in the way of ready: 1 puts a stream_skid behind the setup and behind the hit",
+        Legal::Whole(0, 1),
+    ),
     key("map.kind", "a procedural map, or file", Legal::Word(MapKind::WORDS)),
     key("map.file", "the image if kind is file; relative to this file", Legal::Path),
     key("map.seed", "seed of the procedural maps", SEED),

@@ -39,12 +39,26 @@ impl Profile {
             (Self::Balanced, _) => (20, 2, 2, 12, 8),
             (Self::Fast, _) => (20, 3, 3, 20, 12),
         };
-        let (decision, node, memory, select) = match (self, kind) {
-            (Self::Published, DatapathKind::Published) => (1, 0, 1, 0),
-            (Self::Published, _) => (1, 1, 2, 0),
-            (Self::Balanced, _) => (2, 1, 3, 0),
-            (Self::Fast, _) => (2, 2, 4, 1),
+        let (decision, node, memory, select, handshake) = match (self, kind) {
+            (Self::Published, DatapathKind::Published) => (1, 0, 1, 0, 0),
+            (Self::Published, _) => (1, 1, 2, 1, 1),
+            (Self::Balanced, _) => (2, 1, 3, 1, 1),
+            (Self::Fast, _) => (2, 2, 4, 1, 1),
         };
-        LatencyConfig { add, mul, div, compare, from_int, to_int, sqrt, add3, decision, node, memory, select }
+        LatencyConfig {
+            add,
+            mul,
+            div,
+            compare,
+            from_int,
+            to_int,
+            sqrt,
+            add3,
+            decision,
+            node,
+            memory,
+            select,
+            handshake,
+        }
     }
 }

@@ -121,7 +121,7 @@ pub fn proof_files(d: &Design, units: &[Arc<Module>], t: &Traverse, prefix: &str
     let mut out = Files::new();
     for p in proofs(units) {
         let over: Binding = p.over.iter().map(|(k, v)| ((*k).to_string(), *v)).collect();
-        let flights = Flights::of(t);
+        let flights = Flights::of(t, d.latency.handshake > 0);
         let mut env = Environment::new();
         env.set_keep_trailing_newline(true);
         let (copies, values, name) = (units.to_vec(), over.clone(), prefix.to_string());
@@ -188,11 +188,16 @@ fn script(p: &Proof, mode: &str, depth: u32, extra: &str, files: &[String]) -> S
 struct Flights(Vec<(String, String)>);
 
 impl Flights {
-    fn of(t: &Traverse) -> Self {
+    fn of(t: &Traverse, skids: bool) -> Self {
         let mut list = vec![("s0_back_valid".to_string(), "s0_back_tag".to_string())];
         list.extend((1..t.slots).map(|k| (format!("s{k}_valid"), format!("s{k}_tag"))));
         list.extend((1..=t.setup).map(|k| (format!("u_setup_delay.s{k}_valid"), format!("u_setup_delay.s{k}_data"))));
         list.extend((1..=t.finish).map(|k| (format!("u_hit_valid.s{k}_valid"), format!("u_hit_tag.s{k}_data"))));
+        if skids {
+            for (unit, tag) in [("u_setup_skid", "new_tag"), ("u_hit_skid", "waiting_tag")] {
+                list.extend(["head", "tail"].map(|k| (format!("{unit}.{k}_valid"), format!("{unit}_{tag}.{k}"))));
+            }
+        }
         Self(list)
     }
 

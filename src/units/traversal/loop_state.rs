@@ -195,7 +195,16 @@ impl<'b> Ray<'b> {
 
     /// The same ray one clock later.
     pub fn cut(&self) -> Self {
-        Ray { valid: self.valid.cut(), words: self.words.iter().map(|w| (w.0, w.1.cut())).collect() }
+        Ray { valid: self.valid.cut(), words: self.words_later() }
+    }
+
+    /// The same words one clock later, and their valid bit as it is.
+    pub fn cut_words(&self) -> Self {
+        Ray { valid: self.valid, words: self.words_later() }
+    }
+
+    fn words_later(&self) -> Vec<(&'static str, Sig<'b>)> {
+        self.words.iter().map(|w| (w.0, w.1.cut())).collect()
     }
 
     /// Registers and what they take at the end of the loop.

@@ -7,6 +7,7 @@ use super::bilinear::{bilinear_hit, latency as bilinear_clocks};
 use super::datapath::Datapath;
 use super::loop_state::{Ray, Sizes, fields};
 use super::stream_delay::{stream_delay, valid_delay, word_delay};
+use super::stream_skid::{stream_skid, word_skid};
 use crate::config::Design;
 use crate::ir::{Binding, Builder, Module, Sig};
 use std::sync::Arc;
@@ -59,37 +60,56 @@ pub fn traverse(d: &Design) -> Traverse {
     let finish = if d.mode.bilinear { bilinear_clocks(&d.latency) } else { clocks_hit };
 
     b.section("leave", "A ray that is done leaves when the output pipeline moves.");
+    let skids = d.latency.handshake > 0;
     let hit_valid = b.wire("hit_valid", 1);
-    let hit_ce = (!hit_valid | out_ready).unstaged().named("hit_ce");
+    // What lets the output pipeline move: a free place in its register, or whoever takes the result.
+    let hit_ce = if skids { b.wire("hit_room", 1) } else { (!hit_valid | out_ready).unstaged().named("hit_ce") };
     let leaves = (back.valid & back.get("done") & hit_ce).named("leaves");
     let is_free = (!back.valid | leaves).named("is_free");
 
     b.section("set up", "The setup pipeline holds while its ray finds no free slot.");
     let setup_valid = b.wire("setup_valid", 1);
-    let setup_ce = (!setup_valid | is_free).unstaged().named("setup_ce");
+    let setup_ce = if skids { b.wire("setup_room", 1) } else { (!setup_valid | is_free).unstaged().named("setup_ce") };
     let module = (path.setup)(d);
     let mut ins = vec![("u", u), ("v", v), ("du", du), ("dv", dv), ("ce", setup_ce)];
     ins.extend(lod.map(|lod| ("lod", lod)));
     let outs = b.inst(&module, "u_setup", &[], &ins);
     let names: Vec<&str> = module.data_outputs().map(|(_, p)| p.name.as_str()).collect();
-    let outs: Vec<Sig<'_>> =
-        outs.into_iter().zip(&names).map(|(x, n)| x.restage(0).named(&format!("new_{n}"))).collect();
+    let outs: Vec<Sig<'_>> = outs
+        .into_iter()
+        .zip(&names)
+        .map(|(x, n)| x.restage(0).named(&format!("{}_{n}", if skids { "set" } else { "new" })))
+        .collect();
+    let track = stream_delay("setup_delay", clocks_setup, d.traverse.tag_bits);
+    let ins = [("in_valid", in_valid), ("in_data", in_tag), ("ce", setup_ce)];
+    let o_track = b.inst(&track, "u_setup_delay", &[("W", s.tag.clone())], &ins);
+    let (mut is_set, mut new_tag, mut outs) = (o_track[0].restage(0), o_track[1].restage(0), outs);
+    if skids {
+        let words: Vec<Sig<'_>> = outs.iter().copied().chain([new_tag.named("set_tag")]).collect();
+        let ports = Skid { unit: "u_setup_skid", valid: is_set.named("is_set"), room: setup_ce, take: is_free };
+        let new: Vec<String> = names.iter().map(|n| format!("new_{n}")).chain(["new_tag".into()]).collect();
+        (is_set, outs) = skid(&b, &ports, &words, &new);
+        new_tag = outs.pop().expect("the tag was put in last");
+    }
     let setup = |name: &str| {
         let at = names.iter().position(|n| *n == name);
         outs[at.unwrap_or_else(|| panic!("{} has no output {name}", module.name))]
     };
-    let track = stream_delay("setup_delay", clocks_setup, d.traverse.tag_bits);
-    let ins = [("in_valid", in_valid), ("in_data", in_tag), ("ce", setup_ce)];
-    let o_track = b.inst(&track, "u_setup_delay", &[("W", s.tag.clone())], &ins);
-    b.connect(setup_valid, o_track[0].restage(0).named("setup_tracked"));
-    let new_tag = o_track[1].restage(0).named("new_tag");
+    b.connect(setup_valid, is_set.named("setup_tracked"));
+    let new_tag = new_tag.named("new_tag");
     b.drive(o_in_ready, setup_ce, None);
     let admits = (setup_valid & is_free).named("admits");
 
     b.section("slot", "The new ray, or the one that comes back.");
     let new = Ray::fresh(&b, &fields, setup, new_tag);
-    let ray = back.or_new(&fields, admits, &new, (back.valid & !leaves) | admits);
-    b.drive(o_busy, ray.valid, None);
+    let keeps = ((back.valid & !leaves) | admits).named("keeps");
+    b.drive(o_busy, keeps, None);
+    let ray = if d.latency.node > 1 {
+        // Who comes is known a clock before the words are chosen: the choice goes to every bit of a ray.
+        back.cut_words().or_new(&fields, admits.cut(), &new.cut_words(), keeps.valid().cut())
+    } else {
+        back.or_new(&fields, admits, &new, keeps)
+    };
 
     let next = (path.iteration)(&b, &s, d, &ray, &load);
     let slots = b.close(&back.pairs(&next));
@@ -131,13 +151,30 @@ pub fn traverse(d: &Design) -> Traverse {
     }
     let delay = valid_delay("hit_valid_delay", finish);
     let r = b.inst(&delay, "u_hit_valid", &[], &[("in_valid", leaves), ("ce", hit_ce)]);
-    b.connect(hit_valid, r[0].unstaged().named("hit_tracked"));
+    let tracked = r[0].unstaged().named("hit_tracked");
+    let refined = o_refined.is_some().then(|| refine(&b, d, &s, &back, &load, hit_ce));
+    if skids {
+        b.section("wait", "A result that nobody takes yet.");
+        let found = refined.into_iter().flatten();
+        let words: Vec<Sig<'_>> = outs.iter().chain(&fractions).copied().chain(found).collect();
+        let names: Vec<String> = WAITING.iter().take(words.len()).map(|n| format!("waiting_{n}")).collect();
+        let ports = Skid { unit: "u_hit_skid", valid: tracked, room: hit_ce, take: out_ready };
+        let (valid, mut all) = skid(&b, &ports, &words, &names);
+        b.connect(hit_valid, valid.unstaged().named("hit_waits"));
+        outs = all.drain(..outs.len()).collect();
+        fractions = all.drain(..fractions.len()).collect();
+        if let Some(o) = o_refined {
+            let found: [Sig<'_>; 6] = all.try_into().unwrap_or_else(|_| panic!("a refined hit has six words"));
+            o.drive(&b, &found, [outs[1], outs[2], fractions[0], fractions[1], outs[3]], outs[5]);
+        }
+    } else {
+        b.connect(hit_valid, tracked);
+        if let Some((o, found)) = o_refined.zip(refined) {
+            o.drive(&b, &found, [outs[1], outs[2], fractions[0], fractions[1], outs[3]], outs[5]);
+        }
+    }
     b.drive(o_valid, hit_valid, None);
     o.drive(&b, &outs, &fractions);
-    if let Some(o) = o_refined {
-        let block = [outs[1], outs[2], fractions[0], fractions[1], outs[3]];
-        o.drive(&b, &refine(&b, d, &s, &back, &load, hit_ce), block, outs[5]);
-    }
     let at = |l: i64, h: i64| Binding::from([("LEVELS".into(), l), ("HEIGHT_W".into(), h)]);
     let module = b.finish(None, &[at(2, 8), at(3, 16), at(12, 8), at(12, 16)]);
     Traverse { module, slots, setup: clocks_setup, finish }
@@ -158,6 +195,52 @@ fn refine<'b>(b: &'b Builder, d: &Design, s: &Sizes, back: &Ray<'b>, load: &Load
         named(5, "found_fv"),
         named(1, "found_t"),
     ]
+}
+
+/// What a result that waits is made of: what was carried, the fractions, and of a refined hit its six words.
+const WAITING: [&str; 17] = [
+    "tag",
+    "i",
+    "j",
+    "t",
+    "wall",
+    "limit",
+    "steps",
+    "crossings",
+    "ups",
+    "fu",
+    "fv",
+    "patch",
+    "bi",
+    "bj",
+    "bfu",
+    "bfv",
+    "bt",
+];
+
+/// A `stream_skid` between two pipelines.
+struct Skid<'b> {
+    /// Name of the instance.
+    unit: &'static str,
+    /// The pipeline before it offers words.
+    valid: Sig<'b>,
+    /// Wire that says whether it may move.
+    room: Sig<'b>,
+    /// The words are taken.
+    take: Sig<'b>,
+}
+
+/// Passes `words` on by a skid; returns whether they are there, and themselves under `names`.
+fn skid<'b>(b: &'b Builder, s: &Skid<'b>, words: &[Sig<'b>], names: &[String]) -> (Sig<'b>, Vec<Sig<'b>>) {
+    let name = s.unit.trim_start_matches("u_");
+    let o = b.inst(&stream_skid(), s.unit, &[], &[("in_valid", s.valid), ("out_ready", s.take)]);
+    b.connect(s.room, o[0].unstaged().named(&format!("{name}_ready")));
+    let (hold, spare) = (o[2].named(&format!("{name}_hold")), o[3].named(&format!("{name}_spare")));
+    let place = |(word, name): (&Sig<'b>, &String)| {
+        let ins = [("hold", hold), ("spare", spare), ("in_data", *word)];
+        b.inst(&word_skid(), &format!("{}_{name}", s.unit), &[("W", word.width())], &ins)[0].named(name)
+    };
+    (o[1], words.iter().zip(names).map(place).collect())
 }
 
 /// The load port of the pyramid.
