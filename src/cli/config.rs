@@ -22,6 +22,7 @@ pub fn load(cli: &Cli) -> Result<Config> {
 /// As [`load`].
 pub fn load_for(cli: &Cli, unit: Option<&str>) -> Result<(Config, Option<Arc<Module>>)> {
     let c = load_ranges(cli)?;
+    c.design().check_divider()?;
     let alone = unit.and_then(|name| crate::project::alone(&c, name));
     if alone.is_none() {
         c.validate()?;

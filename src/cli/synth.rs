@@ -11,6 +11,7 @@ use std::path::PathBuf;
 /// Runs `synth`.
 pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
     let c = super::config::load_ranges(cli)?;
+    c.design().check_divider()?;
     if !a.unit.iter().all(|name| project::alone(&c, name).is_some()) {
         c.validate()?;
     }
@@ -26,7 +27,7 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
         for latency in &latencies {
             let mut d = d;
             if let Some(l) = *latency {
-                let decision = d.latency.decision;
+                let (decision, divider) = (d.latency.decision, d.latency.divider);
                 d.latency = LatencyConfig {
                     add: l,
                     mul: l,
@@ -37,8 +38,10 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
                     sqrt: l,
                     add3: l,
                     decision,
+                    divider,
                 };
             }
+            d.check_divider()?;
             let unit = catalogue::find(&d, name)?;
             let bar = spinner(cli, format!("{name} at {latency:?} for {}", target.name()));
             done.push(measure(&unit, &target, &a.seeds)?);

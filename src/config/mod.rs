@@ -6,6 +6,7 @@
 pub(crate) mod check;
 mod commented;
 mod design;
+mod divider;
 mod extra;
 mod input;
 pub mod keys;
@@ -14,7 +15,9 @@ mod source;
 pub(crate) mod validate;
 
 pub use crate::format::{Rounding, Specials, Subnormals};
-pub use design::{DatapathConfig, DatapathKind, Design, LatencyConfig, LevelUp, ModeConfig, TraverseConfig, Trim};
+pub use design::{
+    DatapathConfig, DatapathKind, Design, Divider, LatencyConfig, LevelUp, ModeConfig, TraverseConfig, Trim,
+};
 pub use extra::{ExtraUnit, ExtraUnits};
 pub use input::{
     Border, EmitConfig, FormatConfig, Generator, MapConfig, MapKind, NanRule, VectorsConfig, View, ViewConfig,

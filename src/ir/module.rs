@@ -230,6 +230,8 @@ pub enum Prim {
     SqrtRows,
     /// Single read, single write memory with registered read.
     Memory,
+    /// `index` \[8\] to `word` \[33\] one clock later: constants, held while the clock enable is 0.
+    RecipTable,
 }
 
 /// What is inside a module.
