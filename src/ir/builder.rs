@@ -83,6 +83,15 @@ impl Builder {
             None => checks.push(Check { lhs, rhs }),
         }
     }
+    /// Requires what `inner`, of parameters by the same names, requires, as far as it is not required yet.
+    pub fn require_as(&self, inner: &Module) {
+        for c in &inner.checks {
+            let known = self.st.borrow().m.checks.iter().any(|k| k.lhs == c.lhs && k.rhs == c.rhs);
+            if !known {
+                self.require(&c.lhs, &c.rhs);
+            }
+        }
+    }
     /// Declares what a throughput of other than one result per clock is.
     pub fn throughput(&self, text: &str) {
         self.st.borrow_mut().m.throughput = text.into();

@@ -6,7 +6,7 @@
 //! every divisor.
 use super::fields::FormatParams;
 use super::quotient::Quotient;
-use super::round::Candidate;
+use super::round::Classes;
 use crate::bits::{INDEX_W, SLOPE_W, START_W};
 use crate::config::Design;
 use crate::format::FloatFormat;
@@ -19,9 +19,9 @@ use std::sync::Arc;
 const PLAN: [(&str, u32); 7] = [
     ("read", 60),
     ("fall", 40),
-    ("reciprocal", 25),
+    ("reciprocal", 22),
     ("quotient", 40),
-    ("estimate", 25),
+    ("estimate", 27),
     ("remainder", 40),
     ("select", 30),
 ];
@@ -48,12 +48,14 @@ pub fn by_table(format: FloatFormat, latency: u32) -> Arc<Module> {
     let line = recip_table(&b, filled.slice(17 - INDEX_W, INDEX_W));
     let along = filled.slice(1, 16 - INDEX_W).named("along");
     b.unused(filled.bit(0));
-    let num = b.cat(&[b.lit(1, 1), x.a_frac, fill]).named("dividend");
-    let den = b.cat(&[b.lit(1, 1), x.b_frac]).named("divisor");
+    let dividend = b.cat(&[b.lit(1, 1), x.a_frac, fill]).named("dividend");
+    let divisor = b.cat(&[b.lit(1, 1), x.b_frac]).named("divisor");
     let less = x.a_frac.lt(x.b_frac).named("is_less");
+
+    b.section("read", "Doubled where it is less than the divisor, so that the quotient lies in [1, 2).");
+    let num = less.mux(dividend, b.cat(&[b.zeros(1), dividend.slice(1, 17)])).named("num");
     let exp = (x.exp - less.zext(&e_w)).named("norm_exp");
-    // The dividend's last two bits where the quotient's significand lies in [1, 2).
-    let num_low = less.mux(b.cat(&[x.a_frac.bit(0), b.zeros(1)]), x.a_frac.slice(0, 2)).named("num_low");
+    let lower = (exp - b.lit(1, &e_w)).named("lower_exp");
 
     b.section("fall", "");
     let fall = line.slice(0, SLOPE_W).product(along).named("fall");
@@ -68,30 +70,39 @@ pub fn by_table(format: FloatFormat, latency: u32) -> Arc<Module> {
     let part = num.product(recip.slice(3, 18)).named("part");
     b.unused(part);
 
-    b.section("estimate", "The half that the reciprocal was given less, and the quotient cut to its significand.");
-    let est = (num.slice(1, 17).zext(18) + part.slice(19, 17).zext(18)).named("est");
+    b.section("estimate", "With the half that the reciprocal was given less, and cut to a significand.");
+    let est = (num + part.slice(18, 18)).named("est");
     b.unused(est);
-    let quot = less.mux(est.slice(Expr::from(16) - &f.man, &p), est.slice(Expr::from(17) - &f.man, &p)).named("quot");
-    // Just below 1, one more is the result: 1 at the exponent that is there.
-    let lower = (exp - b.lit(1, &e_w)).named("lower_exp");
-    let at = quot.msb().mux(exp, lower).named("quot_exp_cut");
+    let quot = est.slice(Expr::from(17) - &f.man, &p).named("quot");
 
     b.section(
         "remainder",
-        "Half-way between the two candidates: it is no multiple of the last place, and below two divisors, so two bits of \
-         the product tell its sign. Both candidates stand ready.",
+        "At half a unit more than the estimate: it is never 0, and below two divisors, so two bits of the product tell its \
+         sign. Below, the estimate is the result, else one more; both stand ready with their masks.",
     );
-    let half = b.cat(&[quot, b.ones(1)]);
-    let back = half.product(den).named("back");
+    let back = b.cat(&[quot, b.ones(1)]).product(divisor).named("back");
     b.unused(back);
-    let (n0, n1, b0, b1) = (num_low.bit(0), num_low.bit(1), back.bit(&f.man + 1), back.bit(&f.man + 2));
+    let bits = num.slice(Expr::from(16) - &f.man, 2).named("num_low");
+    let (n0, n1, b0, b1) = (bits.bit(0), bits.bit(1), back.bit(&f.man + 1), back.bit(&f.man + 2));
     let up = (n1 ^ b1 ^ (n0 & !b0)).named("round_up");
-    let frac = quot.slice(0, &f.man);
-    let low = Candidate::of(&b, &f, at, frac, b.zeros(1), None, "low");
-    let high = Candidate::of(&b, &f, at, frac, b.ones(1), None, "high");
+    // An estimate just below 1: one more is the result, and carries to the exponent that is there.
+    let at = quot.msb().mux(exp, lower).named("cut_exp");
+    let low = b.cat(&[at.slice(0, &f.exp), quot.slice(0, &f.man)]).named("low");
+    let high = (low + b.lit(1, low.width())).named("high");
+    let Classes { nan, inf, zero } = x.classes;
+    let over = (!at.msb() & (at.bit(&f.exp) | at.slice(0, &f.exp).all())).named("over");
+    let inf = (nan | inf | (over & !zero)).named("give_inf");
+    let at_zero = at.none().named("at_zero");
+    let none = (inf | zero | at.msb()).named("none");
+    // From exponent 0, rounding may still reach the smallest normal number.
+    let keep_low = (!(none | at_zero)).named("keep_low");
+    let keep_high = (!(none | (at_zero & !high.bit(&f.man)))).named("keep_high");
 
     b.section("select", "");
-    let value = Candidate::pick(up, &high, &low).pack(&b, &f, x.sign, &x.classes);
+    let (take_low, take_high) = ((keep_low & !up).named("take_low"), (keep_high & up).named("take_high"));
+    let body = |lo: &Expr, w: &Expr| low.slice(lo, w) & take_low.rep(w) | high.slice(lo, w) & take_high.rep(w);
+    let frac = body(&Expr::from(0), &f.man) | b.cat(&[nan, b.zeros(&f.man - 1)]);
+    let value = b.cat(&[(x.sign & !nan).named("sign"), body(&f.man, &f.exp) | inf.rep(&f.exp), frac]).named("value");
     b.drive(out, value, Some(latency));
     b.finish(Some(latency), &super::bindings())
 }
