@@ -46,6 +46,7 @@ pub fn by_table(format: FloatFormat, latency: u32) -> Arc<Module> {
     let fill = b.zeros(Expr::from(17) - &f.man);
     let filled = b.cat(&[x.b_frac, fill]).named("b_filled");
     let line = recip_table(&b, filled.slice(17 - INDEX_W, INDEX_W));
+    let (start, slope) = (line.slice(SLOPE_W, START_W).named("start"), line.slice(0, SLOPE_W).named("slope"));
     let along = filled.slice(1, 16 - INDEX_W).named("along");
     b.unused(filled.bit(0));
     let dividend = b.cat(&[b.lit(1, 1), x.a_frac, fill]).named("dividend");
@@ -54,24 +55,27 @@ pub fn by_table(format: FloatFormat, latency: u32) -> Arc<Module> {
 
     b.section("read", "Doubled where it is less than the divisor, so that the quotient lies in [1, 2).");
     let num = less.mux(dividend, b.cat(&[b.zeros(1), dividend.slice(1, 17)])).named("num");
+    let low_bits = num.slice(Expr::from(16) - &f.man, 2).named("num_low");
     let exp = (x.exp - less.zext(&e_w)).named("norm_exp");
     let lower = (exp - b.lit(1, &e_w)).named("lower_exp");
 
     b.section("fall", "");
-    let fall = line.slice(0, SLOPE_W).product(along).named("fall");
-    b.unused(fall);
+    let product = slope.product(along).named("fall_product");
+    let fall = product.slice(6, SLOPE_W + 10 - INDEX_W).named("fall");
+    b.unused(product);
 
     b.section("reciprocal", "Less 1/2, in 18 bits.");
-    let start = line.slice(SLOPE_W, START_W);
-    let recip = (start - fall.slice(6, SLOPE_W + 10 - INDEX_W).zext(START_W)).named("recip");
-    b.unused(recip);
+    let sum = (start - fall.zext(START_W)).named("recip_sum");
+    let recip = sum.slice(3, 18).named("recip");
+    b.unused(sum);
 
     b.section("quotient", "");
-    let part = num.product(recip.slice(3, 18)).named("part");
-    b.unused(part);
+    let product = num.product(recip).named("part_product");
+    let part = product.slice(18, 18).named("part");
+    b.unused(product);
 
     b.section("estimate", "With the half that the reciprocal was given less, and cut to a significand.");
-    let est = (num + part.slice(18, 18)).named("est");
+    let est = (num + part).named("est");
     b.unused(est);
     let quot = est.slice(Expr::from(17) - &f.man, &p).named("quot");
 
@@ -82,8 +86,7 @@ pub fn by_table(format: FloatFormat, latency: u32) -> Arc<Module> {
     );
     let back = b.cat(&[quot, b.ones(1)]).product(divisor).named("back");
     b.unused(back);
-    let bits = num.slice(Expr::from(16) - &f.man, 2).named("num_low");
-    let (n0, n1, b0, b1) = (bits.bit(0), bits.bit(1), back.bit(&f.man + 1), back.bit(&f.man + 2));
+    let (n0, n1, b0, b1) = (low_bits.bit(0), low_bits.bit(1), back.bit(&f.man + 1), back.bit(&f.man + 2));
     let up = (n1 ^ b1 ^ (n0 & !b0)).named("round_up");
     // An estimate just below 1: one more is the result, and carries to the exponent that is there.
     let at = quot.msb().mux(exp, lower).named("cut_exp");
