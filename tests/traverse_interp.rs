@@ -1,7 +1,7 @@
 //! The emitted traverse unit in the interpreter, in every mode, equals the golden model ray by ray; all modes hit alike.
 use rand::{Rng, SeedableRng};
 use reliefrtl::catalogue::design_at;
-use reliefrtl::config::{Design, LevelUp, ModeConfig, Trim};
+use reliefrtl::config::{Design, Divider, LevelUp, ModeConfig, Trim};
 use reliefrtl::golden::{Golden, Pyramid, RayHit, RayInput};
 use reliefrtl::interp::Traffic;
 use reliefrtl::ir::Binding;
@@ -105,6 +105,22 @@ fn other_latencies_and_full_load() {
         let run = p.run(&pyramid, &rays, 1, Traffic::default()).unwrap();
         assert!(run.results.iter().zip(&rays).all(|(h, r)| hit(h) == g.trace(&pyramid, r)));
         assert!(run.loaded > 500 && run.busy as f64 / run.loaded as f64 >= 0.98, "{} of {}", run.busy, run.loaded);
+    }
+}
+
+/// The divider by table at its fewest clocks, among others and with a register at the end.
+#[test]
+fn dividers_by_table() {
+    for div in [Design::TABLE_CLOCKS, 4, 8, 9] {
+        let mut d = Design::default();
+        d.traverse.levels = 5;
+        (d.latency.div, d.latency.divider) = (div, Divider::Table);
+        let (pyramid, rays) = hard(&d, 8);
+        let g = Golden::new(&d).unwrap();
+        let p = Pipeline::new(&d, &Binding::new()).unwrap();
+        let run = p.run(&pyramid, &rays, 64, Traffic::default()).unwrap();
+        assert_eq!(run.results.len(), rays.len());
+        assert!(run.results.iter().zip(&rays).all(|(h, r)| hit(h) == g.trace(&pyramid, r)), "{div} clocks");
     }
 }
 

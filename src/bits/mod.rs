@@ -3,7 +3,9 @@
 //! A value of width `w` is a `u64` whose bits above `w` are zero. Interpreter, constant folding and waveform
 //! decoding all call these functions; nothing else in the crate defines the meaning of an operation.
 mod prim;
+mod recip_table;
 pub use prim::{deinterleave, div_rows, interleave, lzc};
+pub use recip_table::{INDEX_W, SLOPE_W, START_W, recip_table};
 
 /// The widest word that the IR carries, in bits.
 pub const MAX_WIDTH: u32 = 64;

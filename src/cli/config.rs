@@ -1,6 +1,6 @@
 //! `reliefrtl config`: the configuration as it stands, with comments, or its schema.
 use super::args::{Cli, ConfigArgs};
-use crate::config::{Config, DatapathKind};
+use crate::config::{Config, DatapathKind, for_clock};
 use crate::error::{Error, Result};
 use crate::ir::Module;
 use std::sync::Arc;
@@ -22,6 +22,7 @@ pub fn load(cli: &Cli) -> Result<Config> {
 /// As [`load`].
 pub fn load_for(cli: &Cli, unit: Option<&str>) -> Result<(Config, Option<Arc<Module>>)> {
     let c = load_ranges(cli)?;
+    c.design().check_divider()?;
     let alone = unit.and_then(|name| crate::project::alone(&c, name));
     if alone.is_none() {
         c.validate()?;
@@ -40,6 +41,11 @@ pub(super) fn load_ranges(cli: &Cli) -> Result<Config> {
     };
     if let Some(profile) = cli.profile {
         c.latency = profile.latency(kind(cli, &c)?);
+    }
+    if let Some(mhz) = cli.clock {
+        let choice = for_clock(mhz, kind(cli, &c)?)?;
+        (c.latency, c.emit.clock_mhz) = (choice.latency, mhz);
+        eprintln!("reliefrtl: {}", choice.certainty(mhz));
     }
     cli.sets.iter().try_for_each(|s| c.apply_set(s))?;
     Ok(c)

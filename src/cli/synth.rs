@@ -11,6 +11,7 @@ use std::path::PathBuf;
 /// Runs `synth`.
 pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
     let c = super::config::load_ranges(cli)?;
+    c.design().check_divider()?;
     if !a.unit.iter().all(|name| project::alone(&c, name).is_some()) {
         c.validate()?;
     }
@@ -38,6 +39,7 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
                     ..d.latency
                 };
             }
+            d.check_divider()?;
             let unit = catalogue::find(&d, name)?;
             let bar = spinner(cli, format!("{name} at {latency:?} for {}", target.name()));
             done.push(measure(&unit, &target, &a.seeds, a.freq)?);

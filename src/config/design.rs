@@ -151,6 +151,17 @@ impl TraverseConfig {
     }
 }
 
+/// How `fp_div` finds a quotient (`docs/arithmetic.md`, Two dividers).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Divider {
+    /// One quotient bit a row, no multiplier: any format, many clocks.
+    #[default]
+    Rows,
+    /// A table of reciprocals and three multipliers: few clocks, at most 16 fraction bits.
+    Table,
+}
+
 /// Clocks from operand to result of each kind of unit; the pipelines rebalance around them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields, default)]
@@ -161,6 +172,8 @@ pub struct LatencyConfig {
     pub mul: u32,
     /// `fp_div`, `fp_recip`.
     pub div: u32,
+    /// How `fp_div` is built.
+    pub divider: Divider,
     /// `fp_lt`, `fp_compare`.
     pub compare: u32,
     /// `fp_from_int`, `fp_from_fixed`.
@@ -189,6 +202,7 @@ impl Default for LatencyConfig {
             add: 2,
             mul: 1,
             div: 2,
+            divider: Divider::Rows,
             compare: 1,
             from_int: 1,
             to_int: 1,

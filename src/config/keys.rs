@@ -99,7 +99,10 @@ pub const SECTIONS: &[(&str, &str)] = &[
         "mode",
         "Choices of the traversal. They change the number of steps, never the hit (of the published datapath: now and then).",
     ),
-    ("latency", "Clocks from operand to result of each kind of unit; the pipelines rebalance around them."),
+    (
+        "latency",
+        "Clocks from operand to result of each kind of unit, and how the divider is built; the pipelines rebalance around them.",
+    ),
     ("map", "The height map, and how it lies on the quad of 200 x 200 world units."),
     ("view", "The pictures whose pixels give the rays."),
     ("vectors", "Stimulus: how much, and from which random bits."),
@@ -164,6 +167,11 @@ pub const KEYS: &[Key] = &[
     key("latency.add", "fp_add, in clocks", CLOCKS),
     key("latency.mul", "fp_mul, in clocks", CLOCKS),
     key("latency.div", "fp_div and fp_recip, in clocks", Legal::Whole(0, 32)),
+    key(
+        "latency.divider",
+        "how fp_div is built; digit rows, or a table of reciprocals with three multipliers: few clocks (2 or more), format.man up to 16, the default choices of the format",
+        Legal::Word(&["rows", "table"]),
+    ),
     key("latency.compare", "fp_lt and fp_compare, in clocks", CLOCKS),
     key("latency.from_int", "fp_from_int and fp_from_fixed, in clocks", CLOCKS),
     key("latency.to_int", "fp_to_int and fp_to_fixed, in clocks", CLOCKS),

@@ -4,8 +4,10 @@
 //! Both check names, types and ranges where the place of the mistake is still known; what holds between keys is
 //! checked once by [`Config::validate`].
 pub(crate) mod check;
+mod clock;
 mod commented;
 mod design;
+mod divider;
 mod extra;
 mod input;
 pub mod keys;
@@ -15,7 +17,10 @@ mod source;
 pub(crate) mod validate;
 
 pub use crate::format::{Rounding, Specials, Subnormals};
-pub use design::{DatapathConfig, DatapathKind, Design, LatencyConfig, LevelUp, ModeConfig, TraverseConfig, Trim};
+pub use clock::{Choice, for_clock};
+pub use design::{
+    DatapathConfig, DatapathKind, Design, Divider, LatencyConfig, LevelUp, ModeConfig, TraverseConfig, Trim,
+};
 pub use extra::{ExtraUnit, ExtraUnits};
 pub use input::{
     Border, EmitConfig, FormatConfig, Generator, MapConfig, MapKind, NanRule, VectorsConfig, View, ViewConfig,

@@ -1,5 +1,5 @@
 //! Latencies by name.
-use super::{DatapathKind, LatencyConfig};
+use super::{DatapathKind, Divider, LatencyConfig};
 
 /// A named set of latencies. Clocks that were measured of each: `docs/clocks.md`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -49,6 +49,7 @@ impl Profile {
             add,
             mul,
             div,
+            divider: Divider::Rows,
             compare,
             from_int,
             to_int,

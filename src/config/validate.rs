@@ -18,6 +18,7 @@ impl Config {
             self.trim_problems(&mut problems);
             self.bilinear_problems(&mut problems);
             self.map_problems(&mut problems);
+            problems.extend(self.design().divider_problems());
         }
         report(problems)
     }

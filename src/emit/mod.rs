@@ -7,7 +7,7 @@ mod manifest;
 pub use flow::flow;
 pub use manifest::manifest;
 
-use crate::config::{Config, DatapathKind, ExtraUnit, Trim};
+use crate::config::{Config, DatapathKind, Divider, ExtraUnit, Trim};
 use crate::error::{Error, Result};
 use crate::ir::Module;
 use crate::verilog::{Style, print_module};
@@ -60,6 +60,7 @@ pub fn config_line(c: &Config) -> String {
         }
         DatapathKind::Watertight | DatapathKind::Published => format!("float {}", c.format.float()),
     };
+    let divider = if l.divider == Divider::Table { " by table" } else { "" };
     let start = if m.start_level { "start level" } else { "from the root" };
     let path = match c.datapath.kind {
         DatapathKind::Watertight => "",
@@ -67,7 +68,7 @@ pub fn config_line(c: &Config) -> String {
         DatapathKind::Fixed => "fixed datapath, ",
     };
     format!(
-        "{path}{numbers}, levels {}, heights {} bits, {start}, {} down, up {}{more}; clocks add {} mul {} div {} compare {} from_int {} to_int {}{clocks}",
+        "{path}{numbers}, levels {}, heights {} bits, {start}, {} down, up {}{more}; clocks add {} mul {} div {}{divider} compare {} from_int {} to_int {}{clocks}",
         t.levels,
         t.height_bits,
         m.levels_down,

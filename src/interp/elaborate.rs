@@ -115,6 +115,13 @@ impl Flat {
                 self.regs.push(FlatReg { q: out, d: read, enable: None, reset: None });
                 BTreeMap::from([(k, out)])
             }
+            Prim::RecipTable => {
+                let (k, w) = o("word");
+                let (q, d) = (self.source(w), self.op(Kind::RecipTable, &[i("index")], w, 0));
+                let enable = m.ce.map(|ce| inputs[&ce]).filter(|e| self.value(*e) != Some(1));
+                self.regs.push(FlatReg { q, d, enable, reset: None });
+                BTreeMap::from([(k, q)])
+            }
         }
     }
 

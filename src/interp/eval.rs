@@ -1,6 +1,6 @@
 //! One flat operation on one set of operands: the only place that maps operations to `bits`.
 use super::netlist::{FlatOp, Kind};
-use crate::bits::{div_rows, interleave, lzc, mask, sar, shl, shr, signed};
+use crate::bits::{div_rows, interleave, lzc, mask, recip_table, sar, shl, shr, signed};
 
 /// Computes `op` on `a`, `b`, `c` (operands that the operation does not have are ignored).
 #[inline(always)]
@@ -32,5 +32,6 @@ pub fn eval(op: &FlatOp, a: u64, b: u64, c: u64) -> u64 {
         Kind::Interleave => interleave(a, b),
         Kind::DivRem => div_rows(a, b, op.arg_width - 1, op.aux).0,
         Kind::DivQuot => div_rows(a, b, op.arg_width - 1, op.aux).1,
+        Kind::RecipTable => recip_table(a) & m,
     }
 }

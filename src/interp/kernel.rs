@@ -92,6 +92,7 @@ pub fn narrow(code: Code, op: &FlatOp, out: &mut Narrow, a: &Narrow, b: &Narrow,
         Kind::Interleave => each!(out, |x in a, y in b| eval(op, u64::from(x), u64::from(y), 0) as u32),
         Kind::DivRem => divide(op, a, b, out, &mut [0; BLOCK]),
         Kind::DivQuot => divide(op, a, b, &mut [0; BLOCK], out),
+        Kind::RecipTable => each!(out, |x in a| eval(op, u64::from(x), 0, 0) as u32),
     }
 }
 
@@ -140,7 +141,7 @@ pub fn wide(op: &FlatOp, out: &mut Wide, a: &Wide, b: &Wide, c: &Wide) {
         };
     }
     kinds!(
-        each1: Copy, Not, RedOr, RedAnd, Slice, Sext, Rep, Lzc;
+        each1: Copy, Not, RedOr, RedAnd, Slice, Sext, Rep, Lzc, RecipTable;
         each2: And, Or, Xor, Add, Sub, Mul, Eq, Ult, Slt, Shl, Shr, Sar, Join, Interleave, DivRem, DivQuot;
         each3: Mux;
     );

@@ -37,6 +37,8 @@ pub enum Kind {
     DivRem,
     /// Quotient bits of the same.
     DivQuot,
+    /// Word `args[0]` of the table of reciprocals.
+    RecipTable,
 }
 
 /// One flat operation.

@@ -136,7 +136,8 @@ fn apply(op: &FlatOp, a: Bits, b: Bits, c: Bits) -> Bits {
         Kind::Add | Kind::Sub => from_lowest(a.1 | b.1),
         Kind::Mul => from_lowest(a.1 | b.1) & below(eval(op, top_a, top_b, 0)),
         Kind::DivRem | Kind::DivQuot if a.1 | b.1 == 0 => 0,
-        Kind::Shl | Kind::Shr | Kind::Sar | Kind::DivRem | Kind::DivQuot => m,
+        Kind::RecipTable if a.1 == 0 => 0,
+        Kind::Shl | Kind::Shr | Kind::Sar | Kind::DivRem | Kind::DivQuot | Kind::RecipTable => m,
     };
     let x = x & m;
     (v & !x, x)

@@ -83,6 +83,15 @@ impl Builder {
             None => checks.push(Check { lhs, rhs }),
         }
     }
+    /// Requires what `inner`, of parameters by the same names, requires, as far as it is not required yet.
+    pub fn require_as(&self, inner: &Module) {
+        for c in &inner.checks {
+            let known = self.st.borrow().m.checks.iter().any(|k| k.lhs == c.lhs && k.rhs == c.rhs);
+            if !known {
+                self.require(&c.lhs, &c.rhs);
+            }
+        }
+    }
     /// Declares what a throughput of other than one result per clock is.
     pub fn throughput(&self, text: &str) {
         self.st.borrow_mut().m.throughput = text.into();
@@ -143,9 +152,13 @@ impl Builder {
 
     /// Places the named sections over `latency` stages, balancing their weights (in LUT hops).
     pub fn plan(&self, latency: u32, sections: &[(&str, u32)]) {
+        self.plan_from(0, latency, sections);
+    }
+    /// As [`Builder::plan`], from stage `first` on: before it stands what has registers of its own.
+    pub fn plan_from(&self, first: u32, latency: u32, sections: &[(&str, u32)]) {
         let stages = plan_stages(latency, &sections.iter().map(|s| s.1).collect::<Vec<_>>());
         let mut st = self.st.borrow_mut();
-        st.plan = sections.iter().zip(stages).map(|(s, k)| (s.0.to_string(), k)).collect();
+        st.plan = sections.iter().zip(stages).map(|(s, k)| (s.0.to_string(), first + k)).collect();
     }
     /// Opens a section: a heading in the emitted text, and the stage that the plan gave it.
     pub fn section(&self, title: &str, reason: &str) {

@@ -232,6 +232,8 @@ pub enum Prim {
     Memory,
     /// The same in banks, each with a second register.
     Banks,
+    /// `index` \[8\] to `word` \[33\] one clock later: constants, held while the clock enable is 0.
+    RecipTable,
 }
 
 /// What is inside a module.

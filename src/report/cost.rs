@@ -14,7 +14,7 @@ pub struct Cost {
     pub products: u64,
     /// Register bits.
     pub registers: u64,
-    /// Bits of the height pyramid.
+    /// Bits of the height pyramid and of tables.
     pub memory: u64,
 }
 
@@ -35,6 +35,7 @@ impl Cost {
                 // Quotient and remainder are one circuit.
                 Kind::DivQuot => c.products += w * width(op.args[1]),
                 Kind::DivRem => {}
+                Kind::RecipTable => c.memory += w << a,
                 Kind::Shl | Kind::Shr | Kind::Sar => c.logic += w * u64::from(w.next_power_of_two().ilog2()),
                 Kind::RedOr | Kind::RedAnd | Kind::Eq | Kind::Ult | Kind::Slt | Kind::Lzc => c.logic += a,
                 Kind::Not => {}
@@ -42,7 +43,7 @@ impl Cost {
             }
         }
         c.registers = net.regs.iter().map(|r| width(r.q)).sum();
-        c.memory = net.mems.iter().map(|m| m.depth as u64 * width(m.read_data)).sum();
+        c.memory += net.mems.iter().map(|m| m.depth as u64 * width(m.read_data)).sum::<u64>();
         Ok(c)
     }
 

@@ -3,10 +3,11 @@ pub mod div_rows;
 pub mod float;
 pub mod interleave;
 pub mod lzc;
+pub mod recip_table;
 pub mod sqrt_rows;
 pub mod traversal;
 
-use crate::config::{Design, ExtraUnit, ExtraUnits};
+use crate::config::{Design, Divider, ExtraUnit, ExtraUnits};
 use crate::ir::Module;
 use std::sync::Arc;
 
@@ -23,6 +24,14 @@ pub fn available(d: &Design) -> Vec<Arc<Module>> {
     chosen(d, ExtraUnits::ALL)
 }
 
+/// What `fp_div` stands on besides its own text.
+fn divider_core(d: &Design) -> Arc<Module> {
+    match d.latency.divider {
+        Divider::Rows => div_rows::div_rows_module(d.format.man + 1, d.format.man + 3),
+        Divider::Table => recip_table::recip_table_module(),
+    }
+}
+
 fn chosen(d: &Design, units: ExtraUnits) -> Vec<Arc<Module>> {
     let (f, l) = (d.format, &d.latency);
     let mut list = Vec::new();
@@ -31,7 +40,11 @@ fn chosen(d: &Design, units: ExtraUnits) -> Vec<Arc<Module>> {
             ExtraUnit::Sqrt => {
                 list.extend([sqrt_rows::sqrt_rows_module(f.man + 2, f.man + 1), float::fp_sqrt(f, l.sqrt)]);
             }
-            ExtraUnit::Recip => list.push(float::fp_recip(f, l.div)),
+            ExtraUnit::Recip => {
+                // Where the divider has a table, nothing else has brought the rows.
+                list.extend((l.divider == Divider::Table).then(|| div_rows::div_rows_module(f.man + 1, f.man + 2)));
+                list.push(float::fp_recip(f, l.div));
+            }
             ExtraUnit::Compare => list.push(float::fp_compare(f, l.compare)),
             ExtraUnit::Add3 => list.push(float::fp_add3(f, l.add3)),
         }

@@ -1,16 +1,43 @@
 //! Verilog bodies of the primitives: the only text that is not printed from a graph.
+use crate::bits::{INDEX_W, SLOPE_W, START_W, recip_table};
 use crate::ir::Prim;
+use std::borrow::Cow;
 
 /// The body of a primitive module, between header and `endmodule`.
-pub fn body(p: Prim) -> &'static str {
-    match p {
+pub fn body(p: Prim) -> Cow<'static, str> {
+    Cow::Borrowed(match p {
         Prim::Lzc => LZC,
         Prim::Interleave => INTERLEAVE,
         Prim::DivRows => DIV_ROWS,
         Prim::SqrtRows => SQRT_ROWS,
         Prim::Memory => MEMORY,
         Prim::Banks => BANKS,
-    }
+        Prim::RecipTable => return Cow::Owned(constants()),
+    })
+}
+
+/// A table of constants with a register behind it, in the form that every synthesizer takes for a block memory.
+fn constants() -> String {
+    let (word_w, last) = (START_W + SLOPE_W, (1u64 << INDEX_W) - 1);
+    let digits = word_w.div_ceil(4) as usize;
+    let line = |i: u64| format!("{word_w}'h{:0digits$x};\n", recip_table(i));
+    let rows: String = (0..last).map(|i| format!("        {INDEX_W}'d{i}: word_q <= {}", line(i))).collect();
+    format!(
+        "
+  reg [{}:0] word_q;
+
+  always @(posedge clk) begin
+    if (ce) begin
+      case (index)
+{rows}        default: word_q <= {}      endcase
+    end
+  end
+
+  assign word = word_q;
+",
+        word_w - 1,
+        line(last)
+    )
 }
 
 const LZC: &str = r#"

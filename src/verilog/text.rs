@@ -23,7 +23,7 @@ pub fn print_module(m: &Module, style: &Style) -> String {
             p.graph();
             aligned(&std::mem::take(&mut p.out)).lines().map(wrap).collect()
         }
-        Body::Prim(prim) => prim::body(prim).to_owned(),
+        Body::Prim(prim) => prim::body(prim).into_owned(),
     };
     let body = body + "endmodule\n`default_nettype wire\n";
     p.banner();

@@ -61,11 +61,12 @@ pub fn shapes(kind: Kind, w: u32, rng: &mut ChaCha8Rng) -> Vec<([u32; 3], u32, u
             let rows = any(rng, 1, 64);
             if (3..64).contains(&w) { vec![([w, w - 1, 1], rows, rows)] } else { vec![] }
         }
+        Kind::RecipTable => vec![([8; 3], w, 0)],
     }
 }
 
 /// All operations.
-pub const KINDS: [Kind; 25] = [
+pub const KINDS: [Kind; 26] = [
     Kind::Copy,
     Kind::Not,
     Kind::And,
@@ -91,6 +92,7 @@ pub const KINDS: [Kind; 25] = [
     Kind::Interleave,
     Kind::DivRem,
     Kind::DivQuot,
+    Kind::RecipTable,
 ];
 
 /// A word with many equal, extreme and small values.

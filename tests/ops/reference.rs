@@ -15,7 +15,7 @@ pub fn outputs(m: &Module, b: &Binding, inputs: &[u64]) -> Vec<u64> {
 
 fn primitive(p: Prim, m: &Module, b: &Binding, inputs: &BTreeMap<usize, u64>) -> Vec<u64> {
     let i = |name: &str| inputs[&m.port(name).unwrap().0];
-    let w = b["W"] as u32;
+    let w = b.get("W").map_or(0, |w| *w as u32);
     match p {
         Prim::Lzc => vec![lzc(i("bits"), w)],
         Prim::Interleave => vec![interleave(i("a"), i("b"))],
@@ -36,7 +36,7 @@ fn primitive(p: Prim, m: &Module, b: &Binding, inputs: &BTreeMap<usize, u64>) ->
             }
             vec![rem as u64, root as u64]
         }
-        Prim::Memory => unreachable!("a memory has state"),
+        Prim::Memory | Prim::RecipTable => unreachable!("a memory has state"),
     }
 }
 

@@ -39,6 +39,7 @@ pub fn model(unit: &str, d: &Design, b: &Binding, x: &[u64]) -> Vec<u64> {
             let root = (radicand >> (2 * below)).isqrt() << below;
             vec![((radicand - root * root) >> below) as u64, root as u64]
         }
+        "recip_table" => vec![recip_line(x[0].into())],
         "start_level" => vec![u64::from(start_level(d.traverse.levels, idx, s(x[0]), s(x[1]), s(x[2]), s(x[3])))],
         "height_address" => {
             let k = x[0] as u32;
@@ -108,6 +109,18 @@ pub fn model(unit: &str, d: &Design, b: &Binding, x: &[u64]) -> Vec<u64> {
             DatapathKind::Watertight => watertight::model(unit, d, b, x),
         },
     }
+}
+
+/// Start and slope of the line for divisors from `1 + index / 256` up, as `docs/arithmetic.md` defines them.
+fn recip_line(index: i128) -> u64 {
+    let (x, y) = (256 + index, 257 + index);
+    // The chord falls by 2^8 / (x * y) along the interval, that is along 2^8 steps.
+    let slope = (0..1 << 12).min_by_key(|s| (s * x * y - (1 << 28)).abs()).expect("there are slopes");
+    // Chord and curve in the middle, (128 / x + 128 / y) and 512 / (x + y), as fractions of one denominator.
+    let below = x * y * (x + y);
+    let middle = (128 * (x + y) * (x + y) + 512 * x * y) << 21;
+    let start = (middle - (below << 21)).div_euclid(below) + 128 * slope / 64 + 4;
+    (start << 12 | slope) as u64
 }
 
 /// Texel (wrapped) and fraction of position `at`, kept in the level-`lod` node of `x`.

@@ -20,6 +20,9 @@ pub struct Cli {
     /// Latencies by name; `--set` can still change single ones.
     #[arg(long, global = true, value_enum)]
     pub profile: Option<Profile>,
+    /// Picks latencies for this clock from a table of measurements, says how sure it is, and asks for it in flow/.
+    #[arg(long, global = true, value_name = "MHZ", conflicts_with = "profile", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub clock: Option<u32>,
     /// Overrides one key of the configuration, e.g. --set traverse.levels=10.
     #[arg(long = "set", global = true, value_name = "KEY=VALUE")]
     pub sets: Vec<String>,

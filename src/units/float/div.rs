@@ -3,10 +3,13 @@
 //! Restoring digit recurrence, `p + 2` rows for `p = MAN_W + 1`. The quotient of two p-bit significands is never a tie
 //! (a tie would have p + 1 significant bits, and times the divisor it would not fit the dividend), so one guard bit
 //! decides and no sticky bit is needed. Rows are spread over the stages.
-use super::fields::{Fields, FormatParams};
+use super::div_table::by_table;
+use super::fields::FormatParams;
 use super::general;
-use super::round::{Candidate, Classes};
+use super::quotient::Quotient;
+use super::round::Candidate;
 use super::rows::Groups;
+use crate::config::{Divider, LatencyConfig};
 use crate::format::FloatFormat;
 use crate::ir::{Builder, Module};
 use crate::units::div_rows::div_rows;
@@ -15,8 +18,15 @@ use std::sync::Arc;
 /// The sections behind the rows.
 const TAIL: [(&str, u32); 3] = [("pick", 12), ("round", 20), ("select", 18)];
 
-/// Builds `fp_div` with `latency` clocks from operand to result.
-pub fn fp_div(format: FloatFormat, latency: u32) -> Arc<Module> {
+/// Builds `fp_div` with `l.div` clocks from operand to result, by digit rows or by a table.
+pub fn fp_div(format: FloatFormat, l: &LatencyConfig) -> Arc<Module> {
+    match l.divider {
+        Divider::Rows => by_rows(format, l.div),
+        Divider::Table => by_table(format, l.div),
+    }
+}
+
+fn by_rows(format: FloatFormat, latency: u32) -> Arc<Module> {
     if !format.is_plain() {
         return general::fp_div(format, latency);
     }
@@ -34,16 +44,9 @@ pub fn fp_div(format: FloatFormat, latency: u32) -> Arc<Module> {
     b.require(groups.least_rows() - 3, &f.man);
 
     b.section("classes", "The hidden bit is 1 for every operand: a zero operand overrides the result instead.");
-    let (fa, fb) = (Fields::of(&f, a_in, "a"), Fields::of(&f, b_in, "b"));
-    let sign = (fa.sign ^ fb.sign).named("quot_sign");
-    let bias = b.konst(f.bias(), &e_w).named("bias");
-    let exp0 = (fa.exp.zext(&e_w) - fb.exp.zext(&e_w) + bias).named("quot_exp");
-    let inf = ((fa.is_inf | fb.is_zero) & !fb.is_inf & !fa.is_zero).named("is_inf");
-    let zero = ((fa.is_zero | fb.is_inf) & !fa.is_inf & !fb.is_zero).named("is_zero");
-    let same = (fa.is_zero & fb.is_zero) | (fa.is_inf & fb.is_inf);
-    let nan = (fa.is_nan | fb.is_nan | same).named("is_nan");
-    let div = b.cat(&[b.lit(1, 1), fb.frac]).named("divisor");
-    let mut rem = b.cat(&[b.lit(1, 2), fa.frac]).named("rem");
+    let x = Quotient::of(&b, &f, a_in, b_in, &e_w);
+    let div = b.cat(&[b.lit(1, 1), x.b_frac]).named("divisor");
+    let mut rem = b.cat(&[b.lit(1, 2), x.a_frac]).named("rem");
     let mut quot = None;
     for c in 0..groups.len() {
         b.section(&groups.title(c), "Rows of compare, subtract, double: one quotient bit each, the integer bit first.");
@@ -59,7 +62,7 @@ pub fn fp_div(format: FloatFormat, latency: u32) -> Arc<Module> {
 
     b.section("pick", "The quotient lies in (1/2, 2): its integer bit says where the significand stands.");
     let top = quot.msb().named("top");
-    let exp = (exp0 - (!top).zext(&e_w)).named("norm_exp");
+    let exp = (x.exp - (!top).zext(&e_w)).named("norm_exp");
     let frac = top.mux(quot.slice(2, &f.man), quot.slice(1, &f.man)).named("frac");
     let guard = top.mux(quot.bit(1), quot.bit(0)).named("guard");
 
@@ -67,7 +70,7 @@ pub fn fp_div(format: FloatFormat, latency: u32) -> Arc<Module> {
     let rounded = Candidate::of(&b, &f, exp, frac, guard, None, "round");
 
     b.section("select", "");
-    let value = rounded.pack(&b, &f, sign, &Classes { nan, inf, zero });
+    let value = rounded.pack(&b, &f, x.sign, &x.classes);
     b.drive(out, value, Some(latency));
     b.finish(Some(latency), &super::bindings())
 }

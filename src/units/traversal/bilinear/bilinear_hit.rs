@@ -2,7 +2,7 @@
 use super::{bilinear_window, patch_corner, patch_memory, ray_place, secant_step, surface_gap};
 use crate::config::{Design, LatencyConfig};
 use crate::ir::{Binding, Builder, Module, Sig};
-use crate::units::float::FormatParams;
+use crate::units::float::{FormatParams, fp_div};
 use crate::units::traversal::params::{LevelParams, index_width};
 use std::sync::Arc;
 
@@ -30,6 +30,8 @@ pub fn bilinear_hit(d: &Design) -> Arc<Module> {
     b.require(&frac, 16);
     b.require(&idx + &frac + &f.man, 60);
     b.require(&h + frac.clone() * 2 + &f.man, 60);
+    // What the divider asks of MAN_W holds here too.
+    b.require_as(&fp_div(d.format, &d.latency));
     b.clock();
     b.clock_enable();
     let load = [

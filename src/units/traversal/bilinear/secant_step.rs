@@ -27,7 +27,7 @@ pub fn secant_step(d: &Design) -> Arc<Module> {
     let o_patch = b.output("patch", 2, "code", "1 hit, 2 above the surface at the end, 3 below it at the begin");
     let o_t = b.output("t", &f.width, "float, height codes", "the step's parameter, of a hit");
     let (add, lt) = (fp_add(d.format, d.latency.add), fp_lt(d.format, d.latency.compare));
-    let div = fp_div(d.format, d.latency.div);
+    let div = fp_div(d.format, &d.latency);
     // A divider of many stages needs as many rows to cut: what it asks of MAN_W holds here too.
     div.checks.iter().for_each(|c| b.require(&c.lhs, &c.rhs));
     let zero = b.zeros(&f.width);

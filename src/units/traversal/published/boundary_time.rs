@@ -30,8 +30,9 @@ pub fn boundary_time(d: &Design) -> Arc<Module> {
     let nudge = nudge_width(&b, d);
     b.require(2, &idx);
     b.require(&idx + &nudge + &f.man, 60);
-    // A divider of many stages needs as many rows to cut.
-    b.require(d.latency.div.clamp(1, d.format.man + 3).saturating_sub(3), &f.man);
+    // A divider of many stages needs as many rows to cut, one by table a multiplier's width.
+    let div = fp_div(d.format, &d.latency);
+    b.require_as(&div);
     let wide = b.local("FixedW", &idx + &nudge + 1);
     b.clock();
     b.clock_enable();
@@ -57,7 +58,7 @@ pub fn boundary_time(d: &Design) -> Arc<Module> {
     let dist = b.inst(&add, "u_sub", &[], &[("a", at), ("b", minus_p)])[0].named("distance");
 
     b.section("parameter", "");
-    let t = b.inst(&fp_div(d.format, d.latency.div), "u_div", &[], &[("a", dist), ("b", dir)])[0].named("when_met");
+    let t = b.inst(&div, "u_div", &[], &[("a", dist), ("b", dir)])[0].named("when_met");
     let l = latency(&d.latency);
     b.drive(out, t, Some(l));
     let at = |n: i64, e: i64, m: i64| Binding::from([("NUDGE_W".into(), n), ("EXP_W".into(), e), ("MAN_W".into(), m)]);

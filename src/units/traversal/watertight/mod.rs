@@ -21,7 +21,7 @@ use super::params::ray_conditions;
 use super::plane_iteration::{PlaneUnits, plane_iteration};
 use crate::config::{Design, Trim};
 use crate::ir::{Expr, Module};
-use crate::units::div_rows::div_rows_module;
+use crate::units::divider_core;
 use crate::units::float::{self, FormatParams};
 use std::sync::Arc;
 
@@ -101,10 +101,10 @@ fn arithmetic(d: &Design) -> Vec<Arc<Module>> {
     let (f, t, l) = (d.format, &d.traverse, &d.latency);
     let fixed = t.idx_bits() + t.frac_bits;
     vec![
-        div_rows_module(f.man + 1, f.man + 3),
+        divider_core(d),
         float::fp_add(f, l.add),
         float::fp_mul(f, l.mul),
-        float::fp_div(f, l.div),
+        float::fp_div(f, l),
         float::fp_lt(f, l.compare),
         float::fp_from_int(f, t.idx_bits(), l.from_int),
         float::fp_to_int(f, t.idx_bits(), l.to_int),

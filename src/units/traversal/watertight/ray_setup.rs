@@ -147,7 +147,7 @@ fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &'static str, p_in: Sig
     let m_exp = b.konst(f.bias() + &s.height - 1, &f.exp).named("m_exp");
     let m_frac = b.konst(f.man.pow2() - (&f.man - &s.height + 1).pow2(), &f.man).named("m_frac");
     let m = b.cat(&[b.zeros(1), m_exp, m_frac]);
-    let div = fp_div(d.format, d.latency.div);
+    let div = fp_div(d.format, &d.latency);
     // A divider of many stages needs as many rows to cut: what it asks of MAN_W holds here too.
     div.checks.iter().for_each(|c| b.require(&c.lhs, &c.rhs));
     let r = b.inst(&div, &format!("u_{name}_div"), &[], &[("a", m), ("b", dn)])[0].named(&n("r"));
