@@ -8,6 +8,7 @@ use reliefrtl::config::{Config, Design};
 use reliefrtl::interp::{Lanes, elaborate};
 use reliefrtl::ir::{Binding, Module};
 use reliefrtl::project::{alone, alone_files};
+use reliefrtl::synth::{Target, measure};
 use reliefrtl::units::recip_table::recip_table_module;
 use reliefrtl::vectors::{Campaign, Level, Plan, Shard, VectorSet, set_files};
 use reliefrtl::verilog::{Style, print_module};
@@ -25,6 +26,10 @@ fn config(clocks: u32) -> Config {
 fn divider(clocks: u32) -> (Design, Arc<Module>) {
     let d = config(clocks).design();
     (d, find(&d, "fp_div").unwrap())
+}
+
+fn no_tools() -> bool {
+    std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1")
 }
 
 fn at(exp: i64, man: i64) -> Binding {
@@ -86,6 +91,19 @@ fn every_estimate_is_near_enough() {
     }
     println!("largest error {:.4} of half a unit, at fraction {}", worst.0, worst.1);
     assert!(worst.0 > 0.5, "a bound that nothing comes near says nothing");
+}
+
+/// What Yosys makes of it: one block memory, and a multiplier block for each product but one, whose factors both have 18 bits: the block of
+/// that family takes 24 x 17 without a sign.
+#[test]
+fn the_table_is_one_block_memory() {
+    if no_tools() {
+        return;
+    }
+    for clocks in [2, 4, 9] {
+        let f = measure(&divider(clocks).1, &Target::Xilinx, &[]).unwrap();
+        assert_eq!((f.memories, f.multipliers), (1, 4), "{clocks} clocks");
+    }
 }
 
 /// Every pair of all formats of at most 8 bits, at clocks from the fewest to more than there are sections.
@@ -167,7 +185,7 @@ fn replay(
 ) -> usize {
     let m = alone(c, unit).expect("the unit stands alone");
     let set = rows(&c.design(), &m, over);
-    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
+    if no_tools() {
         return set.stimulus.len();
     }
     let mut files = alone_files(c, &m, None).unwrap();
