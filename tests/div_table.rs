@@ -93,6 +93,30 @@ fn every_estimate_is_near_enough() {
     assert!(worst.0 > 0.5, "a bound that nothing comes near says nothing");
 }
 
+/// Estimate, remainder's two bits and choice as `docs/arithmetic.md` has them, against integer division: every divisor of 16 fraction
+/// bits by so many dividends (`RELIEFRTL_DIVIDENDS`, default 64; 65536 are all).
+#[test]
+fn every_divisor_rounds_right() {
+    let dividends: u64 = std::env::var("RELIEFRTL_DIVIDENDS").map_or(64, |v| v.parse().expect("a number of dividends"));
+    let lines = lines();
+    let quotient = |a: u64, div: u64| {
+        let (start, slope) = lines[(div >> 8 & 0xff) as usize];
+        let recip = (start as u64 - (slope as u64 * (div & 0xff) >> 6)) >> 3;
+        let num = if a < div { 2 * a } else { a };
+        let low = (num + (num * recip >> 18)) >> 1;
+        let back = (2 * low + 1) * div >> 17 & 3;
+        let up = (num >> 1 ^ back >> 1 ^ (num & !back)) & 1;
+        let exact = (num << 17) / div;
+        assert_eq!(low + up, (exact + 1) >> 1, "{a} / {div}");
+    };
+    let step = (1u64 << 16).div_ceil(dividends);
+    (1u64 << 16..1 << 17).into_par_iter().for_each(|div| {
+        (0..dividends).for_each(|k| quotient((1 << 16) + (k * step + div * 40503) % (1 << 16), div));
+        [1 << 16, (1 << 17) - 1, div, (div - 1).max(1 << 16)].into_iter().for_each(|a| quotient(a, div));
+    });
+    println!("65536 divisors, {dividends} dividends and 4 corners each, 0 rounded wrong");
+}
+
 /// What Yosys makes of it: one block memory, and a multiplier block for each product but one, whose factors both have 18 bits: the block of
 /// that family takes 24 x 17 without a sign.
 #[test]
