@@ -64,7 +64,7 @@ fn words_are_those_of_the_text_and_of_the_model() {
 #[test]
 fn words_are_those_of_the_simulators() {
     for sim in [Simulator::Icarus, Simulator::Verilator] {
-        assert_eq!(replay(sim, &config(4), "recip_table", &Binding::new(), |d, m, b| all_rows(d, m, b)), 256);
+        assert_eq!(replay(sim, &config(4), "recip_table", &Binding::new(), all_rows), 256);
     }
 }
 
@@ -76,7 +76,7 @@ fn every_estimate_is_near_enough() {
     let mut worst = (0.0, 0);
     for frac in 0..1i128 << 16 {
         let (start, slope) = lines[frac as usize >> 8];
-        let sum = start - (slope * (frac & 0xff) >> 6);
+        let sum = start - ((slope * (frac & 0xff)) >> 6);
         assert!((0..1 << 21).contains(&sum), "the reciprocal leaves its width at {frac}");
         // In units of 2^-19, and the divisor in units of 2^-16: their product is 2^35 but for the error.
         let (recip, div) = ((1 << 18) + (sum >> 3), (1 << 16) + frac);
@@ -101,10 +101,10 @@ fn every_divisor_rounds_right() {
     let lines = lines();
     let quotient = |a: u64, div: u64| {
         let (start, slope) = lines[(div >> 8 & 0xff) as usize];
-        let recip = (start as u64 - (slope as u64 * (div & 0xff) >> 6)) >> 3;
+        let recip = (start as u64 - ((slope as u64 * (div & 0xff)) >> 6)) >> 3;
         let num = if a < div { 2 * a } else { a };
-        let low = (num + (num * recip >> 18)) >> 1;
-        let back = (2 * low + 1) * div >> 17 & 3;
+        let low = (num + ((num * recip) >> 18)) >> 1;
+        let back = (((2 * low + 1) * div) >> 17) & 3;
         let up = (num >> 1 ^ back >> 1 ^ (num & !back)) & 1;
         let exact = (num << 17) / div;
         assert_eq!(low + up, (exact + 1) >> 1, "{a} / {div}");
@@ -181,7 +181,7 @@ fn the_same_text_at_other_formats() {
         [(Simulator::Icarus, 2), (Simulator::Icarus, 4), (Simulator::Icarus, 9), (Simulator::Verilator, 6)]
     {
         let formats = [Binding::new(), at(5, 10), at(4, 3), at(3, 2), at(11, 13)];
-        let one = |b: &Binding| replay(sim, &config(clocks), "fp_div", b, |d, m, b| crossed(d, m, b));
+        let one = |b: &Binding| replay(sim, &config(clocks), "fp_div", b, crossed);
         total += formats[..if sim == Simulator::Icarus { 5 } else { 3 }].par_iter().map(one).sum::<usize>();
     }
     println!("fp_div by table in the simulators: 0 of {total} mismatched");
