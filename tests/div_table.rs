@@ -8,6 +8,7 @@ use reliefrtl::config::{Config, Design};
 use reliefrtl::interp::{Lanes, elaborate};
 use reliefrtl::ir::{Binding, Module};
 use reliefrtl::project::{alone, alone_files};
+use reliefrtl::synth::{Target, measure};
 use reliefrtl::units::recip_table::recip_table_module;
 use reliefrtl::vectors::{Campaign, Level, Plan, Shard, VectorSet, set_files};
 use reliefrtl::verilog::{Style, print_module};
@@ -25,6 +26,10 @@ fn config(clocks: u32) -> Config {
 fn divider(clocks: u32) -> (Design, Arc<Module>) {
     let d = config(clocks).design();
     (d, find(&d, "fp_div").unwrap())
+}
+
+fn no_tools() -> bool {
+    std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1")
 }
 
 fn at(exp: i64, man: i64) -> Binding {
@@ -59,7 +64,7 @@ fn words_are_those_of_the_text_and_of_the_model() {
 #[test]
 fn words_are_those_of_the_simulators() {
     for sim in [Simulator::Icarus, Simulator::Verilator] {
-        assert_eq!(replay(sim, &config(4), "recip_table", &Binding::new(), |d, m, b| all_rows(d, m, b)), 256);
+        assert_eq!(replay(sim, &config(4), "recip_table", &Binding::new(), all_rows), 256);
     }
 }
 
@@ -71,7 +76,7 @@ fn every_estimate_is_near_enough() {
     let mut worst = (0.0, 0);
     for frac in 0..1i128 << 16 {
         let (start, slope) = lines[frac as usize >> 8];
-        let sum = start - (slope * (frac & 0xff) >> 6);
+        let sum = start - ((slope * (frac & 0xff)) >> 6);
         assert!((0..1 << 21).contains(&sum), "the reciprocal leaves its width at {frac}");
         // In units of 2^-19, and the divisor in units of 2^-16: their product is 2^35 but for the error.
         let (recip, div) = ((1 << 18) + (sum >> 3), (1 << 16) + frac);
@@ -86,6 +91,43 @@ fn every_estimate_is_near_enough() {
     }
     println!("largest error {:.4} of half a unit, at fraction {}", worst.0, worst.1);
     assert!(worst.0 > 0.5, "a bound that nothing comes near says nothing");
+}
+
+/// Estimate, remainder's two bits and choice as `docs/arithmetic.md` has them, against integer division: every divisor of 16 fraction
+/// bits by so many dividends (`RELIEFRTL_DIVIDENDS`, default 64; 65536 are all).
+#[test]
+fn every_divisor_rounds_right() {
+    let dividends: u64 = std::env::var("RELIEFRTL_DIVIDENDS").map_or(64, |v| v.parse().expect("a number of dividends"));
+    let lines = lines();
+    let quotient = |a: u64, div: u64| {
+        let (start, slope) = lines[(div >> 8 & 0xff) as usize];
+        let recip = (start as u64 - ((slope as u64 * (div & 0xff)) >> 6)) >> 3;
+        let num = if a < div { 2 * a } else { a };
+        let low = (num + ((num * recip) >> 18)) >> 1;
+        let back = (((2 * low + 1) * div) >> 17) & 3;
+        let up = (num >> 1 ^ back >> 1 ^ (num & !back)) & 1;
+        let exact = (num << 17) / div;
+        assert_eq!(low + up, (exact + 1) >> 1, "{a} / {div}");
+    };
+    let step = (1u64 << 16).div_ceil(dividends);
+    (1u64 << 16..1 << 17).into_par_iter().for_each(|div| {
+        (0..dividends).for_each(|k| quotient((1 << 16) + (k * step + div * 40503) % (1 << 16), div));
+        [1 << 16, (1 << 17) - 1, div, (div - 1).max(1 << 16)].into_iter().for_each(|a| quotient(a, div));
+    });
+    println!("65536 divisors, {dividends} dividends and 4 corners each, 0 rounded wrong");
+}
+
+/// What Yosys makes of it: one block memory, and a multiplier block for each product but one, whose factors both have 18 bits: the block of
+/// that family takes 24 x 17 without a sign.
+#[test]
+fn the_table_is_one_block_memory() {
+    if no_tools() {
+        return;
+    }
+    for clocks in [2, 4, 9] {
+        let f = measure(&divider(clocks).1, &Target::Xilinx, &[]).unwrap();
+        assert_eq!((f.memories, f.multipliers), (1, 4), "{clocks} clocks");
+    }
 }
 
 /// Every pair of all formats of at most 8 bits, at clocks from the fewest to more than there are sections.
@@ -139,7 +181,7 @@ fn the_same_text_at_other_formats() {
         [(Simulator::Icarus, 2), (Simulator::Icarus, 4), (Simulator::Icarus, 9), (Simulator::Verilator, 6)]
     {
         let formats = [Binding::new(), at(5, 10), at(4, 3), at(3, 2), at(11, 13)];
-        let one = |b: &Binding| replay(sim, &config(clocks), "fp_div", b, |d, m, b| crossed(d, m, b));
+        let one = |b: &Binding| replay(sim, &config(clocks), "fp_div", b, crossed);
         total += formats[..if sim == Simulator::Icarus { 5 } else { 3 }].par_iter().map(one).sum::<usize>();
     }
     println!("fp_div by table in the simulators: 0 of {total} mismatched");
@@ -167,7 +209,7 @@ fn replay(
 ) -> usize {
     let m = alone(c, unit).expect("the unit stands alone");
     let set = rows(&c.design(), &m, over);
-    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
+    if no_tools() {
         return set.stimulus.len();
     }
     let mut files = alone_files(c, &m, None).unwrap();

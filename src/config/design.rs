@@ -151,7 +151,7 @@ impl TraverseConfig {
     }
 }
 
-/// How `fp_div` finds a quotient (`docs/arithmetic.md`, Two dividers).
+/// How `fp_div` finds a quotient (`docs/arithmetic.md`, Division by a table).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Divider {

@@ -21,9 +21,9 @@ fn scale_clocks(l: &LatencyConfig) -> u32 {
     l.node.min(1)
 }
 
-/// The bias too, where the choice of a slot's ray has one.
+/// The bias too: it waits for the scaled exponent, and a sum waits for it.
 fn bias_clocks(l: &LatencyConfig) -> u32 {
-    l.node.saturating_sub(1)
+    l.node.min(1)
 }
 
 /// What setup computes for one axis.
