@@ -11,6 +11,10 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Arc;
 
+/// Cells at which a path ends, by their types' names.
+const REGISTERS: [&str; 9] =
+    ["TRELLIS_FF", "SB_DFF*", "FD*", "*DFF*", "*__df*", "DP16KD", "TRELLIS_DPR*", "RAM*", "SB_RAM*"];
+
 /// What a unit is mapped to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Target {
@@ -107,7 +111,9 @@ fn run(mut c: Command, what: &str) -> Result<String> {
     if out.status.success() {
         return Ok(text);
     }
-    let said: Vec<&str> = text.lines().filter(|l| l.contains("ERROR")).chain(text.lines()).take(2).collect();
+    // Errors by name, or else the last thing said: the end of a trace says more than its begin.
+    let named = text.lines().filter(|l| l.contains("ERROR"));
+    let said: Vec<&str> = named.chain(text.lines().rev().filter(|l| !l.trim().is_empty())).take(2).collect();
     Err(Error::ToolFailed(format!("{what} failed: {}", said.join(" | "))))
 }
 
@@ -133,8 +139,10 @@ pub fn measure(module: &Arc<Module>, target: &Target, seeds: &[u32], freq: u32) 
         write("cells.lib", &std::fs::read(file).map_err(|e| Error::file("read", file, e))?)?;
     }
     let library = if matches!(target, Target::Liberty(_)) { " -liberty cells.lib" } else { "" };
+    // A path ends at a register or memory, of whichever target: Yosys itself knows only its own before mapping.
+    let ends: String = REGISTERS.iter().map(|t| format!(" t:{t} %d")).collect();
     let script = format!(
-        "read_verilog {} top.v\n{}\ntee -q -o depth.txt ltp -noff\ntee -q -o stat.json stat -json{library}\n",
+        "read_verilog {} top.v\n{}\nselect -set logic t:*{ends}\ntee -q -o depth.txt ltp @logic\ntee -q -o stat.json stat -json{library}\n",
         names.join(" "),
         target.script()
     );
