@@ -169,7 +169,7 @@ pub const KEYS: &[Key] = &[
     key("latency.div", "fp_div and fp_recip, in clocks", Legal::Whole(0, 32)),
     key(
         "latency.divider",
-        "how fp_div is built; digit rows, or a table of reciprocals with three multipliers: few clocks (2 or more), format.man up to 16, the default choices of the format",
+        "how fp_div is built; digit rows, or a table of reciprocals and three multipliers for few clocks (2 or more; format.man up to 16, default choices of the format)",
         Legal::Word(&["rows", "table"]),
     ),
     key("latency.compare", "fp_lt and fp_compare, in clocks", CLOCKS),
