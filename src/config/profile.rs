@@ -41,8 +41,8 @@ impl Profile {
         };
         let (decision, node, memory, select, handshake) = match (self, kind) {
             (Self::Published, DatapathKind::Published) => (1, 0, 1, 0, 0),
-            (Self::Published, _) => (1, 1, 2, 1, 1),
-            (Self::Balanced, _) => (2, 1, 3, 1, 1),
+            (Self::Published, _) => (2, 1, 2, 1, 1),
+            (Self::Balanced, _) => (2, 2, 4, 1, 1),
             (Self::Fast, _) => (2, 2, 4, 1, 1),
         };
         LatencyConfig {

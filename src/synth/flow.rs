@@ -85,7 +85,9 @@ impl Target {
             // Shift registers in LUTs would blur the count of the logic.
             Self::Xilinx => format!("synth_xilinx -family xc6v -flatten -noiopad -noclkbuf -nosrl -top {TOP}"),
             Self::Liberty(_) => {
-                format!("synth -flatten -top {TOP}; dfflibmap -liberty cells.lib; abc -liberty cells.lib; opt_clean")
+                format!(
+                    "synth -flatten -top {TOP}; dfflibmap -liberty cells.lib; abc -liberty cells.lib; opt_clean; read_liberty -lib -ignore_miss_func cells.lib"
+                )
             }
         }
     }
@@ -142,7 +144,7 @@ pub fn measure(module: &Arc<Module>, target: &Target, seeds: &[u32], freq: u32) 
     // A path ends at a register or memory, of whichever target: Yosys itself knows only its own before mapping.
     let ends: String = REGISTERS.iter().map(|t| format!(" t:{t} %d")).collect();
     let script = format!(
-        "read_verilog {} top.v\n{}\nselect -set logic t:*{ends}\ntee -q -o depth.txt ltp @logic\ntee -q -o stat.json stat -json{library}\n",
+        "read_verilog {} top.v\n{}\nselect -set logic *{ends}\ntee -q -o depth.txt ltp @logic\ntee -q -o stat.json stat -json{library}\n",
         names.join(" "),
         target.script()
     );
@@ -181,7 +183,7 @@ fn figures(module: &Module, target: &Target, dir: &Path) -> Result<Figures> {
         carries: count(|k| ["CCU2C", "SB_CARRY", "CARRY4"].contains(&k)),
         multipliers: count(|k| k.starts_with("MULT18") || k.starts_with("DSP48") || k == "SB_MAC16"),
         memories: count(|k| k.starts_with("DP16") || k.starts_with("RAMB") || k.starts_with("SB_RAM")),
-        flip_flops: count(|k| k == "TRELLIS_FF" || k.starts_with("SB_DFF") || k.starts_with("FD")),
+        flip_flops: count(|k| k == "TRELLIS_FF" || k.contains("DFF") || k.contains("__df") || k.starts_with("FD")),
         depth,
         area: design["area"].as_f64(),
         cells,

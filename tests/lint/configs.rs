@@ -62,6 +62,7 @@ const SPREAD: &[&[&str]] = &[
     &["latency.divider=table", "latency.div=6", "datapath.kind=published"],
     &["latency.divider=table", "latency.div=5", "mode.bilinear=true", "format.exp=6", "format.man=13"],
     &["emit.prefix=pdm_"],
+    &["latency.node=2", "latency.memory=4", "latency.select=1", "latency.handshake=1", "latency.decision=2"],
     &["format.exp=5", "format.man=10", "traverse.levels=4", "traverse.tile_bits=2"],
     &["format.exp=8", "format.man=23"],
     &["traverse.levels=2"],

@@ -9,6 +9,6 @@ synth_design -top {{ top }} -part $part -mode out_of_context
 opt_design
 place_design
 route_design
-file mkdir work
-report_timing_summary -file work/{{ top }}.timing.txt
-report_utilization -file work/{{ top }}.area.txt
+file mkdir pnr
+report_timing_summary -file pnr/{{ top }}.timing.txt
+report_utilization -file pnr/{{ top }}.area.txt

@@ -1,0 +1,79 @@
+//! Latencies by name and for a clock: the same hits, in all engines, whatever stands between the units.
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn reliefrtl(dir: &Path, line: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_reliefrtl")).args(line).current_dir(dir).output().expect("the program runs")
+}
+
+fn ok(dir: &Path, line: &[&str]) -> String {
+    let out = reliefrtl(dir, line);
+    let said = String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
+    assert!(out.status.success(), "{line:?}: {said}");
+    said
+}
+
+/// Every traversal is built, and every vector checked by the interpreter.
+#[test]
+fn each_profile_traces_the_same_rays_on_each_datapath() {
+    let dir = tempfile::tempdir().unwrap();
+    for kind in ["watertight", "fixed", "published"] {
+        let mut hits = Vec::new();
+        for profile in [None, Some("published"), Some("balanced"), Some("fast")] {
+            let kind = format!("datapath.kind={kind}");
+            let chosen: Vec<&str> = profile.into_iter().flat_map(|p| ["--profile", p]).collect();
+            let few = ["--set", "vectors.rays=100", "--set", "vectors.arithmetic=100"];
+            let said = ok(dir.path(), &[&["build", "--out", "out", "--set", &kind][..], &few, &chosen].concat());
+            assert!(said.contains("traverse         0 of 300 mismatched"), "{said}");
+            hits.push(std::fs::read_to_string(dir.path().join("out/golden/traverse/expected.hex")).unwrap());
+        }
+        assert!(hits.windows(2).all(|w| w[0] == w[1]), "{kind}: another latency, another hit");
+    }
+}
+
+/// Banks of memory, registers around every choice, and handshakes through registers, in the simulators; with gaps, stalls and flood.
+#[test]
+fn the_deepest_pipeline_is_the_same_in_the_simulators() {
+    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
+        println!("skipped: RELIEFRTL_NO_SIMULATORS=1");
+        return;
+    }
+    let dir = tempfile::tempdir().unwrap();
+    // Two levels: the memory has fewer words than a bank. Verilator takes half a minute to compile one.
+    for (mode, levels, engines) in [
+        (
+            &["--set", "mode.trim=always", "--set", "mode.lod=true"][..],
+            "traverse.levels=8",
+            &["icarus", "verilator"][..],
+        ),
+        (&["--set", "mode.bilinear=true"], "traverse.levels=2", &["icarus"]),
+    ] {
+        let few = ["--set", "vectors.rays=100", "--set", "vectors.arithmetic=100"];
+        let design = [&["--profile", "fast", "--set", levels][..], &few, mode].concat();
+        ok(dir.path(), &[&["build", "--out", "out"][..], &design].concat());
+        for engine in engines {
+            let said = ok(dir.path(), &[&["check", "--unit", "traverse", "--engine", engine][..], &design].concat());
+            assert!(said.contains("0 of 300 mismatched"), "{said}");
+        }
+    }
+}
+
+#[test]
+fn a_clock_picks_latencies_and_says_how_sure_it_is() {
+    let dir = tempfile::tempdir().unwrap();
+    let slow = ok(dir.path(), &["config", "--print", "--clock", "40"]);
+    let fast = ok(dir.path(), &["config", "--print", "--clock", "120", "--set", "latency.add=6"]);
+    assert!(slow.contains("add = 1") && slow.contains("clock_mhz = 40"), "{slow}");
+    assert!(fast.contains("add = 6") && fast.contains("clock_mhz = 120"), "{fast}");
+    assert!(fast.contains("other devices and formats were not measured"), "{fast}");
+    for (line, words) in [
+        (&["config", "--print", "--clock", "900"][..], "--clock 900 needs latency."),
+        (&["config", "--print", "--clock", "90", "--profile", "fast"], "cannot be used with"),
+        (&["config", "--print", "--profile", "quick"], "published"),
+    ] {
+        let out = reliefrtl(dir.path(), line);
+        let said = String::from_utf8_lossy(&out.stderr).into_owned();
+        assert_eq!(out.status.code(), Some(2), "{said}");
+        assert!(said.contains(words), "{said}");
+    }
+}

