@@ -1,14 +1,14 @@
 #!/bin/sh
 # Places and routes traverse on an ECP5 (LFE5U-85F, speed grade 8) at each seed of nextpnr.
 #   sh flow/ecp5.sh [SEED...]
-# YOSYS and NEXTPNR name the programs. Results go to work/ beside rtl/.
+# YOSYS and NEXTPNR name the programs. Results go to pnr/ beside rtl/.
 set -eu
 cd "$(dirname "$0")/.."
-mkdir -p work
+mkdir -p pnr
 "${YOSYS:-yosys}" -q -s flow/ecp5.ys
 for seed in "${@:-1}"; do
   "${NEXTPNR:-nextpnr-ecp5}" --85k --speed 8 --package CABGA756 --freq 84 --seed "$seed" \
-    --json work/traverse.json --lpf flow/traverse.lpf --lpf-allow-unconstrained --timing-allow-fail \
-    --report "work/traverse-$seed.json" --textcfg "work/traverse-$seed.config" -q
-  echo "seed $seed: work/traverse-$seed.json"
+    --json pnr/traverse.json --lpf flow/traverse.lpf --lpf-allow-unconstrained --timing-allow-fail \
+    --report "pnr/traverse-$seed.json" --textcfg "pnr/traverse-$seed.config" -q
+  echo "seed $seed: pnr/traverse-$seed.json"
 done

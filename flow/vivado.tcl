@@ -9,6 +9,6 @@ synth_design -top traverse -part $part -mode out_of_context
 opt_design
 place_design
 route_design
-file mkdir work
-report_timing_summary -file work/traverse.timing.txt
-report_utilization -file work/traverse.area.txt
+file mkdir pnr
+report_timing_summary -file pnr/traverse.timing.txt
+report_utilization -file pnr/traverse.area.txt

@@ -7,7 +7,7 @@ pub enum Profile {
     /// Those of the published unit: add 2, multiply 1, compare 1, divide 2 (PIDM-HW section 4.2). Where the divider is outside of the loop, it is
     /// as deep as the rest needs, and what the published numbers do not name has the registers that 84 MHz need on an ECP5.
     Published,
-    /// Between the two: about the published unit's clock and a half.
+    /// Between the two.
     Balanced,
     /// Every unit as deep as still pays.
     Fast,
