@@ -125,7 +125,7 @@ fn the_table_is_one_block_memory() {
         return;
     }
     for clocks in [2, 4, 9] {
-        let f = measure(&divider(clocks).1, &Target::Xilinx, &[]).unwrap();
+        let f = measure(&divider(clocks).1, &Target::Xilinx, &[], 300).unwrap();
         assert_eq!((f.memories, f.multipliers), (1, 4), "{clocks} clocks");
     }
 }
