@@ -322,6 +322,17 @@ fn a_tree_that_was_edited_is_not_checked_by_the_interpreter() {
     assert!(told.contains("level_up.v is not what this configuration emits"), "{told}");
 }
 
+/// A simulator would run the tree's text and say nothing of the latency that was asked for.
+#[test]
+fn a_tree_of_other_latencies_is_not_checked_by_a_simulator() {
+    let dir = tempfile::tempdir().unwrap();
+    assert_eq!(said(dir.path(), &[&["build"][..], &SMALL, &["--set", "latency.mul=2"]].concat()).0, Some(0));
+    let check = ["check", "--dir", "out", "--unit", "fp_mul", "--engine", "icarus", "--set", "latency.mul=3"];
+    let (code, told) = said(dir.path(), &[&check[..], &SMALL].concat());
+    assert_eq!(code, Some(2), "{told}");
+    assert!(told.contains("out was emitted with latency.mul = 2, and 3 is asked for"), "{told}");
+}
+
 #[test]
 fn exports_that_differ_from_the_hex_files_are_refused() {
     let dir = tempfile::tempdir().unwrap();

@@ -89,7 +89,9 @@ pub fn check_tree(
     if list.is_empty() {
         return Err(Error::NothingRan("the chosen unit has no vectors of its own; nothing was checked".into()));
     }
-    if sim.is_none() {
+    if sim.is_some() {
+        same_latencies(c, dir)?;
+    } else {
         let whole = list.iter().any(|m| m.latency.is_none());
         let text = if whole { super::hardware(c)?.files } else { text_of(c, &list)? };
         same_text(&text, dir)?;
@@ -127,6 +129,26 @@ fn same_text(files: &Files, dir: &Path) -> Result<()> {
         }
     }
     Ok(())
+}
+
+/// A simulator runs the text in `dir`, whatever latencies the configuration asks for: refuses a verdict on others than those.
+/// A tree without a manifest (vectors and a netlist, say) tells nothing of its latencies.
+fn same_latencies(c: &Config, dir: &Path) -> Result<()> {
+    let path = dir.join("manifest.json");
+    let Ok(text) = std::fs::read_to_string(&path) else { return Ok(()) };
+    let manifest: serde_json::Value = serde_json::from_str(&text)
+        .map_err(|e| Error::input(format!("{} is not the manifest of an emitted tree: {e}", path.display())))?;
+    let asked = serde_json::to_value(c.latency).expect("a configuration is plain data");
+    let there = &manifest["config"]["latency"];
+    let differs = |(key, value): &(&String, &serde_json::Value)| there.get(key.as_str()).is_some_and(|x| x != *value);
+    match asked.as_object().and_then(|keys| keys.iter().find(differs)) {
+        None => Ok(()),
+        Some((key, value)) => Err(Error::input(format!(
+            "{} was emitted with latency.{key} = {}, and {value} is asked for: give the configuration of the tree, or emit it anew",
+            dir.display(),
+            there[key]
+        ))),
+    }
 }
 
 /// Clocks around the first mismatch of a unit, from power-up.
