@@ -8,7 +8,7 @@ use crate::golden::{RayInput, encode_ray};
 use crate::report::bilinear;
 use crate::scene::border::tiles;
 use crate::scene::{Camera, Picture, Shader, ViewRay};
-use crate::trace::{shade_point, trace_golden};
+use crate::trace::{shade_point, trace_interp};
 use serde_json::{Value, json};
 
 /// Rays of a view, evenly over the picture: the exact root costs far more than the exact walk.
@@ -123,7 +123,7 @@ pub fn pictures(plan: &Plan) -> Result<Value> {
         let picture = |bilinear: bool| -> Result<String> {
             let mut d = c.design();
             d.mode.bilinear = bilinear;
-            let hits = trace_golden(&d, &site.pyramid, &words)?;
+            let hits = trace_interp(&d, &site.pyramid, &words)?;
             let mut pixels = vec![None; (SIZE.0 * SIZE.1) as usize];
             for (r, h) in rays.iter().zip(hits.iter()).filter(|x| !x.1.limit) {
                 pixels[(r.py * SIZE.0 + r.px) as usize] = Some(shade_point(&d, h));

@@ -9,7 +9,7 @@ use crate::report::accuracy::distance;
 use crate::report::exact_ray;
 use crate::scene::border::tiles;
 use crate::scene::{Camera, Picture, ShadePoint, Shader};
-use crate::trace::{shade_point, trace_golden};
+use crate::trace::{shade_point, trace_interp};
 use rayon::prelude::*;
 
 /// Pixels of a picture.
@@ -51,7 +51,7 @@ pub fn view(plan: &Plan, site: &Site, spec: &DesignSpec, view: View) -> Result<V
     let d = spec.design(&plan.config, site.spec.levels)?;
     let rays = site.rays(&plan.config, &Camera::standard(view, SIZE.0, SIZE.1), 1)?;
     let words: Vec<_> = rays.iter().map(|r| encode_ray(&d, [r.u, r.v, r.du, r.dv])).collect();
-    let hits = trace_golden(&d, &site.pyramid, &words)?;
+    let hits = trace_interp(&d, &site.pyramid, &words)?;
     let exact: Vec<Option<(ExactHit, [f64; 2])>> =
         words.par_iter().map(|r| Ok(walk(site, &exact_ray(&d, r)?))).collect::<Result<_>>()?;
     let bottom = f64::from((1u32 << site.spec.height_bits) - 1);

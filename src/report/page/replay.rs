@@ -48,7 +48,7 @@ pub(in crate::report) fn trace_again(c: &Config, file: Option<&Path>, numbers: [
 /// A ray as a table, its hit as another.
 fn line([u, v, du, dv]: [f64; 4], arguments: &str) -> String {
     format!(
-        "printf 'u,v,du,dv\\n{u:?},{v:?},{du:?},{dv:?}\\n' > ray.csv && reliefrtl trace --engine golden --rays ray.csv --out hit.csv{arguments} && cat hit.csv"
+        "printf 'u,v,du,dv\\n{u:?},{v:?},{du:?},{dv:?}\\n' > ray.csv && reliefrtl trace --engine golden --rays ray.csv --out hit.csv{arguments}; cat hit.csv"
     )
 }
 

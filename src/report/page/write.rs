@@ -1,13 +1,14 @@
 //! The report's files: JSON, CSV and the page, from the same tables.
 use super::cell::Cell;
 use super::charts::Plot;
-use super::figures::{Dot, dots, headlines, series};
+use super::figures::{Dot, Headline, dots, headlines, series};
 use super::plan::{Extent, Plan, mode_label};
 use super::table::{grouped, short};
 use super::{bilinear, charts, pictures, published, sections};
 use crate::config::View;
 use crate::error::{Error, Result};
 use crate::files::write_atomic;
+use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -34,26 +35,23 @@ fn card(plan: &Plan, name: &str, label: &str, dot: Option<&Dot<'_>>) -> Value {
 
 fn picture_rows(plan: &Plan) -> Result<Vec<Value>> {
     let site = &plan.sites[0];
-    let mut out = Vec::new();
     // Tests need no more than one picture.
     let tiny = plan.extent == Extent::Tiny;
     let views = if tiny { &View::ALL[1..2] } else { View::ALL };
-    for h in headlines(plan)
-        .iter()
-        .take(if tiny { 1 } else { 4 })
-        .filter(|h| h.design.design(&plan.config, site.spec.levels).is_ok())
-    {
-        for view in views {
-            let p = pictures::view(plan, site, &h.design, *view)?;
-            let uri = |p: &[crate::scene::Picture; 3]| p.iter().map(pictures::data_uri).collect::<Result<Vec<_>>>();
-            out.push(json!({
-                "design": h.design.label(), "view": view.word(), "whole": uri(&p.whole)?, "near": uri(&p.near)?,
-                "wrong": sections::of(p.counts[1], p.counts[0]), "limits": p.counts[2], "pixel": p.worst,
-                "error": if p.error.is_finite() { short(p.error) + " texels" } else { "given up".to_owned() },
-            }));
-        }
-    }
-    Ok(out)
+    let lines = headlines(plan);
+    let legal = |h: &&Headline| h.design.design(&plan.config, site.spec.levels).is_ok();
+    let shown = lines.iter().take(if tiny { 1 } else { 4 }).filter(legal);
+    let jobs: Vec<_> = shown.flat_map(|h| views.iter().map(move |view| (h, *view))).collect();
+    let one = |(h, view): &(&Headline, View)| {
+        let p = pictures::view(plan, site, &h.design, *view)?;
+        let uri = |p: &[crate::scene::Picture; 3]| p.iter().map(pictures::data_uri).collect::<Result<Vec<_>>>();
+        Ok(json!({
+            "design": h.design.label(), "view": view.word(), "whole": uri(&p.whole)?, "near": uri(&p.near)?,
+            "wrong": sections::of(p.counts[1], p.counts[0]), "limits": p.counts[2], "pixel": p.worst,
+            "error": if p.error.is_finite() { short(p.error) + " texels" } else { "given up".to_owned() },
+        }))
+    };
+    jobs.par_iter().map(one).collect()
 }
 
 /// All files of a report; `again` is the command that makes it.
