@@ -9,6 +9,7 @@ use crate::report::bilinear;
 use crate::scene::border::tiles;
 use crate::scene::{Camera, Picture, Shader, ViewRay};
 use crate::trace::{shade_point, trace_interp};
+use rayon::prelude::*;
 use serde_json::{Value, json};
 
 /// Rays of a view, evenly over the picture: the exact root costs far more than the exact walk.
@@ -66,39 +67,44 @@ pub fn table(plan: &Plan) -> Result<Table> {
         ("command", "see it again"),
     ];
     let mut t = Table::new("bilinear", &keys);
-    for site in plan.sites.iter().filter(|s| s.spec.levels == plan.config.traverse.levels) {
-        for format in FORMATS {
-            let Some(c) = config(plan, site, format) else { continue };
-            for view in View::ALL {
-                let rays = rays(&c, site, *view, plan.stride(*view))?;
-                let words = words(&c, &rays);
-                let b = bilinear(&c.design(), &site.pyramid, &site.texels, &words)?;
-                let w = words.get(b.uv.max_ray).filter(|_| b.uv.rays > 0);
-                t.push(vec![
-                    json!(site.spec.name),
-                    json!(site.spec.levels),
-                    json!(view.word()),
-                    json!(format!("{}/{}", format.0, format.1)),
-                    json!(b.rays),
-                    json!(b.patches[0]),
-                    json!(b.patches[1]),
-                    json!(b.patches[2]),
-                    json!(b.rootless),
-                    json!(b.missed),
-                    real(b.t.p50),
-                    real(b.t.p99),
-                    real(b.t.max),
-                    real(b.uv.p50),
-                    real(b.uv.p99),
-                    real(b.uv.max),
-                    real(b.uv_block.p50),
-                    real(b.uv_block.p99),
-                    json!(w.map(|w| format!("{:x} {:x} {:x} {:x}", w.u, w.v, w.du, w.dv))),
-                    json!(b.command(&c, site.file.as_deref(), &rays)),
-                ]);
-            }
-        }
-    }
+    let side = plan.config.traverse.levels;
+    let jobs: Vec<_> = plan
+        .sites
+        .iter()
+        .filter(|s| s.spec.levels == side)
+        .flat_map(|site| FORMATS.into_iter().filter_map(move |f| config(plan, site, f).map(|c| (site, f, c))))
+        .flat_map(|(site, format, c)| View::ALL.iter().map(move |view| (site, format, c.clone(), *view)))
+        .collect();
+    let one = |(site, format, c, view): &(&Site, (u32, u32), Config, View)| -> Result<Vec<Value>> {
+        let rays = rays(c, site, *view, plan.stride(*view))?;
+        let words = words(c, &rays);
+        let b = bilinear(&c.design(), &site.pyramid, &site.texels, &words)?;
+        let w = words.get(b.uv.max_ray).filter(|_| b.uv.rays > 0);
+        Ok(vec![
+            json!(site.spec.name),
+            json!(site.spec.levels),
+            json!(view.word()),
+            json!(format!("{}/{}", format.0, format.1)),
+            json!(b.rays),
+            json!(b.patches[0]),
+            json!(b.patches[1]),
+            json!(b.patches[2]),
+            json!(b.rootless),
+            json!(b.missed),
+            real(b.t.p50),
+            real(b.t.p99),
+            real(b.t.max),
+            real(b.uv.p50),
+            real(b.uv.p99),
+            real(b.uv.max),
+            real(b.uv_block.p50),
+            real(b.uv_block.p99),
+            json!(w.map(|w| format!("{:x} {:x} {:x} {:x}", w.u, w.v, w.du, w.dv))),
+            json!(b.command(c, site.file.as_deref(), &rays)),
+        ])
+    };
+    let rows: Vec<Vec<Value>> = jobs.par_iter().map(one).collect::<Result<_>>()?;
+    rows.into_iter().for_each(|row| t.push(row));
     Ok(t)
 }
 
