@@ -99,7 +99,7 @@ pub fn run(cli: &Cli, c: &Config, dir: &Path) -> Result<()> {
         print!("{}", table(&["datapath", "texels", "wrong", "margin", "ray", "u v du dv (hex)"], &worst));
     }
     println!(
-        "\nrocks, stones, four, saints as published, three views each, every {}th pixel; `trace` shows a ray again",
+        "\nrocks, stones, four, saints as published, three views each, every {} pixels each way; `trace` shows a ray again",
         c.view.stride
     );
     Ok(())
