@@ -16,22 +16,31 @@ fn fitted(dir: &Path, args: &[&str]) -> serde_json::Value {
 #[test]
 fn a_smooth_and_a_spiky_scene_get_different_hardware() {
     let dir = tempfile::tempdir().unwrap();
-    let common = ["--max-uv-error", "1", "--allow-resample", "--set", "view.width=512", "--set", "view.height=384"];
-    let of = |kind: &str, view: &str| {
+    let small = ["--allow-resample", "--set", "view.width=512", "--set", "view.height=384"];
+    // The same views and the same budget: what differs is the map alone.
+    let of = |kind: &str, view: &str, budget: &str| {
         let kind = format!("map.kind={kind}");
-        fitted(dir.path(), &[&["--set", &kind, "--views", view], &common[..]].concat())
-    };
-    let (smooth, spiky) = (of("dunes", "front"), of("spikes", "grazing"));
-    for found in [&smooth, &spiky] {
+        let found =
+            fitted(dir.path(), &[&["--set", &kind, "--views", view, "--max-uv-error", budget], &small[..]].concat());
         assert!(found["fresh"]["rays"].as_u64().unwrap() > 1000, "{found}");
-        assert!(found["fresh"]["uv_p99"].as_f64().unwrap() <= 1.0, "{found}");
+        assert!(found["fresh"]["uv_p99"].as_f64().unwrap() <= budget.parse().unwrap(), "{found}");
         assert_eq!(found["fresh"]["given_up"], 0);
         assert!(found["tried"].as_u64().unwrap() > 30);
         assert!(!found["rejected"].as_array().unwrap().is_empty());
+        found
+    };
+    let number = |x: &serde_json::Value, keys: [&str; 2]| x[keys[0]][keys[1]].as_u64().unwrap();
+    // From above, the heights of a smooth scene need fewer bits.
+    let (smooth, spiky) = (of("dunes", "front", "1"), of("spikes", "front", "1"));
+    for keys in [["traverse", "height_bits"], ["bits", "memory"]] {
+        assert!(number(&smooth, keys) < number(&spiky, keys), "{keys:?}: {smooth} and {spiky}");
     }
-    let bits = |x: &serde_json::Value| x["bits"]["logic"].as_u64().unwrap() + x["bits"]["memory"].as_u64().unwrap();
-    assert!(bits(&smooth) < bits(&spiky), "{} and {}", smooth["bits"], spiky["bits"]);
-    assert_ne!(smooth["traverse"], spiky["traverse"]);
+    // From the side, its rays fewer.
+    let (smooth, spiky) = (of("dunes", "oblique,grazing", "4"), of("spikes", "oblique,grazing", "4"));
+    for keys in [["datapath", "fraction_bits"], ["datapath", "reciprocal_bits"], ["bits", "logic"]] {
+        assert!(number(&smooth, keys) < number(&spiky, keys), "{keys:?}: {smooth} and {spiky}");
+    }
+    assert!(number(&smooth, ["bits", "products"]) * 5 < number(&spiky, ["bits", "products"]) * 4);
 }
 
 #[test]
@@ -48,6 +57,19 @@ fn the_configuration_is_what_was_found() {
         assert!(text.contains(&format!("\n{key} = {}\n", found[section][key])), "{key} in {text}");
     }
     assert!(text.contains("kind = \"bricks\""));
+    // The report judges what was found on other rays, and finds the budget kept.
+    let chosen = ["report", "--config", "fit.toml", "--out", "again", "--views", "oblique", "--datapaths", "fixed"];
+    let few = ["--maps", "bricks", "--fractions", "24", "--modes", "one", "--levels", "8"];
+    let out = run(dir.path(), &[&chosen[..], &few].concat());
+    assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));
+    let report = std::fs::read_to_string(dir.path().join("again/report.json")).unwrap();
+    let report: serde_json::Value = serde_json::from_str(&report).unwrap();
+    let label = report["worst"][0]["design"].as_str().unwrap();
+    let cells = report["cells"].as_array().unwrap();
+    let mine: Vec<_> = cells.iter().filter(|c| c["design"] == label).collect();
+    assert!(mine.len() == 1 && cells.len() == 2, "{label} and one other: {cells:?}");
+    let (wrong, rays) = (mine[0]["unrounded_wrong"].as_u64().unwrap(), mine[0]["rays"].as_u64().unwrap());
+    assert!(rays > 5000 && wrong > 0 && wrong as f64 <= 0.02 * rays as f64, "{wrong} of {rays}");
 }
 
 #[test]

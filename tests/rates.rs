@@ -43,6 +43,18 @@ fn rates_of_both_datapaths_at_two_sizes() {
     assert_eq!(code, 0, "{told}");
     assert!(table.contains("watertight 7/10") && table.contains("fixed Q.14, reciprocal 12"), "{table}");
     assert!(table.contains("the wrong texel farthest from another decision"), "{table}");
+    // The published datapath, with and without its nudge: what was asked for is what is measured.
+    let published = |more: &[&str]| -> Vec<serde_json::Value> {
+        let kind = ["--json", "--set", "datapath.kind=published", "--set", "traverse.step_limit=200"];
+        let (code, json, told) = run(dir.path(), &[&args[..], &kind, more].concat());
+        assert_eq!(code, 0, "{told}");
+        serde_json::from_str(&json).unwrap()
+    };
+    let (with, without) = (published(&[]), published(&["--set", "datapath.nudge_bits=0"]));
+    assert_eq!(with[0]["datapath"], "published 7/16");
+    assert_eq!(without[0]["datapath"], "published 7/16, no nudge");
+    let lost = |r: &[serde_json::Value]| r[0]["given_up"].as_u64().unwrap();
+    assert!(with.len() == 2 && lost(&with) < lost(&without), "{with:?} {without:?}");
     let (code, _, told) = run(dir.path(), &["accuracy", "--scenes", "nowhere"]);
     assert!(code == 2 && told.contains("rocks.png"), "{told}");
     let (code, _, told) = run(dir.path(), &["accuracy", "--scenes", ".", "--set", "map.border=clamp"]);

@@ -1,9 +1,33 @@
 //! The report on a tiny selection: page, JSON and CSV hold the same numbers, and a resumed run writes the same bytes.
-use reliefrtl::config::Config;
-use reliefrtl::report::page::{Extent, Output, Plan, Work, cells, files, write};
+use reliefrtl::config::{Config, DatapathKind, MapKind, View};
+use reliefrtl::report::page::{Extent, ModeSet, Output, Plan, Selection, Work, cells, files, write};
 use serde_json::Value;
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+fn tiny() -> Selection {
+    Selection { extent: Extent::Tiny, ..Selection::default() }
+}
+
+/// A directory with small maps of the names in the published tables.
+fn scenes() -> tempfile::TempDir {
+    let dir = tempfile::tempdir().unwrap();
+    for (k, name) in ["rocks", "stones", "four", "saints"].into_iter().enumerate() {
+        let texel = |x: u32, y: u32| image::Luma([((x * 7 + y * 13 + k as u32 * 29) * (x ^ y) % 251) as u8]);
+        image::GrayImage::from_fn(32, 32, texel).save(dir.path().join(format!("{name}.png"))).unwrap();
+    }
+    dir
+}
+
+/// What `synth` would have written about the watertight design on maps of 32 texels.
+fn synth(dir: &Path, c: &Config) -> PathBuf {
+    let file = dir.join("synth.json");
+    let design =
+        serde_json::json!({"exp": 7, "man": 16, "traverse": c.traverse, "mode": c.mode, "datapath": c.datapath});
+    let unit = serde_json::json!([{"unit": "traverse", "target": "ecp5", "luts": 12345, "multipliers": 17, "clock": {"median": 84.5}, "design": design}]);
+    std::fs::write(&file, unit.to_string()).unwrap();
+    file
+}
 
 fn run(plan: &Plan, dir: &Path) -> (Output, Work) {
     let (cells, work) = cells(plan, dir, &|_, _| {}).unwrap();
@@ -35,8 +59,12 @@ fn page_numbers(html: &str, id: &str) -> Vec<String> {
 
 #[test]
 fn page_json_and_csv_hold_the_same_numbers_and_a_resumed_run_the_same_bytes() {
-    let plan = Plan::new(&Config::default(), Extent::Tiny, None).unwrap();
-    let dir = tempfile::tempdir().unwrap();
+    let (maps, dir) = (scenes(), tempfile::tempdir().unwrap());
+    let mut c = Config::default();
+    c.traverse.levels = 5;
+    let synth = vec![synth(maps.path(), &c)];
+    let chosen = Selection { scenes: Some(maps.path().to_owned()), synth, ..tiny() };
+    let plan = Plan::new(&c, &chosen).unwrap();
     let (first, work) = run(&plan, dir.path());
     assert_eq!((work.measured, work.taken), (plan.cells.len(), 0));
     let json: Value = serde_json::from_str(text(&first, "report.json")).unwrap();
@@ -46,17 +74,18 @@ fn page_json_and_csv_hold_the_same_numbers_and_a_resumed_run_the_same_bytes() {
         let rows: Vec<csv::StringRecord> = csv.records().map(Result::unwrap).collect();
         let objects = json[name].as_array().unwrap();
         assert_eq!(rows.len(), objects.len(), "{name}");
-        assert!(name == "published" || !rows.is_empty(), "{name} is empty");
+        assert!(!rows.is_empty(), "{name} is empty");
         for (row, object) in rows.iter().zip(objects) {
             keys.iter().zip(row).for_each(|(k, v)| assert_eq!(plain(&object[k]), v, "{name}.{k}"));
         }
     }
     let html = text(&first, "report.html");
     let mut numbers = 0;
-    for id in ["worst", "pareto", "series", "steps", "histogram", "matrix", "maps", "bilinear"] {
+    for id in ["worst", "pareto", "series", "steps", "histogram", "matrix", "maps", "bilinear", "published", "claims"] {
         // The page leaves no column with a number out, so that all of a table's numbers stand there in the order of the JSON.
         let values = json[id].as_array().unwrap().iter().flat_map(|row| row.as_object().unwrap().values());
         let expected: Vec<String> = values.filter(|v| v.is_number()).map(plain).collect();
+        assert!(!expected.is_empty(), "{id} has no number");
         assert_eq!(page_numbers(html, id), expected, "{id}");
         numbers += expected.len();
     }
@@ -88,9 +117,67 @@ fn what_has_no_datapath_is_listed_with_its_reason() {
     let mut c = Config::default();
     // Sixteen-bit heights are exact in no format of ten fraction bits.
     c.traverse.height_bits = 16;
-    let plan = Plan::new(&c, Extent::Tiny, None).unwrap();
+    let plan = Plan::new(&c, &tiny()).unwrap();
     let refused = plan.not_legal.iter().find(|r| r.design.starts_with("watertight 7/7")).expect("7/7 is refused");
     assert!(refused.reason.contains("height_bits"), "{}", refused.reason);
-    let listed: BTreeSet<usize> = plan.cells.iter().map(|c| c.2).collect();
+    let listed: BTreeSet<usize> = plan.cells.iter().map(|job| job.design).collect();
     assert_eq!(listed.len() + plan.not_legal.len(), plan.designs.len(), "every design is measured or refused");
+}
+
+/// Maps, views and designs of a plan.
+fn planned(c: &Config, s: &Selection) -> (Vec<(String, u32)>, BTreeSet<&'static str>, Vec<String>) {
+    let plan = Plan::new(c, s).unwrap();
+    let views = plan.cells.iter().filter(|j| j.elevation.is_none()).map(|j| j.view.word()).collect();
+    let designs = plan.designs.iter().map(|d| d.label()).collect();
+    (plan.sites.iter().map(|s| (s.spec.name.clone(), s.spec.levels)).collect(), views, designs)
+}
+
+#[test]
+fn what_is_chosen_is_what_is_measured() {
+    let (maps, c) = (scenes(), Config::default());
+    let mut chosen = Selection {
+        maps: vec![MapKind::Stairs, MapKind::Pit],
+        levels: vec![5, 6],
+        views: vec![View::Grazing],
+        datapaths: vec![DatapathKind::Fixed],
+        fractions: vec![15, 20],
+        modes: Some(ModeSet::One),
+        ..Selection::default()
+    };
+    let (sites, views, designs) = planned(&c, &chosen);
+    let all = [("stairs", 5), ("pit", 5), ("stairs", 6), ("pit", 6)].map(|(name, n)| (name.to_owned(), n));
+    assert_eq!(sites, all);
+    assert_eq!(views, BTreeSet::from(["grazing"]));
+    // The configured design, watertight here, is always among them.
+    assert_eq!(designs, ["fixed Q.15", "fixed Q.20", "watertight 7/16"]);
+    // A map of the user's stands in the place of own ones, at the size that it has.
+    (chosen.maps, chosen.levels, chosen.map) = (Vec::new(), vec![5], Some(maps.path().join("four.png")));
+    let (sites, ..) = planned(&c, &chosen);
+    assert_eq!(sites, [("four".to_owned(), 5)]);
+    chosen.levels = Vec::new();
+    let refused = Plan::new(&c, &chosen).err().unwrap().to_string();
+    assert!(refused.contains("32") && refused.contains("256"), "{refused}");
+}
+
+#[test]
+fn the_configured_design_leads_the_page_unless_it_is_a_usual_one() {
+    let mut c = Config::default();
+    let names = |c: &Config| -> Vec<(&'static str, String)> {
+        let plan = Plan::new(c, &Selection::default()).unwrap();
+        plan.headlines.iter().map(|h| (h.name, h.design.label())).collect()
+    };
+    assert!(names(&c).iter().all(|n| n.0 != "configured"));
+    (c.datapath.kind, c.datapath.fraction_bits, c.datapath.reciprocal_bits) = (DatapathKind::Fixed, 15, 13);
+    assert_eq!(names(&c)[0], ("configured", "fixed Q.15, reciprocal 13".to_owned()));
+}
+
+#[test]
+fn a_file_that_synth_did_not_write_is_refused() {
+    let (dir, c) = (tempfile::tempdir().unwrap(), Config::default());
+    let file = dir.path().join("synth.json");
+    for (text, told) in [("[]", "has no clock of a traverse unit"), ("{}", "is no file of `synth`")] {
+        std::fs::write(&file, text).unwrap();
+        let refused = Plan::new(&c, &Selection { synth: vec![file.clone()], ..tiny() }).err().unwrap().to_string();
+        assert!(refused.contains(told), "{refused}");
+    }
 }

@@ -42,14 +42,19 @@ struct Rate {
 /// A scene that can't be read; a configuration that is not legal at a size.
 pub fn run(cli: &Cli, c: &Config, dir: &Path) -> Result<()> {
     c.map.published_border()?;
+    // The published datapath stands apart: where it is asked for, alone.
+    let kinds = match c.datapath.kind {
+        DatapathKind::Published => &[DatapathKind::Published][..],
+        _ => &[DatapathKind::Watertight, DatapathKind::Fixed],
+    };
     let bar = spinner(cli, "measuring");
     let mut rates = Vec::new();
     let mut sizes = vec![c.traverse.levels, WIDE];
     sizes.dedup();
     for levels in sizes {
-        for kind in [DatapathKind::Watertight, DatapathKind::Fixed] {
+        for kind in kinds {
             let mut c = c.clone();
-            (c.traverse.levels, c.datapath.kind, c.map.kind) = (levels, kind, MapKind::File);
+            (c.traverse.levels, c.datapath.kind, c.map.kind) = (levels, *kind, MapKind::File);
             c.map.file = Some(dir.join("-"));
             c.validate()?;
             let mut rate = Rate { design: label(&c), side: 1 << levels, ..Rate::default() };
@@ -109,6 +114,9 @@ fn label(c: &Config) -> String {
     match c.datapath.kind {
         DatapathKind::Fixed => {
             format!("fixed Q.{}, reciprocal {}", c.datapath.fraction_bits, c.datapath.reciprocal_bits)
+        }
+        DatapathKind::Published if c.datapath.nudge_bits == 0 => {
+            format!("published {}/{}, no nudge", c.format.exp, c.format.man)
         }
         kind => format!("{} {}/{}", kind.word(), c.format.exp, c.format.man),
     }

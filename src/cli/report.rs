@@ -1,15 +1,21 @@
 //! `reliefrtl report`: speed against error of every design, as one page, JSON and CSV.
 use super::args::{Cli, ReportArgs};
-use crate::error::Result;
-use crate::report::page::{Extent, Plan, cells, files, write};
+use crate::config::MapKind;
+use crate::error::{Error, Result};
+use crate::report::page::{Extent, Plan, Selection, cells, files, write};
+use clap::ValueEnum;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 
 /// Runs `report`.
 pub fn run(cli: &Cli, a: &ReportArgs) -> Result<()> {
-    let c = super::config::load(cli)?;
-    let extent = if a.full { Extent::Full } else { Extent::Standard };
-    let plan = Plan::new(&c, extent, a.scenes.as_deref())?;
+    let mut c = super::config::load(cli)?;
+    c.map.resample |= a.map.resample;
+    let plan = Plan::new(&c, &selection(a)?)?;
+    if plan.cells.is_empty() {
+        let why = plan.not_legal.first().map_or("no design was chosen", |r| r.reason.as_str());
+        return Err(Error::NothingRan(format!("nothing to measure: {why}")));
+    }
     let bar = ProgressBar::new(plan.cells.len() as u64);
     if cli.json || !std::io::stderr().is_terminal() {
         bar.set_draw_target(ProgressDrawTarget::hidden());
@@ -18,7 +24,9 @@ pub fn run(cli: &Cli, a: &ReportArgs) -> Result<()> {
     bar.set_style(ProgressStyle::with_template(style).expect("template is well formed"));
     let (cells, work) = cells(&plan, &a.out, &|done, _| bar.set_position(done as u64))?;
     bar.finish_and_clear();
+    let bar = super::output::spinner(cli, "pictures and bilinear refinement");
     write(&a.out, &files(&plan, &cells, &again(cli, a))?)?;
+    bar.finish_and_clear();
     let page = a.out.join("report.html");
     if cli.json {
         println!(
@@ -44,8 +52,44 @@ fn again(cli: &Cli, a: &ReportArgs) -> String {
         out += &format!(" --config '{}'", file.display());
     }
     cli.sets.iter().for_each(|s| out += &format!(" --set '{s}'"));
-    if let Some(dir) = &a.scenes {
-        out += &format!(" --scenes '{}'", dir.display());
+    let mut option = |name: &str, values: Vec<String>| {
+        if !values.is_empty() {
+            out += &format!(" --{name} {}", values.join(","));
+        }
+    };
+    let quoted = |path: &Option<std::path::PathBuf>| path.iter().map(|p| format!("'{}'", p.display())).collect();
+    option("map", quoted(&a.map.map));
+    option("maps", a.maps.iter().map(|k| k.word().to_owned()).collect());
+    option("scenes", quoted(&a.scenes));
+    option("levels", a.levels.iter().map(u32::to_string).collect());
+    option("views", a.views.iter().map(|v| v.word().to_owned()).collect());
+    option("datapaths", a.datapaths.iter().map(|k| k.word().to_owned()).collect());
+    option("formats", a.formats.iter().map(|f| format!("{}/{}", f.exp, f.man)).collect());
+    option("fractions", a.fractions.iter().map(u32::to_string).collect());
+    let set = a.modes.and_then(|m| m.to_possible_value().map(|v| v.get_name().to_owned()));
+    option("modes", set.into_iter().collect());
+    option("synth", a.synth.iter().map(|p| format!("'{}'", p.display())).collect());
+    let flags = [(a.map.resample, " --resample"), (a.full, " --full")];
+    flags.iter().filter(|f| f.0).for_each(|f| out += f.1);
+    out
+}
+
+/// What the command line chooses.
+fn selection(a: &ReportArgs) -> Result<Selection> {
+    if a.maps.contains(&MapKind::File) {
+        return Err(Error::input("--maps names own maps; a file goes to --map FILE"));
     }
-    out + if a.full { " --full" } else { "" }
+    Ok(Selection {
+        extent: if a.full { Extent::Full } else { Extent::Standard },
+        map: a.map.map.clone(),
+        maps: a.maps.clone(),
+        scenes: a.scenes.clone(),
+        levels: a.levels.clone(),
+        views: a.views.clone(),
+        datapaths: a.datapaths.clone(),
+        formats: a.formats.clone(),
+        fractions: a.fractions.clone(),
+        modes: a.modes,
+        synth: a.synth.clone(),
+    })
 }

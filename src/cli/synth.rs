@@ -2,10 +2,11 @@
 use super::args::{Cli, SynthArgs, SynthTarget};
 use super::output::{spinner, table};
 use crate::catalogue;
-use crate::config::LatencyConfig;
+use crate::config::{Design, LatencyConfig};
 use crate::error::{Error, Result};
 use crate::project;
 use crate::synth::{Figures, Target, measure};
+use serde_json::{Value, json};
 use std::path::PathBuf;
 
 /// Runs `synth`.
@@ -23,6 +24,7 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
     let latencies: Vec<Option<u32>> =
         if a.latency.is_empty() { vec![None] } else { a.latency.iter().copied().map(Some).collect() };
     let mut done: Vec<Figures> = Vec::new();
+    let mut all: Vec<Value> = Vec::new();
     for name in &names {
         for latency in &latencies {
             let mut d = d;
@@ -42,11 +44,15 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
             d.check_divider()?;
             let unit = catalogue::find(&d, name)?;
             let bar = spinner(cli, format!("{name} at {latency:?} for {}", target.name()));
-            done.push(measure(&unit, &target, &a.seeds, a.freq)?);
+            let figures = measure(&unit, &target, &a.seeds, a.freq)?;
             bar.finish_and_clear();
+            let mut value = serde_json::to_value(&figures).expect("plain data");
+            value["design"] = design(&d);
+            all.push(value);
+            done.push(figures);
         }
     }
-    let text = serde_json::to_string_pretty(&done).expect("plain data") + "\n";
+    let text = serde_json::to_string_pretty(&all).expect("plain data") + "\n";
     if let Some(parent) = a.out.parent().filter(|p| !p.as_os_str().is_empty()) {
         std::fs::create_dir_all(parent).map_err(|e| Error::file("create", parent, e))?;
     }
@@ -57,6 +63,11 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
         print!("{}", rows(&done));
     }
     Ok(())
+}
+
+/// What was measured, so that `report` knows it again.
+fn design(d: &Design) -> Value {
+    json!({"exp": d.format.exp, "man": d.format.man, "traverse": d.traverse, "mode": d.mode, "datapath": d.datapath, "latency": d.latency})
 }
 
 fn target(a: &SynthArgs) -> Result<Target> {

@@ -1,6 +1,8 @@
 //! Options of the verbs that measure.
 use super::{Engine, MapArgs};
-use crate::config::View;
+use crate::config::{DatapathKind, MapKind, View};
+use crate::format::FloatFormat;
+use crate::report::page::ModeSet;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -19,23 +21,69 @@ pub struct AccuracyArgs {
     #[command(flatten)]
     pub map: MapArgs,
     /// Directory with rocks.png, stones.png, four.png, saints.png: rates over all of them, of the floating-point and the fixed-point
-    /// datapath, as they are and resampled to 2048 x 2048.
+    /// datapath (of the published one with `datapath.kind=published`), as they are and resampled to 2048 x 2048.
     #[arg(long, value_name = "DIR", conflicts_with_all = ["map", "resample"])]
     pub scenes: Option<PathBuf>,
 }
 
-/// Options of `report`.
+/// Options of `report`. What is not chosen is a selection of all there is.
 #[derive(Args, Debug)]
 pub struct ReportArgs {
     /// Directory to write to; measurements already in it are taken over, so that a run can be stopped and resumed.
     #[arg(long, default_value = "report", value_name = "DIR")]
     pub out: PathBuf,
+    /// The height map, instead of own maps.
+    #[command(flatten)]
+    pub map: MapArgs,
+    /// Own maps: rocks, bricks, dunes, spikes, stairs, flat, spike, pit, checker.
+    #[arg(long, value_delimiter = ',', value_name = "KIND,...", conflicts_with = "map")]
+    pub maps: Vec<MapKind>,
     /// Directory with rocks.png, stones.png, four.png, saints.png: measures them too, beside the published tables.
     #[arg(long, value_name = "DIR")]
     pub scenes: Option<PathBuf>,
+    /// Sizes of the maps, as log2 of their side; designs are compared at the first.
+    #[arg(long, value_delimiter = ',', value_name = "N,...", value_parser = clap::value_parser!(u32).range(2..=12))]
+    pub levels: Vec<u32>,
+    /// Views: front, oblique, grazing.
+    #[arg(long, value_delimiter = ',', value_name = "VIEW,...")]
+    pub views: Vec<View>,
+    /// Datapaths: watertight, fixed, published.
+    #[arg(long, value_delimiter = ',', value_name = "KIND,...", value_parser = datapath)]
+    pub datapaths: Vec<DatapathKind>,
+    /// Floating-point formats, exponent bits / fraction bits: 7/16.
+    #[arg(long, value_delimiter = ',', value_name = "E/M,...", value_parser = float)]
+    pub formats: Vec<FloatFormat>,
+    /// Fraction bits of fixed point; the reciprocal is as wide.
+    #[arg(long, value_delimiter = ',', value_name = "BITS,...", value_parser = clap::value_parser!(u32).range(8..=28))]
+    pub fractions: Vec<u32>,
+    /// Modes that are compared, on one format of each datapath.
+    #[arg(long, value_name = "SET")]
+    pub modes: Option<ModeSet>,
+    /// Areas and clocks of traverse units, as `synth --unit traverse --out FILE.json` wrote them, for cells times clock.
+    #[arg(long, value_delimiter = ',', value_name = "FILE.json,...")]
+    pub synth: Vec<PathBuf>,
     /// Every width and every mode, not a selection.
     #[arg(long)]
     pub full: bool,
+}
+
+/// Reads the name of a datapath.
+fn datapath(word: &str) -> Result<DatapathKind, String> {
+    let names = || DatapathKind::ALL.map(DatapathKind::word).join(", ");
+    DatapathKind::ALL
+        .into_iter()
+        .find(|k| k.word() == word)
+        .ok_or_else(|| format!("{word:?} is not one of {}", names()))
+}
+
+/// Reads "7/16".
+fn float(text: &str) -> Result<FloatFormat, String> {
+    let wrong = || format!("{text:?} is no format: exponent bits / fraction bits, 4/3 to 8/23, as in 7/16");
+    let (exp, man) = text.split_once('/').ok_or_else(wrong)?;
+    match (exp.parse(), man.parse()) {
+        (Ok(exp @ 4..=8), Ok(man @ 3..=23)) => Ok(FloatFormat::new(exp, man)),
+        _ => Err(wrong()),
+    }
 }
 
 /// Options of `fit`.

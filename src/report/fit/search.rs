@@ -227,17 +227,20 @@ impl Search<'_> {
             Budget::UvError(e) => (1..=16).find(|f| 0.5f64.powi(*f as i32) <= e / 4.0).unwrap_or(16),
             Budget::WrongTexel(_) => 4,
         };
-        d.traverse.frac_bits = fraction;
         d.traverse.step_limit = (best.steps.max * 8).next_power_of_two().clamp(64, 65535);
-        let t = self.run(&d)?;
-        if t.keeps_surely(self.budget) {
-            self.reasons.push(format!(
-                "frac_bits = {fraction}, step_limit = {} (8 times the most that was seen)",
-                d.traverse.step_limit
-            ));
-            return Ok(t);
+        // One bit more is little beside a design that is given up.
+        for bits in fraction..=best.design.traverse.frac_bits.max(fraction) {
+            d.traverse.frac_bits = bits;
+            let t = self.run(&d)?;
+            if t.keeps_surely(self.budget) {
+                self.reasons.push(format!(
+                    "frac_bits = {bits}, step_limit = {} (8 times the most that was seen)",
+                    d.traverse.step_limit
+                ));
+                return Ok(t);
+            }
+            self.reject(&t, format!("frac_bits = {bits}"));
         }
-        self.reject(&t, format!("frac_bits = {fraction}"));
         Ok(best)
     }
 }

@@ -68,12 +68,14 @@ pub fn table(plan: &Plan) -> Result<Table> {
     ];
     let mut t = Table::new("bilinear", &keys);
     let side = plan.config.traverse.levels;
+    let views = plan.selection.views();
+    let views = &views;
     let jobs: Vec<_> = plan
         .sites
         .iter()
         .filter(|s| s.spec.levels == side)
         .flat_map(|site| FORMATS.into_iter().filter_map(move |f| config(plan, site, f).map(|c| (site, f, c))))
-        .flat_map(|(site, format, c)| View::ALL.iter().map(move |view| (site, format, c.clone(), *view)))
+        .flat_map(|(site, format, c)| views.iter().map(move |view| (site, format, c.clone(), *view)))
         .collect();
     let one = |(site, format, c, view): &(&Site, (u32, u32), Config, View)| -> Result<Vec<Value>> {
         let rays = rays(c, site, *view, plan.stride(*view))?;
@@ -115,16 +117,18 @@ pub fn table(plan: &Plan) -> Result<Table> {
 pub fn pictures(plan: &Plan) -> Result<Value> {
     let first = &plan.sites[0].spec;
     let levels = PICTURE_LEVELS + first.border.levels();
-    let map = MapConfig { kind: first.kind, file: None, seed: first.seed, ..plan.config.map.clone() };
-    let site = Site::new(&plan.config, &map, levels)?;
+    // A file is resampled for this: the picture shows texels, not the map.
+    let file = plan.sites[0].file.clone();
+    let map = MapConfig { kind: first.kind, file, seed: first.seed, resample: true, ..plan.config.map.clone() };
+    let site = Site::new(&plan.config, &map, levels, false)?;
     let Some(c) = config(plan, &site, FORMATS[0]) else { return Ok(Value::Null) };
     // Tests need no more than one picture.
-    let views = if plan.extent == Extent::Tiny { &View::ALL[1..2] } else { View::ALL };
+    let views = if plan.selection.extent == Extent::Tiny { View::ALL[1..2].to_vec() } else { plan.selection.views() };
     let s = &site.spec;
     let shader = Shader::new(&site.texels, s.levels, s.height_bits, s.scale, tiles(s.border, s.repeat), s.kind);
     let mut out = Vec::new();
     for view in views {
-        let rays = site.rays(&c, &Camera::standard(*view, SIZE.0, SIZE.1), 1)?;
+        let rays = site.rays(&c, &Camera::standard(view, SIZE.0, SIZE.1), 1)?;
         let words = words(&c, &rays);
         let picture = |bilinear: bool| -> Result<String> {
             let mut d = c.design();

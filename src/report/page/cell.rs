@@ -1,5 +1,5 @@
 //! One cell: a map, a view and a design, measured on the view's rays.
-use super::plan::{DesignSpec, MapSpec, Plan, Site};
+use super::plan::{DesignSpec, Job, MapSpec, Plan, Site};
 use super::stats::Spread;
 use crate::config::{Design, View};
 use crate::error::{Error, Result};
@@ -7,7 +7,7 @@ use crate::golden::{RayInput, decode_time, encode_ray};
 use crate::oracle::{ExactHit, ExactMap, ExactRay};
 use crate::report::accuracy::distance;
 use crate::report::{exact_ray, steps};
-use crate::scene::{Camera, ViewRay, border};
+use crate::scene::{ViewRay, border};
 use crate::trace::trace_golden;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -21,12 +21,21 @@ pub struct CellSpec {
     pub map: MapSpec,
     /// View.
     pub view: View,
+    /// Degrees above the plane where they are not the view's.
+    pub elevation: Option<f64>,
     /// Pixels of the picture.
     pub picture: [u32; 2],
     /// Every n-th pixel is traced.
     pub stride: u32,
     /// Design and mode.
     pub design: DesignSpec,
+}
+
+impl CellSpec {
+    /// Where the rays come from, in a word: the view, or its elevation.
+    pub fn from(&self) -> String {
+        self.elevation.map_or_else(|| self.view.word().to_owned(), |e| format!("{e}°"))
+    }
 }
 
 /// A ray that shows something.
@@ -121,13 +130,13 @@ pub(super) fn walk(site: &Site, ray: &ExactRay) -> Option<(ExactHit, [f64; 2])> 
 }
 
 impl Reference {
-    /// The rays of a view on a map.
+    /// The rays of a measurement's view on its map.
     ///
     /// # Errors
     /// As [`Site::rays`].
-    pub fn new(plan: &Plan, site: &Site, view: View) -> Result<Self> {
+    pub fn new(plan: &Plan, site: &Site, job: &Job) -> Result<Self> {
         let size = &plan.config.view;
-        let rays = site.rays(&plan.config, &Camera::standard(view, size.width, size.height), plan.stride(view))?;
+        let rays = site.rays(&plan.config, &job.camera(size.width, size.height), job.stride)?;
         let one = 2f64.powi(REFERENCE_BITS as i32);
         let exact = |r: &ViewRay| {
             let entry = [r.u, r.v].map(|x| (x * one).round() as u64 % (1 << REFERENCE_BITS));

@@ -1,10 +1,10 @@
 //! The charts of the report.
-use super::figures::{Dot, Pool, Series, headlines};
+use super::figures::{Dot, Pool, Series};
 use super::plan::{BEST, DesignSpec, Plan, mode_label};
 use super::stats::{BINS, upper};
 use super::svg::{Chart, Line, Mark, Scale, decades};
 use super::table::short;
-use crate::config::{DatapathKind, View};
+use crate::config::DatapathKind;
 
 /// Colour and shape of a design.
 fn kind(d: &DesignSpec) -> usize {
@@ -32,6 +32,8 @@ pub enum Plot {
     Uv,
     /// Size against wrong texels.
     Size,
+    /// Cells times clock against wrong texels, of what was placed.
+    Placed,
 }
 
 /// The stair of points that no other is below and left of.
@@ -53,14 +55,22 @@ pub fn pareto(plan: &Plan, dots: &[Dot<'_>], plot: Plot) -> String {
         Plot::Size => {
             ("counted bits", "counted bits: logic + products + registers, before synthesis (fewer is better)")
         }
+        Plot::Placed => ("LUTs × ns per ray", "look-up tables × ns per ray, placed and routed (less is better)"),
         _ => ("cycles per ray", "cycles per ray, mean over maps and views (less is better)"),
     };
-    let cost = |d: &Dot<'_>| if plot == Plot::Size { d.size.unwrap_or(0) as f64 } else { d.pool.cycles() };
     // A design without hardware has no size to be drawn at.
-    let drawn = |d: &&Dot<'_>| d.comparable() && (plot != Plot::Size || d.size.is_some());
-    let dots: Vec<&Dot<'_>> = dots.iter().filter(drawn).collect();
-    let named = headlines(plan);
-    let at: Vec<(f64, f64)> = dots.iter().map(|d| (cost(d), error(&d.pool).0)).collect();
+    let cost = |d: &Dot<'_>| match plot {
+        Plot::Size => d.size.map(|bits| bits as f64),
+        Plot::Placed => d.area_time(),
+        Plot::Wrong | Plot::Uv => Some(d.pool.cycles()),
+    };
+    let drawn = dots.iter().filter(|d| d.comparable()).filter_map(|d| Some((d, cost(d)?)));
+    let (dots, costs): (Vec<&Dot<'_>>, Vec<f64>) = drawn.unzip();
+    if dots.is_empty() {
+        return String::new();
+    }
+    let named = &plan.headlines;
+    let at: Vec<(f64, f64)> = dots.iter().zip(costs).map(|(d, cost)| (cost, error(&d.pool).0)).collect();
     let edge = frontier(at.clone());
     let plain = |x, y| Mark { x, y, hollow: false, tip: String::new(), label: String::new() };
     // What costs less is not as good: the frontier is a stair.
@@ -114,13 +124,18 @@ pub fn pareto(plan: &Plan, dots: &[Dot<'_>], plot: Plot) -> String {
     .svg()
 }
 
+/// Octaves above 0.75 degrees.
+fn octave(degrees: f64) -> f64 {
+    (degrees / 0.75).log2()
+}
+
 /// How an error, or the cost, goes with angle, map size or width.
 pub fn along(plan: &Plan, all: &[Series<'_>], by: &str, what: &str) -> String {
     let mine: Vec<&Series<'_>> = all.iter().filter(|s| s.by == by).collect();
     if mine.is_empty() {
         return String::new();
     }
-    let named = headlines(plan);
+    let named = &plan.headlines;
     let (name, value): Error = match what {
         "wrong" => WRONG,
         "uv" => UV,
@@ -155,7 +170,7 @@ pub fn along(plan: &Plan, all: &[Series<'_>], by: &str, what: &str) -> String {
             let label = if k == last { short_name } else { String::new() };
             let tip =
                 format!("{}: {}{} of {} rays", s.name, if hollow { "below " } else { "" }, short(y), p.pool.rays());
-            Mark { x: p.x, y, hollow, tip, label }
+            Mark { x: if by == "angle" { octave(p.x) } else { p.x }, y, hollow, tip, label }
         };
         let marks = s.points.iter().enumerate().map(mark).collect();
         lines.push(Line { kind: colour, joined: true, marked: true, marks });
@@ -168,10 +183,13 @@ pub fn along(plan: &Plan, all: &[Series<'_>], by: &str, what: &str) -> String {
     };
     let (x, x_name) = match by {
         "angle" => {
-            (Scale::Words(View::WORDS.iter().map(|w| (*w).to_owned()).collect()), "view (90°, 22°, 3° above the plane)")
+            // Angles halve from tick to tick, from 0.75 to 96 degrees.
+            let tick = |e: f64| (octave(e), format!("{e}°"));
+            (Scale::Named(7.0, [1.0, 3.0, 8.0, 22.0, 45.0, 90.0].map(tick).to_vec()), "degrees above the plane")
         }
         "size" => {
-            let (a, b) = (plan.config.traverse.levels, plan.sites.iter().map(|s| s.spec.levels).max().unwrap_or(0));
+            let all = || plan.sites.iter().map(|s| s.spec.levels);
+            let (a, b) = (all().min().unwrap_or(0), all().max().unwrap_or(0));
             (
                 Scale::Linear(f64::from(a) - 0.3, f64::from(b.max(a + 1)) + 0.3),
                 "levels: the map is 2^levels texels wide",

@@ -1,8 +1,8 @@
 //! Cells put together: a dot a design, and how errors and steps go with angle, map size and width.
 use super::cell::Cell;
-use super::plan::{BEST, DesignSpec, Plan, mode_label};
+use super::plan::{BEST, DesignSpec, Plan, Synthesized, mode_label};
 use super::stats::{BINS, bound};
-use crate::config::{DatapathConfig, DatapathKind, View};
+use crate::config::DatapathKind;
 use crate::report::Cost;
 use rayon::prelude::*;
 
@@ -31,6 +31,11 @@ impl<'a> Pool<'a> {
     /// Wrong texels.
     pub fn wrong(&self) -> u64 {
         self.sum(|c| c.wrong)
+    }
+
+    /// Rays that end in another texel than the ray before its rounding to words.
+    pub fn unrounded_wrong(&self) -> u64 {
+        self.sum(|c| c.unrounded_wrong)
     }
 
     /// Rays given up.
@@ -102,6 +107,8 @@ pub struct Dot<'a> {
     pub pool: Pool<'a>,
     /// Counted bits of its hardware without the memory; `None` if there is no hardware for it yet.
     pub size: Option<u64>,
+    /// Area and clock, if they were measured; of several the one with the least area times time.
+    pub placed: Option<&'a Synthesized>,
     /// No other design is cheaper and at least as often right, or as cheap and more often right.
     pub front_rate: bool,
     /// As `front_rate`, for the 99th percentile of the position error.
@@ -117,6 +124,11 @@ impl Dot<'_> {
     /// Cycles count the rays that end. Where more than 1 of 100 does not, they tell nothing, and the design is in no frontier.
     pub fn comparable(&self) -> bool {
         self.pool.limits() * 100 <= self.pool.rays()
+    }
+
+    /// Look-up tables times nanoseconds a ray, if they were measured.
+    pub fn area_time(&self) -> Option<f64> {
+        self.placed.map(|s| s.area_time(self.pool.cycles()))
     }
 
     /// Largest 99th percentile of a map and view.
@@ -137,7 +149,9 @@ pub fn dots<'a>(plan: &'a Plan, cells: &'a [Cell]) -> Vec<Dot<'a>> {
         .map(|(design, pool)| {
             let hardware = design.design(&plan.config, levels).and_then(|d| Cost::of(&d));
             let size = hardware.ok().map(|c| c.bits());
-            Dot { design, pool, size, front_rate: false, front_uv: false }
+            let mine = plan.synthesized.iter().filter(|s| s.is(design, levels));
+            let placed = mine.min_by(|a, b| a.area_time(1.0).total_cmp(&b.area_time(1.0)));
+            Dot { design, pool, size, placed, front_rate: false, front_uv: false }
         })
         .collect();
     let front = |error: &dyn Fn(&Dot<'a>) -> f64| -> Vec<bool> {
@@ -151,37 +165,6 @@ pub fn dots<'a>(plan: &'a Plan, cells: &'a [Cell]) -> Vec<Dot<'a>> {
         (d.front_rate, d.front_uv) = (rate, uv);
     }
     out
-}
-
-/// A design that the page always names.
-#[derive(Clone, Debug)]
-pub struct Headline {
-    /// What it is called.
-    pub name: &'static str,
-    /// The design.
-    pub design: DesignSpec,
-}
-
-/// The designs that the page always names, whether they are legal or not.
-pub fn headlines(plan: &Plan) -> Vec<Headline> {
-    let usual = DatapathConfig::default();
-    let find = |kind: DatapathKind, nudge: u32| {
-        plan.designs.iter().find(|d| {
-            let published = kind != DatapathKind::Published || d.nudge_bits == Some(nudge);
-            let float = kind == DatapathKind::Fixed || (d.exp, d.man) == (Some(7), Some(16));
-            let fixed = kind != DatapathKind::Fixed || d.fraction_bits == Some(usual.fraction_bits);
-            d.kind == kind && d.mode == BEST && published && float && fixed
-        })
-    };
-    [
-        ("watertight", DatapathKind::Watertight, 0),
-        ("fixed", DatapathKind::Fixed, 0),
-        ("published", DatapathKind::Published, usual.nudge_bits),
-        ("published, no nudge", DatapathKind::Published, 0),
-    ]
-    .into_iter()
-    .filter_map(|(name, kind, nudge)| Some(Headline { name, design: find(kind, nudge)?.clone() }))
-    .collect()
 }
 
 /// A point of a series.
@@ -204,39 +187,40 @@ pub struct Series<'a> {
     pub points: Vec<At<'a>>,
 }
 
-/// The lines of all charts.
-pub fn series<'a>(plan: &'a Plan, cells: &'a [Cell]) -> Vec<Series<'a>> {
+/// The lines of all charts; `angles` are the measurements by elevation.
+pub fn series<'a>(plan: &'a Plan, cells: &'a [Cell], angles: &'a [Cell]) -> Vec<Series<'a>> {
     let levels = plan.config.traverse.levels;
-    let narrow = |d: &&DesignSpec| d.kind == DatapathKind::Watertight && d.exp == Some(7) && d.man == Some(10);
-    let mut shown: Vec<DesignSpec> = headlines(plan).into_iter().map(|h| h.design).collect();
-    shown.extend(plan.designs.iter().find(narrow).cloned());
     let mut out = Vec::new();
-    for d in &shown {
-        let angle = |(v, view): (usize, &View)| At {
-            x: v as f64,
-            pool: Pool::new(cells, |c| c.spec.design == *d && c.spec.map.levels == levels && c.spec.view == *view),
-        };
-        out.push(Series { by: "angle", name: d.label(), points: View::ALL.iter().enumerate().map(angle).collect() });
+    for d in plan.designs.iter().filter(|d| plan.followed(d)) {
+        let mine: Vec<&Cell> = angles.iter().filter(|c| c.spec.design == *d).collect();
+        let angle = |c: &&'a Cell| At { x: c.spec.elevation.unwrap_or(0.0), pool: Pool { cells: vec![*c] } };
+        out.push(Series { by: "angle", name: d.label(), points: mine.iter().map(angle).collect() });
         // Only a map that is there in several sizes tells what the size does.
-        let wide = plan.sites.iter().find(|s| s.spec.levels != levels);
-        let sizes = wide.map_or(Vec::new(), |w| vec![levels, w.spec.levels]);
-        let name = wide.map_or(String::new(), |w| w.spec.name.clone());
+        let first = &plan.sites[0].spec;
+        let same = plan.sites.iter().filter(|s| s.spec.name == first.name && s.spec.kind == first.kind);
+        let mut sizes: Vec<u32> = same.map(|s| s.spec.levels).collect();
+        sizes.sort_unstable();
+        sizes.dedup();
         let size = |n: &u32| At {
             x: f64::from(*n),
-            pool: Pool::new(cells, |c| c.spec.design == *d && c.spec.map.levels == *n && c.spec.map.name == name),
+            pool: Pool::new(cells, |c| c.spec.design == *d && c.spec.map.levels == *n && c.spec.map.name == first.name),
         };
-        out.push(Series { by: "size", name: d.label(), points: sizes.iter().map(size).collect() });
+        let points = if sizes.len() > 1 { sizes.iter().map(size).collect() } else { Vec::new() };
+        out.push(Series { by: "size", name: d.label(), points });
     }
     let widths = |kind: DatapathKind, exp: Option<u32>| -> Vec<At<'a>> {
         let same = |d: &&DesignSpec| d.kind == kind && d.exp == exp && d.mode == BEST;
-        plan.designs
+        let mut points: Vec<At<'a>> = plan
+            .designs
             .iter()
             .filter(same)
             .map(|d| At {
                 x: f64::from(d.man.or(d.fraction_bits).unwrap_or(0)),
                 pool: Pool::new(cells, |c| c.spec.design == *d && c.spec.map.levels == levels),
             })
-            .collect()
+            .collect();
+        points.sort_by(|a, b| a.x.total_cmp(&b.x));
+        points
     };
     for exp in [5, 6, 7, 8] {
         let name = format!("watertight EXP_W {exp}");

@@ -3,6 +3,7 @@ mod bilinear;
 mod cell;
 mod charts;
 mod figures;
+mod inventory;
 mod pictures;
 mod plan;
 mod published;
@@ -15,6 +16,6 @@ mod table;
 mod write;
 
 pub use cell::{Cell, CellSpec, Witness};
-pub use plan::{Extent, Plan};
+pub use plan::{Extent, ModeSet, Plan, Selection};
 pub use store::{Work, cells};
 pub use write::{Output, files, write};

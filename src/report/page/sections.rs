@@ -1,7 +1,7 @@
-//! The tables of the report.
+//! The tables that judge: cost against error, position error, decisions, worst cases.
 use super::cell::{Cell, Witness};
-use super::figures::{Dot, Pool, Series, headlines};
-use super::plan::{NotLegal, Plan, mode_label};
+use super::figures::Dot;
+use super::plan::{Plan, mode_label};
 use super::replay::command;
 use super::stats::{BINS, bound, upper};
 use super::table::{Table, grouped, real};
@@ -11,82 +11,6 @@ use serde_json::{Value, json};
 pub fn of(k: u64, n: u64) -> String {
     let (count, all) = (grouped(k), grouped(n));
     if k == 0 { format!("0 of {all} (95 % bound {:.1e})", bound(n)) } else { format!("{count} of {all}") }
-}
-
-/// Every cell, a row each.
-pub fn cells(cells: &[Cell]) -> Table {
-    let keys = [
-        "map",
-        "seed",
-        "levels",
-        "codes",
-        "view",
-        "stride",
-        "design",
-        "word_bits",
-        "mode",
-        "rays",
-        "unjudged",
-        "wrong_texels",
-        "wrong_walls",
-        "given_up",
-        "cycles",
-        "steps_mean",
-        "steps_max",
-        "steps_max_ray",
-        "crossings_mean",
-        "t_error_max",
-        "uv_p50",
-        "uv_p99",
-        "uv_max",
-        "uv_max_ray",
-        "uv_right_p50",
-        "uv_right_p99",
-        "uv_right_max",
-        "unrounded_wrong",
-        "unrounded_uv_p50",
-        "unrounded_uv_p99",
-        "unrounded_uv_max",
-    ];
-    let mut t = Table::new("cells", &keys.map(|k| (k, "")));
-    for c in cells {
-        let (m, d) = (&c.spec.map, &c.spec.design);
-        let (a, r, u) = (&c.uv_all, &c.uv_right, &c.uv_unrounded);
-        t.push(vec![
-            json!(m.name),
-            json!(m.seed),
-            json!(m.levels),
-            json!(m.codes),
-            json!(c.spec.view.word()),
-            json!(c.spec.stride),
-            json!(d.label()),
-            json!(d.word_bits()),
-            json!(mode_label(&d.mode)),
-            json!(c.rays),
-            json!(c.unjudged),
-            json!(c.wrong),
-            json!(c.wrong_walls),
-            json!(c.limits),
-            real(c.cycles()),
-            real(c.steps_mean),
-            json!(c.steps_max),
-            json!(c.worst_steps.as_ref().map(|w| w.ray)),
-            real(c.crossings_mean),
-            real(c.t_max),
-            real(a.p50),
-            real(a.p99),
-            real(a.max),
-            json!(a.max_ray),
-            real(r.p50),
-            real(r.p99),
-            real(r.max),
-            json!(c.unrounded_wrong),
-            real(u.p50),
-            real(u.p99),
-            real(u.max),
-        ]);
-    }
-    t
 }
 
 /// A dot of the Pareto plot a row.
@@ -99,7 +23,11 @@ pub fn pareto(dots: &[Dot<'_>]) -> Table {
             ("word_bits", "word bits"),
             ("cycles", "cycles / ray"),
             ("counted_bits", "counted bits"),
-            ("cells_x_clock", "cells × clock"),
+            ("luts", "LUTs"),
+            ("multipliers", "multipliers"),
+            ("mhz", "MHz"),
+            ("ns_ray", "ns / ray"),
+            ("luts_x_ns", "LUTs × ns / ray"),
             ("rays", "rays"),
             ("wrong_texels", "wrong texels"),
             ("given_up", "given up"),
@@ -121,7 +49,11 @@ pub fn pareto(dots: &[Dot<'_>]) -> Table {
             json!(d.design.word_bits()),
             real(d.pool.cycles()),
             json!(d.size),
-            json!("not measured"),
+            json!(d.placed.map(|s| s.luts)),
+            json!(d.placed.map(|s| s.multipliers)),
+            d.placed.map_or(Value::Null, |s| real(s.mhz)),
+            d.placed.map_or(Value::Null, |s| real(s.nanoseconds(d.pool.cycles()))),
+            d.area_time().map_or(Value::Null, real),
             json!(d.pool.rays()),
             json!(d.pool.wrong()),
             json!(d.pool.limits()),
@@ -133,86 +65,6 @@ pub fn pareto(dots: &[Dot<'_>]) -> Table {
             yes(d.front_rate),
             yes(d.front_uv),
         ]);
-    }
-    t
-}
-
-/// Iterations of every design, map size and view.
-pub fn steps(plan: &Plan, cells: &[Cell]) -> Table {
-    let mut t = Table::new(
-        "steps",
-        &[
-            ("design", "design"),
-            ("mode", "mode"),
-            ("levels", "levels"),
-            ("view", "view"),
-            ("rays", "rays"),
-            ("mean", "mean steps"),
-            ("max", "max"),
-            ("max_map", "on map"),
-            ("max_ray", "ray"),
-            ("crossings", "mean crossings"),
-        ],
-    );
-    for h in plan.designs.iter().filter(|d| headlines(plan).iter().any(|h| h.design.same_arithmetic(d))) {
-        let mut levels: Vec<u32> = plan.sites.iter().map(|s| s.spec.levels).collect();
-        levels.sort_unstable();
-        levels.dedup();
-        for n in levels {
-            for view in crate::config::View::ALL {
-                let p = Pool::new(cells, |c| c.spec.design == *h && c.spec.map.levels == n && c.spec.view == *view);
-                let Some(worst) = p.worst(|c| f64::from(c.steps_max)) else { continue };
-                let mean = |f: &dyn Fn(&Cell) -> f64| p.cells.iter().map(|c| f(c)).sum::<f64>() / p.cells.len() as f64;
-                t.push(vec![
-                    json!(h.label()),
-                    json!(mode_label(&h.mode)),
-                    json!(n),
-                    json!(view.word()),
-                    json!(p.rays()),
-                    real(mean(&|c| c.steps_mean)),
-                    json!(worst.steps_max),
-                    json!(worst.spec.map.name),
-                    json!(worst.worst_steps.as_ref().map(|w| w.ray)),
-                    real(mean(&|c| c.crossings_mean)),
-                ]);
-            }
-        }
-    }
-    t
-}
-
-/// The points of all line charts.
-pub fn series(series: &[Series<'_>]) -> Table {
-    let mut t = Table::new(
-        "series",
-        &[
-            ("by", "by"),
-            ("design", "design"),
-            ("x", "at"),
-            ("cycles", "cycles / ray"),
-            ("rays", "rays"),
-            ("failed", "wrong or given up"),
-            ("wrong_rate", "rate"),
-            ("uv_p99", "uv p99, texel"),
-            ("uv_max", "uv max"),
-        ],
-    );
-    for s in series {
-        for p in &s.points {
-            let at =
-                if s.by == "angle" { json!(crate::config::View::ALL[p.x as usize].word()) } else { json!(p.x as u64) };
-            t.push(vec![
-                json!(s.by),
-                json!(s.name),
-                at,
-                real(p.pool.cycles()),
-                json!(p.pool.rays()),
-                json!(p.pool.wrong() + p.pool.limits()),
-                real(p.pool.rate()),
-                real(p.pool.largest(|c| c.uv_all.p99)),
-                real(p.pool.largest(|c| c.uv_all.max)),
-            ]);
-        }
     }
     t
 }
@@ -229,7 +81,7 @@ pub fn histogram(plan: &Plan, dots: &[Dot<'_>]) -> Table {
             ("cumulative", "cumulative"),
         ],
     );
-    for h in headlines(plan) {
+    for h in &plan.headlines {
         let Some(dot) = dots.iter().find(|d| *d.design == h.design) else { continue };
         let (all, right) = (dot.pool.bins(true), dot.pool.bins(false));
         let total: u64 = all.iter().sum();
@@ -257,7 +109,7 @@ pub fn matrix(plan: &Plan, dots: &[Dot<'_>]) -> Table {
             ("words", "in words"),
         ],
     );
-    for h in headlines(plan) {
+    for h in &plan.headlines {
         let Some(dot) = dots.iter().find(|d| *d.design == h.design) else { continue };
         let (m, n) = (dot.pool.matrix(), dot.pool.rays());
         for (d, datapath) in ["top", "wall", "given up"].iter().enumerate() {
@@ -310,7 +162,7 @@ pub fn worst(plan: &Plan, dots: &[Dot<'_>]) -> Table {
         ("most wrong texels of a view, part", |c| c.wrong as f64 / c.judged().max(1) as f64, |c| &c.first_wrong),
         ("most given up of a view, part", |c| c.limits as f64 / c.judged().max(1) as f64, |c| &c.first_limit),
     ];
-    for h in headlines(plan) {
+    for h in &plan.headlines {
         let Some(dot) = dots.iter().find(|d| *d.design == h.design) else { continue };
         for (what, value, witness) in finds {
             let Some(cell) = dot.pool.worst(value) else { continue };
@@ -330,43 +182,6 @@ pub fn worst(plan: &Plan, dots: &[Dot<'_>]) -> Table {
                 json!(command(plan, cell, w)),
             ]);
         }
-    }
-    t
-}
-
-/// Designs that have no datapath.
-pub fn not_legal(refused: &[NotLegal]) -> Table {
-    let mut t = Table::new("not_legal", &[("design", "design"), ("levels", "levels"), ("reason", "not legal")]);
-    for r in refused {
-        t.push(vec![json!(r.design), json!(r.levels), json!(r.reason)]);
-    }
-    t
-}
-
-/// The maps.
-pub fn maps(plan: &Plan) -> Table {
-    let keys = [
-        ("map", "map"),
-        ("side", "side, texels"),
-        ("seed", "seed"),
-        ("scale", "height, world"),
-        ("repeat", "repeats"),
-        ("border", "behind its border"),
-        ("codes", "hash of the codes"),
-    ];
-    let mut t = Table::new("maps", &keys);
-    for s in &plan.sites {
-        let m = &s.spec;
-        let seed = if s.file.is_some() { Value::Null } else { json!(m.seed) };
-        t.push(vec![
-            json!(m.name),
-            json!(1u64 << m.levels),
-            seed,
-            real(m.scale),
-            json!(m.repeat),
-            json!(m.border.word()),
-            json!(m.codes),
-        ]);
     }
     t
 }

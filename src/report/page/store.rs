@@ -1,7 +1,6 @@
 //! Measuring all cells, each into a file of its own: what is there already is taken, so that a run can be stopped and resumed.
 use super::cell::{Cell, CellSpec, Reference, canonical, probe};
-use super::plan::Plan;
-use crate::config::View;
+use super::plan::{Job, Plan};
 use crate::error::{Error, Result};
 use crate::files::write_atomic;
 use std::collections::btree_map::{BTreeMap, Entry};
@@ -16,14 +15,15 @@ pub struct Work {
     pub taken: usize,
 }
 
-fn spec(plan: &Plan, cell: &(usize, View, usize)) -> CellSpec {
+fn spec(plan: &Plan, job: &Job) -> CellSpec {
     CellSpec {
         version: env!("CARGO_PKG_VERSION").to_owned(),
-        map: plan.sites[cell.0].spec.clone(),
-        view: cell.1,
+        map: plan.sites[job.site].spec.clone(),
+        view: job.view,
+        elevation: job.elevation,
         picture: [plan.config.view.width, plan.config.view.height],
-        stride: plan.stride(cell.1),
-        design: plan.designs[cell.2].clone(),
+        stride: job.stride,
+        design: plan.designs[job.design].clone(),
     }
 }
 
@@ -43,16 +43,16 @@ pub fn cells(plan: &Plan, out: &Path, progress: &dyn Fn(usize, usize)) -> Result
     let dir = out.join("cells");
     std::fs::create_dir_all(&dir).map_err(|e| Error::file("create", &dir, e))?;
     let (mut found, mut work) = (Vec::new(), Work::default());
-    let mut references: BTreeMap<(usize, View), Reference> = BTreeMap::new();
+    let mut references: BTreeMap<(usize, String), Reference> = BTreeMap::new();
     for at in &plan.cells {
-        let site = &plan.sites[at.0];
+        let site = &plan.sites[at.site];
         let spec = spec(plan, at);
         let path = dir.join(name(&spec)?);
         // One map's rays at a time: those of a large map take room.
-        references.retain(|key, _| key.0 == at.0);
-        let reference = match references.entry((at.0, at.1)) {
+        references.retain(|key, _| key.0 == at.site);
+        let reference = match references.entry((at.site, spec.from())) {
             Entry::Occupied(there) => there.into_mut(),
-            Entry::Vacant(free) => free.insert(Reference::new(plan, site, at.1)?),
+            Entry::Vacant(free) => free.insert(Reference::new(plan, site, at)?),
         };
         let design = spec.design.design(&plan.config, site.spec.levels)?;
         let stored = std::fs::read_to_string(&path).ok().and_then(|text| serde_json::from_str::<Cell>(&text).ok());

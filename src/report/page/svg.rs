@@ -10,8 +10,6 @@ pub enum Scale {
     Log(i32, i32),
     /// From 0 to an end, with ticks of its own.
     Named(f64, Vec<(f64, String)>),
-    /// Evenly spaced words.
-    Words(Vec<String>),
 }
 
 /// A point of a line.
@@ -76,7 +74,6 @@ impl Scale {
             Self::Linear(a, b) => (v - a) / (b - a),
             Self::Log(a, b) => (v.max(f64::MIN_POSITIVE).log10() - f64::from(*a)) / f64::from(b - a),
             Self::Named(end, _) => v / end,
-            Self::Words(w) => (v + 0.5) / w.len() as f64,
         }
     }
 
@@ -95,7 +92,6 @@ impl Scale {
                 (*a..=*b).step_by(every).map(|k| (10f64.powi(k), power(k))).collect()
             }
             Self::Named(_, ticks) => ticks.clone(),
-            Self::Words(w) => w.iter().enumerate().map(|(k, s)| (k as f64, s.clone())).collect(),
         }
     }
 }

@@ -1,10 +1,10 @@
 //! The report's files: JSON, CSV and the page, from the same tables.
 use super::cell::Cell;
 use super::charts::Plot;
-use super::figures::{Dot, Headline, dots, headlines, series};
-use super::plan::{Extent, Plan, mode_label};
+use super::figures::{Dot, dots, series};
+use super::plan::{Extent, Headline, Plan, mode_label};
 use super::table::{grouped, short};
-use super::{bilinear, charts, pictures, published, sections};
+use super::{bilinear, charts, inventory, pictures, published, sections};
 use crate::config::View;
 use crate::error::{Error, Result};
 use crate::files::write_atomic;
@@ -25,6 +25,7 @@ fn card(plan: &Plan, name: &str, label: &str, dot: Option<&Dot<'_>>) -> Value {
     let (p, zero) = (&d.pool, d.pool.wrong() + d.pool.limits() == 0);
     let lines = vec![
         json!({"what": "wrong texels", "value": sections::of(p.wrong(), p.rays()), "exact": p.wrong()}),
+        json!({"what": "of the rays before rounding", "value": sections::of(p.unrounded_wrong(), p.rays()), "exact": p.unrounded_wrong()}),
         json!({"what": "given up", "value": sections::of(p.limits(), p.rays()), "exact": p.limits()}),
         json!({"what": "uv error p99 / max, texel", "value": format!("{} / {}", short(d.uv_p99()), short(p.largest(|c| c.uv_all.max)))}),
         json!({"what": "t error max, of the height", "value": short(p.largest(|c| c.t_max))}),
@@ -36,11 +37,11 @@ fn card(plan: &Plan, name: &str, label: &str, dot: Option<&Dot<'_>>) -> Value {
 fn picture_rows(plan: &Plan) -> Result<Vec<Value>> {
     let site = &plan.sites[0];
     // Tests need no more than one picture.
-    let tiny = plan.extent == Extent::Tiny;
-    let views = if tiny { &View::ALL[1..2] } else { View::ALL };
-    let lines = headlines(plan);
+    let tiny = plan.selection.extent == Extent::Tiny;
+    let views = if tiny { View::ALL[1..2].to_vec() } else { plan.selection.views() };
+    let views = &views;
     let legal = |h: &&Headline| h.design.design(&plan.config, site.spec.levels).is_ok();
-    let shown = lines.iter().take(if tiny { 1 } else { 4 }).filter(legal);
+    let shown = plan.headlines.iter().take(if tiny { 1 } else { 5 }).filter(legal);
     let jobs: Vec<_> = shown.flat_map(|h| views.iter().map(move |view| (h, *view))).collect();
     let one = |(h, view): &(&Headline, View)| {
         let p = pictures::view(plan, site, &h.design, *view)?;
@@ -59,21 +60,22 @@ fn picture_rows(plan: &Plan) -> Result<Vec<Value>> {
 /// # Errors
 /// A template that does not fit its values.
 pub fn files(plan: &Plan, cells: &[Cell], again: &str) -> Result<Output> {
-    let (dots, lines) = (dots(plan, cells), series(plan, cells));
-    let claims = published::claims(plan, cells);
+    let (angles, views): (Vec<Cell>, Vec<Cell>) = cells.iter().cloned().partition(|c| c.spec.elevation.is_some());
+    let (dots, lines) = (dots(plan, &views), series(plan, &views, &angles));
+    let claims = published::claims(plan, &views);
     let tables = [
         sections::worst(plan, &dots),
         sections::pareto(&dots),
-        sections::series(&lines),
-        sections::steps(plan, cells),
+        inventory::series(&lines),
+        inventory::steps(plan, &views),
         sections::histogram(plan, &dots),
         sections::matrix(plan, &dots),
-        published::table(cells),
+        published::table(&views),
         claims.clone(),
-        sections::not_legal(&plan.not_legal),
-        sections::maps(plan),
+        inventory::not_legal(&plan.not_legal),
+        inventory::maps(plan),
         bilinear::table(plan)?,
-        sections::cells(cells),
+        inventory::cells(cells),
     ];
     let c = &plan.config;
     let head = json!({
@@ -87,6 +89,7 @@ pub fn files(plan: &Plan, cells: &[Cell], again: &str) -> Result<Output> {
         "unjudged": cells.iter().map(|x| x.unjudged).sum::<u64>(),
         "picture": [c.view.width, c.view.height],
         "strides": plan.strides,
+        "views": plan.selection.views().iter().map(|v| v.word()).collect::<Vec<_>>(),
         "side": 1u64 << c.traverse.levels,
         "mode": mode_label(&super::plan::BEST),
     });
@@ -100,17 +103,21 @@ pub fn files(plan: &Plan, cells: &[Cell], again: &str) -> Result<Output> {
         let table = tables.iter().find(|t| t.name == name);
         out.extend(table.map(|t| (format!("{name}.csv"), t.csv())));
     }
-    let cards: Vec<Value> = headlines(plan)
+    let cards: Vec<Value> = plan
+        .headlines
         .iter()
         .map(|h| card(plan, h.name, &h.design.label(), dots.iter().find(|d| *d.design == h.design)))
         .collect();
     let along = |by: &str, what: &str| charts::along(plan, &lines, by, what);
-    let named: Vec<String> = headlines(plan)
+    let named: Vec<String> = plan
+        .headlines
         .iter()
         .filter_map(|h| dots.iter().find(|d| *d.design == h.design))
         .map(charts::histogram)
         .collect();
-    let clouds = [Plot::Wrong, Plot::Uv, Plot::Size].map(|plot| charts::pareto(plan, &dots, plot));
+    let mut clouds =
+        [Plot::Wrong, Plot::Uv, Plot::Size, Plot::Placed].map(|plot| charts::pareto(plan, &dots, plot)).to_vec();
+    clouds.retain(|svg| !svg.is_empty());
     let give_up = |d: &&Dot<'_>| !d.comparable();
     let left_out: Vec<String> = dots
         .iter()
@@ -128,7 +135,7 @@ pub fn files(plan: &Plan, cells: &[Cell], again: &str) -> Result<Output> {
         tables.iter().filter(|t| t.name != "cells").map(|t| (t.name.to_owned(), t.page())).collect();
     let page = json!({
         "head": head, "rays": grouped(cells.iter().map(|x| x.rays).sum()), "cards": cards, "left_out": left_out, "charts": charts, "tables": shown, "pictures": picture_rows(plan)?, "refined": bilinear::pictures(plan)?,
-        "claims": published::claim_words(&claims), "levels": c.traverse.levels, "map": plan.sites[0].spec.name,
+        "claims": published::claim_words(&claims), "levels": c.traverse.levels, "map": plan.sites[0].spec.name, "placed": dots.iter().filter(|d| d.placed.is_some()).count(),
     });
     out.push(("report.html".to_owned(), html(&page)?.into_bytes()));
     Ok(out)

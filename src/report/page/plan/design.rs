@@ -1,0 +1,145 @@
+//! A design as the report names it.
+use crate::config::{Config, DatapathConfig, DatapathKind, Design, LevelUp, MapConfig, ModeConfig, Trim};
+use crate::error::Result;
+use crate::golden::Tracer;
+use crate::report::ROWS;
+use serde::{Deserialize, Serialize};
+
+/// A design, as a cell names it: what does not matter to its datapath is left out.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct DesignSpec {
+    /// Datapath.
+    pub kind: DatapathKind,
+    /// EXP_W of a floating-point datapath.
+    pub exp: Option<u32>,
+    /// MAN_W of a floating-point datapath.
+    pub man: Option<u32>,
+    /// `published`: nudge.
+    pub nudge_bits: Option<u32>,
+    /// `fixed`: fraction bits.
+    pub fraction_bits: Option<u32>,
+    /// `fixed`: bits of the reciprocal.
+    pub reciprocal_bits: Option<u32>,
+    /// TILE_W.
+    pub tile_bits: u32,
+    /// FRAC_W.
+    pub frac_bits: u32,
+    /// STEP_LIMIT.
+    pub step_limit: u32,
+    /// Modes.
+    pub mode: ModeConfig,
+}
+
+/// The mode that the page takes where it compares formats.
+pub const BEST: ModeConfig = ModeConfig {
+    start_level: true,
+    levels_down: 2,
+    level_up: LevelUp::Selective,
+    trim: Trim::None,
+    lod: false,
+    bilinear: false,
+};
+
+/// Iterations after which a ray without nudge is given up: more than any ray of the usual maps needs.
+const STUCK_LIMIT: u32 = 511;
+
+impl DesignSpec {
+    /// The design of a datapath with this mode; what else it has comes from the configuration.
+    pub fn new(c: &Config, datapath: DatapathConfig, exp: u32, man: u32, mode: ModeConfig) -> Self {
+        let fixed = datapath.kind == DatapathKind::Fixed;
+        let published = datapath.kind == DatapathKind::Published;
+        // Without its nudge more than half of the published datapath's rays stay in a texel for ever, and each costs the whole limit.
+        let cap = match (published, datapath.nudge_bits) {
+            (true, 0) => STUCK_LIMIT,
+            (true, _) => 1023,
+            _ => 8191,
+        };
+        Self {
+            kind: datapath.kind,
+            exp: (!fixed).then_some(exp),
+            man: (!fixed).then_some(man),
+            nudge_bits: published.then_some(datapath.nudge_bits),
+            fraction_bits: fixed.then_some(datapath.fraction_bits),
+            reciprocal_bits: fixed.then_some(datapath.reciprocal_bits),
+            tile_bits: c.traverse.tile_bits,
+            frac_bits: c.traverse.frac_bits,
+            step_limit: c.traverse.step_limit.min(cap),
+            mode,
+        }
+    }
+
+    /// The configuration of this design on a map of 2^levels texels.
+    pub fn config(&self, base: &Config, levels: u32) -> Config {
+        let mut c = base.clone();
+        (c.map, c.mode) = (MapConfig::default(), self.mode);
+        (c.traverse.levels, c.traverse.tile_bits, c.traverse.frac_bits) = (levels, self.tile_bits, self.frac_bits);
+        // A map eight times as wide is eight times as far to walk; who is stuck is stuck on any map.
+        let wider = if self.nudge_bits == Some(0) { 0 } else { levels.saturating_sub(8).min(4) };
+        c.traverse.step_limit = (self.step_limit << wider).min(65535);
+        c.datapath = DatapathConfig { kind: self.kind, ..DatapathConfig::default() };
+        c.format.exp = self.exp.unwrap_or(c.format.exp);
+        c.format.man = self.man.unwrap_or(c.format.man);
+        c.datapath.nudge_bits = self.nudge_bits.unwrap_or(c.datapath.nudge_bits);
+        c.datapath.fraction_bits = self.fraction_bits.unwrap_or(c.datapath.fraction_bits);
+        c.datapath.reciprocal_bits = self.reciprocal_bits.unwrap_or(c.datapath.reciprocal_bits);
+        c
+    }
+
+    /// The design on a map of 2^levels texels.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn design(&self, base: &Config, levels: u32) -> Result<Design> {
+        let c = self.config(base, levels);
+        c.validate()?;
+        let design = c.design();
+        Tracer::new(&design)?;
+        Ok(design)
+    }
+
+    /// Datapath and widths in a few words.
+    pub fn label(&self) -> String {
+        let float = format!("{}/{}", self.exp.unwrap_or(0), self.man.unwrap_or(0));
+        match (self.kind, self.nudge_bits) {
+            (DatapathKind::Watertight, _) => format!("watertight {float}"),
+            (DatapathKind::Published, Some(0) | None) => format!("published {float}, no nudge"),
+            (DatapathKind::Published, Some(n)) => format!("published {float}, nudge 2^-{n}"),
+            (DatapathKind::Fixed, _) => {
+                let (f, r) = (self.fraction_bits.unwrap_or(0), self.reciprocal_bits.unwrap_or(0));
+                // Usually the reciprocal is as wide.
+                if f.max(8) == r { format!("fixed Q.{f}") } else { format!("fixed Q.{f}, reciprocal {r}") }
+            }
+        }
+    }
+
+    /// Bits of a word of a ray's entry point.
+    pub fn word_bits(&self) -> u32 {
+        self.fraction_bits.unwrap_or(1 + self.exp.unwrap_or(0) + self.man.unwrap_or(0))
+    }
+
+    /// Cycles a ray needs beside its iterations: the published datapath sends a ray through the loop once for its start.
+    pub fn start_trips(&self) -> u32 {
+        u32::from(self.kind == DatapathKind::Published)
+    }
+
+    /// Another mode of the same arithmetic.
+    pub fn same_arithmetic(&self, other: &Self) -> bool {
+        Self { mode: BEST, ..self.clone() } == Self { mode: BEST, ..other.clone() }
+    }
+}
+
+/// A mode in a few words: that of the published table where it has one.
+pub fn mode_label(m: &ModeConfig) -> String {
+    let plain = ModeConfig { trim: Trim::None, lod: false, bilinear: false, ..*m };
+    let up = serde_json::to_value(m.level_up).expect("plain data");
+    let named = ROWS.iter().find(|(_, row)| *row == plain).map(|(name, _)| (*name).to_owned());
+    let name = named.unwrap_or_else(|| {
+        let start = if m.start_level { "start level" } else { "from root" };
+        format!("{start}, {} down, up {}", m.levels_down, up.as_str().unwrap_or_default())
+    });
+    match m.trim {
+        Trim::None => name,
+        Trim::Descent => name + " + trim descent",
+        Trim::Always => name + " + trim always",
+    }
+}
