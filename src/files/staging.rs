@@ -22,7 +22,8 @@ impl Staging {
             builder.permissions(std::fs::Permissions::from_mode(0o777));
         }
         let mut live = live();
-        let dir = builder.tempdir_in(parent).map_err(|error| Error::file("write", parent, bare(error)))?;
+        let dir =
+            builder.tempdir_in(parent).map_err(|error| Error::file("create a directory in", parent, bare(error)))?;
         live.insert(dir.path().to_owned());
         Ok(Self(Some(dir)))
     }

@@ -43,6 +43,17 @@ pub(super) const CASES: &[Case] = &[
             if d.coin() { [u, v, du, dv] } else { [v, u, dv, du] }
         })
     }),
+    Case {
+        levels: Some(2),
+        ..Case::new(
+            "size-2",
+            "a map of two texels a side, which four times is the smallest that the hardware holds",
+            |d| {
+                let codes = d.rough();
+                (d.map(|i, j| codes[(j % 2 * d.numbers.side() + i % 2) as usize]), any_size(d).1)
+            },
+        )
+    },
     Case::sized("size-4", 2),
     Case::sized("size-8", 3),
     Case::sized("size-16", 4),
