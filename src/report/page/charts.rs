@@ -114,7 +114,8 @@ pub fn pareto(plan: &Plan, dots: &[Dot<'_>], plot: Plot) -> String {
         title: format!("{unit} against {name}"),
         x_name: x_name.into(),
         y_name: name.into(),
-        x: Scale::Linear(low - space, high + space),
+        // Few dots have long labels beside them.
+        x: Scale::Linear(low - space, high + if plot == Plot::Placed { 6.0 * space } else { space }),
         y: decades(at.iter().map(|p| p.1)),
         size: (620.0, 430.0),
         right: 24.0,

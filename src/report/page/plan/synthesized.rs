@@ -76,7 +76,7 @@ impl Synthesized {
 
     /// True if this is the design on maps of this size; the step limit is a counter's compare value, and no matter of size.
     pub fn is(&self, d: &DesignSpec, levels: u32) -> bool {
-        let same = DesignSpec { step_limit: d.step_limit, nudge_bits: d.nudge_bits, ..self.design.clone() };
+        let same = DesignSpec { step_limit: d.step_limit, ..self.design.clone() };
         self.levels == levels && same == *d
     }
 
