@@ -177,7 +177,11 @@ pub const KEYS: &[Key] = &[
     key("latency.to_int", "fp_to_int and fp_to_fixed, in clocks", CLOCKS),
     key("latency.sqrt", "fp_sqrt, in clocks", Legal::Whole(0, 32)),
     key("latency.add3", "fp_add3, in clocks", CLOCKS),
-    key("latency.decision", "level_decision and what stands before it, in clocks", Legal::Whole(1, 4)),
+    key(
+        "latency.decision",
+        "clocks of the decision: a register before level_decision (2), one inside level_up (3), one behind level_decision (4); published: all behind it",
+        Legal::Whole(1, 4),
+    ),
     key(
         "latency.node",
         "registers behind a node's exit planes (1), and behind the choice of the slot's ray (2); not the published datapath",

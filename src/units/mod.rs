@@ -73,7 +73,7 @@ pub fn all(d: &Design) -> Vec<Arc<Module>> {
         list.extend((d.mode.level_up != crate::config::LevelUp::None).then(|| traversal::trim_return(d)));
     }
     list.extend(indices.then(|| traversal::multi_level_down(t, &d.mode)));
-    list.extend(traversal::level_up(t, d.mode.level_up));
+    list.extend(traversal::level_up(d));
     list.extend(indices.then(|| traversal::level_decision(d)));
     list.extend([(path.setup)(d), (path.hit)(d), traversal::memory(d)]);
     if d.mode.bilinear {

@@ -1,6 +1,6 @@
 // Proof harness: {{ claim }} ({{ rule }}).
 `default_nettype none
-module fv_level_up;
+module fv_level_up{% if latency > 0 %} (input wire clk){% endif %};
   localparam integer LEVELS = {{ value("level_up", "LEVELS") }};
 {{ instance("level_up", "") }}
 {%- if rule == "selective" %}
@@ -17,6 +17,11 @@ module fv_level_up;
 {%- else %}
   wire want = 1'b1;
 {%- endif %}
+{%- if latency > 0 %}
+  reg [7:0] clocks;
+  initial clocks = 0;
+  always @(posedge clk) clocks <= clocks + 1;
+{%- endif %}
   always @* begin
     assume (level <= LEVELS);
 {%- if rule == "selective" %}
@@ -24,7 +29,7 @@ module fv_level_up;
     assume (x_at[IDX_W-1] == x_at[IDX_W-2] && x_hit[IDX_W-1] == x_hit[IDX_W-2]);
     assume (y_at[IDX_W-1] == y_at[IDX_W-2] && y_hit[IDX_W-1] == y_hit[IDX_W-2]);
 {%- endif %}
-    assert (up == (want && level != LEVELS));
+    {% if latency > 0 %}if (clocks == {{ latency }}) {% endif %}assert (up == (want && level != LEVELS));
   end
 endmodule
 `default_nettype wire

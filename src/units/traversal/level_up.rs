@@ -1,11 +1,18 @@
 //! `level_up`: does a crossing go one level up? (PIDM-HW section 3.3; the rules stand in `docs/datapath.md`.)
 use super::params::{LevelParams, bindings, index_width};
-use crate::config::{LevelUp, TraverseConfig};
+use crate::config::{DatapathKind, Design, LevelUp};
 use crate::ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
-/// Builds `level_up` for a rule, combinational; `None` for the rule that never ascends.
-pub fn level_up(t: &TraverseConfig, rule: LevelUp) -> Option<Arc<Module>> {
+/// Clocks through `level_up`: shifting both texels to their nodes and comparing these are long one behind the other.
+pub fn latency(d: &Design) -> u32 {
+    let alone = d.datapath.kind == DatapathKind::Published || d.mode.level_up != LevelUp::Selective;
+    u32::from(!alone && d.latency.decision > 2)
+}
+
+/// Builds `level_up` for the design's rule, combinational up to a `latency.decision` of 2; `None` for the rule that never ascends.
+pub fn level_up(d: &Design) -> Option<Arc<Module>> {
+    let (t, rule, clocks) = (&d.traverse, d.mode.level_up, latency(d));
     let text = match rule {
         LevelUp::None => return None,
         LevelUp::Tevs => "level-up test: the crossing leaves the parent node",
@@ -15,6 +22,10 @@ pub fn level_up(t: &TraverseConfig, rule: LevelUp) -> Option<Arc<Module>> {
     };
     let b = Builder::new("level_up", file!(), text);
     let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
+    if clocks > 0 {
+        b.clock();
+        b.clock_enable();
+    }
     let level = b.input("level", &level_w, "levels", "level of the crossed node");
     let below_root = level.eq(b.konst(&levels, &level_w).named("root"));
     let below_root = (!below_root).named("below_root");
@@ -30,21 +41,31 @@ pub fn level_up(t: &TraverseConfig, rule: LevelUp) -> Option<Arc<Module>> {
             for axis in ["x", "y"] {
                 let at = b.input(&format!("{axis}_at"), &idx, "texels", "a texel of the node");
                 let hit = b.input(&format!("{axis}_hit"), &idx, "texels", "predicted hit");
-                near.push(distance(&b, at, hit, level, axis));
+                near.push(distance(&b, at, hit, level, axis, clocks));
             }
             let neighbour = near[0].1 & near[1].1 & !(near[0].0 & near[1].0);
             Some(even & !neighbour.named("is_neighbour"))
         }
     };
     let out = b.output("up", 1, "bit", "one level up; never at the root");
-    b.drive(out, go.map_or(below_root, |g| g & below_root), None);
-    Some(b.finish(Some(0), &bindings()))
+    b.drive(out, go.map_or(below_root, |g| g & below_root), (clocks > 0).then_some(clocks));
+    Some(b.finish(Some(clocks), &bindings()))
 }
 
 /// (same node, at most one node apart) along one axis.
-fn distance<'b>(b: &'b Builder, at: Sig<'b>, hit: Sig<'b>, level: Sig<'b>, axis: &str) -> (Sig<'b>, Sig<'b>) {
-    let here = at.sar(level).named(&format!("{axis}_node"));
-    let there = hit.sar(level).named(&format!("{axis}_hit_node"));
+fn distance<'b>(
+    b: &'b Builder,
+    at: Sig<'b>,
+    hit: Sig<'b>,
+    level: Sig<'b>,
+    axis: &str,
+    clocks: u32,
+) -> (Sig<'b>, Sig<'b>) {
+    let node = |texel: Sig<'b>, name: &str| {
+        let node = texel.sar(level).named(&format!("{axis}_{name}"));
+        (0..clocks).fold(node, |node, _| node.cut())
+    };
+    let (here, there) = (node(at, "node"), node(hit, "hit_node"));
     let diff = (there - here).named(&format!("{axis}_diff"));
     let same = diff.none().named(&format!("{axis}_same"));
     let one = diff.eq(b.lit(1, diff.width()));

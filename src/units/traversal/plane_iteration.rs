@@ -103,7 +103,7 @@ pub fn plane_iteration<'b>(
     let (level_down, x_down, y_down) = (o[0].named("level_down"), o[1].named("x_down"), o[2].named("y_down"));
 
     b.section("level up", "");
-    let up = match level_up(t, d.mode.level_up) {
+    let up = match level_up(d) {
         None => b.zeros(1),
         Some(unit) => {
             let even = || x_first.mux(px[4], py[4]).named("even");
@@ -147,9 +147,11 @@ pub fn plane_iteration<'b>(
     ins.extend([("x_at", late(ray.get("x"))), ("x_down", late(x_down)), ("x_beyond", late(px[3]))]);
     ins.extend([("y_at", late(ray.get("y"))), ("y_down", late(y_down)), ("y_beyond", late(py[3]))]);
     let o = b.inst(&level_decision(d), "u_decision", &idx(), &ins);
-    let (hit, crosses) = (o[0].named("hit"), o[1].named("crosses"));
+    // The last of the clocks stands between the decision and what is written back.
+    let done = |v: Sig<'b>| if d.latency.decision > 3 { v.cut() } else { v };
+    let (hit, crosses) = (done(o[0].named("hit")), done(o[1].named("crosses")));
     let names = ["level_next", "x_next", "y_next", "t_after"];
-    let n: Vec<Sig<'b>> = o[2..].iter().zip(names).map(|(v, n)| v.named(n)).collect();
+    let n: Vec<Sig<'b>> = o[2..].iter().zip(names).map(|(v, n)| done(v.named(n))).collect();
 
     let moves = (!ray.get("done")).named("moves");
     let steps = (ray.get("steps") + moves.zext(16)).named("steps_next");

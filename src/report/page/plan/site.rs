@@ -1,6 +1,6 @@
 //! A map of the report, and its rays.
 use crate::config::{Border, Config, Design, MapConfig, MapKind};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::golden::Pyramid;
 use crate::scene::{Camera, ViewRay, bordered_codes, load, procedural};
 use crate::trace::rays_inside;
@@ -57,7 +57,10 @@ impl Site {
             }
             _ => (procedural(map.kind, levels - map.border.levels(), map.seed)?, map.kind.word().to_owned()),
         };
-        let texels = bordered_codes(&heights, map.border, levels, height_bits, map.resample)?;
+        let texels = bordered_codes(&heights, map.border, levels, height_bits, map.resample).map_err(|e| {
+            let name = map.file.as_ref().map_or_else(|| name.clone(), |f| f.display().to_string());
+            Error::input(format!("{name}: {e}"))
+        })?;
         let pyramid = Pyramid::build(levels, height_bits, &texels)?;
         let bytes: Vec<u8> = texels.iter().flat_map(|code| code.to_le_bytes()).collect();
         let codes = blake3::hash(&bytes).to_hex()[..12].to_owned();

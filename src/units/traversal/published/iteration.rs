@@ -77,7 +77,7 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
         let to = fp_to_int(d.format, t.idx_bits(), l.to_int);
         b.inst(&to, &format!("u_{what}_texel_{axis}"), &int, &[("a", at)])[0].named(&format!("{axis}_{what}")).id()
     };
-    let up = match level_up(t, d.mode.level_up) {
+    let up = match level_up(d) {
         None => b.zeros(1),
         Some(unit) => {
             let mut ins = vec![("level", ray.get("level"))];
