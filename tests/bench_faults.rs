@@ -223,3 +223,27 @@ fn rows_too_many_are_noticed() {
     }
     assert_eq!(runs, 10);
 }
+
+/// A file that lost all its text has no vectors, whatever the other one holds.
+#[test]
+fn an_empty_file_is_no_vectors() {
+    if skip() {
+        return;
+    }
+    let mut c = Config::default();
+    (c.vectors.arithmetic, c.vectors.rays, c.traverse.levels) = (60, 10, 4);
+    let files = project(&c, &Scene::new(&c, None, false).unwrap()).unwrap().files;
+    for (unit, name) in
+        [("fp_add", "stimulus"), ("fp_add", "expected"), ("traverse", "stimulus"), ("traverse", "expected")]
+    {
+        let dir = tempfile::tempdir().unwrap();
+        for (path, text) in &files {
+            let place = dir.path().join(path);
+            std::fs::create_dir_all(place.parent().unwrap()).unwrap();
+            let emptied = *path == format!("golden/{unit}/{name}.hex");
+            std::fs::write(place, if emptied { "" } else { text }).unwrap();
+        }
+        let e = run_bench(Simulator::Icarus, dir.path(), unit, &Binding::new(), &[]).unwrap_err();
+        assert_eq!(e.exit_code(), 5, "{unit} {name}: {e}");
+    }
+}

@@ -397,6 +397,24 @@ fn a_simulators_mismatch_is_told_as_the_interpreters() {
 }
 
 #[test]
+fn a_row_that_was_changed_is_told_from_a_wrong_unit() {
+    let dir = tempfile::tempdir().unwrap();
+    assert_eq!(said(dir.path(), &[&["build"][..], &SMALL].concat()).0, Some(0));
+    let file = dir.path().join("out/golden/fp_add/expected.hex");
+    let text = std::fs::read_to_string(&file).unwrap();
+    let last = text.lines().last().unwrap();
+    let other = if last.ends_with('0') { '1' } else { '0' };
+    std::fs::write(&file, format!("{}{other}\n", text.trim_end().strip_suffix(|_: char| true).unwrap())).unwrap();
+    let args = ["check", "--dir", "out", "--unit", "fp_add"];
+    let (code, told) = said(dir.path(), &[&args[..], &SMALL].concat());
+    assert_eq!(code, Some(1), "{told}");
+    assert!(
+        told.contains("fp_add: 1 of ") && told.contains("does not hold the rows that vectors.json describes"),
+        "{told}"
+    );
+}
+
+#[test]
 fn arithmetic_stands_alone_at_formats_that_no_map_fits() {
     let dir = tempfile::tempdir().unwrap();
     let format = ["--set", "format.exp=4", "--set", "format.man=3"];

@@ -85,6 +85,8 @@ fn unknown_keys_name_the_nearest() {
         "format = 3 is not a section: write [format] and its keys below (config.toml, line 1)"
     );
     assert_eq!(set("mode.levelup=tevs"), "unknown key mode.levelup (--set): did you mean mode.level_up?");
+    assert_eq!(set("mode.dwn=2"), "unknown key mode.dwn (--set): did you mean mode.levels_down?");
+    assert_eq!(set("mode.up=tevs"), "unknown key mode.up (--set): did you mean mode.level_up?");
     assert_eq!(set("map.scales=1"), "unknown key map.scales (--set): did you mean map.scale?");
     assert_eq!(set("traverse"), "--set traverse has no value: write --set key=value");
     assert_eq!(set("=3"), "--set =3 names no key: write --set key=value");

@@ -113,9 +113,9 @@ pub fn compare(set: &VectorSet, engine: &str, results: &[Vec<u64>]) -> Result<Ch
             )));
         }
         () if k > n => {
+            let more = if k - n == 1 { "1 result".into() } else { format!("{} results", k - n) };
             return Err(Error::Extra(format!(
-                "{unit}: {} results came that nobody expected ({k} for {n} vectors in {engine})",
-                k - n
+                "{unit}: {more} came that nobody expected ({k} for {n} vectors in {engine})"
             )));
         }
         () => {}

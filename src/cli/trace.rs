@@ -59,7 +59,8 @@ pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
             serde_json::json!({"rays": hits.len(), "refused": lost.refused, "beyond": lost.beyond, "given_up": lost.given_up, "out": a.out})
         );
     } else {
-        println!("{} rays traced into {}", hits.len(), a.out.display());
+        let rays = if hits.len() == 1 { "ray" } else { "rays" };
+        println!("{} {rays} traced into {}", hits.len(), a.out.display());
         lost.print(&c, hits.len());
     }
     lost.verdict(hits.len())

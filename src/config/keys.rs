@@ -231,13 +231,16 @@ pub fn find(path: &str) -> Option<&'static Key> {
     KEYS.iter().find(|key| key.path == path)
 }
 
-/// The known key nearest to a mistyped one; a right name in the wrong section counts almost as much as a near path.
+/// The known key nearest to a mistyped one; a right name in the wrong section counts almost as much as a near path, and so does one word of a
+/// name (`mode.down` for `mode.levels_down`), most where the section is right.
 pub fn nearest(path: &str) -> &'static str {
+    let alike = strsim::normalized_damerau_levenshtein;
+    let (section, name) = path.rsplit_once('.').unwrap_or(("", path));
     let score = |key: &Key| {
-        let name = path.rsplit('.').next().unwrap_or(path);
-        let whole = strsim::normalized_damerau_levenshtein(path, key.path);
-        let last = 0.95 * strsim::normalized_damerau_levenshtein(name, key.split().1);
-        whole.max(last)
+        let (known_section, known) = key.split();
+        let word = known.split('_').map(|w| alike(name, w)).fold(0.0, f64::max);
+        let word = if section == known_section { 0.9 * word } else { 0.8 * word };
+        alike(path, key.path).max(0.95 * alike(name, known)).max(word)
     };
     // The first of equals, so that the answer does not depend on the search's direction.
     KEYS.iter().rev().max_by(|a, b| score(a).total_cmp(&score(b))).map_or("", |key| key.path)
