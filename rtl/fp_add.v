@@ -139,6 +139,7 @@ module fp_add #(
 
   // ---- stage 1: normalize ------------------------------------------------------ add.rs
   // The far sum moves by one place at most; the near difference goes up, the coarse steps first.
+  // The leg is the near difference, or zero, infinity or NaN in its place.
   wire               s1_carry = s1_sum[MAN_W+4];
   wire               s1_top = s1_sum[MAN_W+3];
   wire               s1_next = s1_sum[MAN_W+2];

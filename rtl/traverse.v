@@ -332,8 +332,8 @@ module traverse #(
     .t    (s4_t_y)
   );
 
-  // ---- stage 0: level decision -------------------------------------------- traverse.rs
-  // A ray that is done goes round unchanged.
+  // ---- stage 0: step limit ------------------------------------------------ traverse.rs
+  // A ray that is done takes no more steps.
   wire        s0_moves = ~s0_done;
   wire [15:0] s0_steps_next = s0_steps + {15'd0, s0_moves};
   wire        s0_last_step = s0_steps_next == StepLimit[15:0];
@@ -1098,7 +1098,6 @@ module traverse #(
   );
 
   // ---- stage 7: level decision -------------------------------------------- traverse.rs
-  // A ray that is done goes round unchanged.
   wire              s7_hit;
   wire              s7_crosses;
   wire [LevelW-1:0] s7_level_next;
@@ -1126,6 +1125,9 @@ module traverse #(
     .y_next    (s7_y_next),
     .t_out     (s7_t_after)
   );
+
+  // ---- stage 7: step limit ------------------------------------------------ traverse.rs
+  // A ray that is done takes no more steps.
   wire s7_at_limit = s7_last_step & ~s7_hit;
   wire s7_crossed_now = s7_crosses & s7_moves;
   wire s7_up_now = s7_up & s7_crossed_now;

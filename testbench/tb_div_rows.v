@@ -89,7 +89,7 @@ module tb_div_rows #(
     end else begin
       read_head(stim_fd, stim_left, stim_bits);
       read_head(exp_fd, exp_left, exp_bits);
-      if (stim_left == 0 && exp_left == 0) begin
+      if ((stim_left == 0 && exp_left == 0) || stim_bits == 0 || exp_bits == 0) begin
         $display("FAIL tb_div_rows: no vectors in %0s, nothing ran", dir);
         exit_code = 8'd5;
         done = 1'b1;

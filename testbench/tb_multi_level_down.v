@@ -116,7 +116,7 @@ module tb_multi_level_down #(
     end else begin
       read_head(stim_fd, stim_left, stim_bits);
       read_head(exp_fd, exp_left, exp_bits);
-      if (stim_left == 0 && exp_left == 0) begin
+      if ((stim_left == 0 && exp_left == 0) || stim_bits == 0 || exp_bits == 0) begin
         $display("FAIL tb_multi_level_down: no vectors in %0s, nothing ran", dir);
         exit_code = 8'd5;
         done = 1'b1;

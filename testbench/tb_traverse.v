@@ -244,7 +244,7 @@ module tb_traverse #(
       read_head(mem_fd, words_left, k);
       read_head(stim_fd, stim_left, stim_bits);
       read_head(exp_fd, exp_left, exp_bits);
-      if (stim_left == 0 && exp_left == 0) begin
+      if ((stim_left == 0 && exp_left == 0) || stim_bits == 0 || exp_bits == 0) begin
         $display("FAIL tb_traverse: no rays in %0s, nothing ran", dir);
         exit_code = 8'd5;
         done = 1'b1;
@@ -508,8 +508,8 @@ module tb_traverse #(
         $display("FAIL tb_traverse: %0d of %0d mismatched", wrong, checked);
         finish(8'd1);
       end else begin
-        $display("slots busy: %0d of %0d under full load; %0d clocks from first ray to last hit",
-                 busy, loaded, last_out - first_in + 1);
+        $display("slots busy: %0d of %0d %0s; %0d clocks from first ray to last hit", busy, loaded,
+                 (gaps || stalls) ? "with gaps and stalls" : "under full load", last_out - first_in + 1);
         $display("PASS tb_traverse: 0 of %0d mismatched", checked);
         finish(8'd0);
       end

@@ -331,6 +331,14 @@ fn a_tree_of_other_latencies_is_not_checked_by_a_simulator() {
     let (code, told) = said(dir.path(), &[&check[..], &SMALL].concat());
     assert_eq!(code, Some(2), "{told}");
     assert!(told.contains("out was emitted with latency.mul = 2, and 3 is asked for"), "{told}");
+    // Nor would either engine say that it is another mode.
+    for engine in ["interp", "icarus"] {
+        let check =
+            ["check", "--dir", "out", "--engine", engine, "--set", "latency.mul=2", "--set", "mode.levels_down=3"];
+        let (code, told) = said(dir.path(), &[&check[..], &SMALL].concat());
+        assert_eq!(code, Some(2), "{told}");
+        assert!(told.contains("out was emitted with mode.levels_down = 2, and 3 is asked for"), "{told}");
+    }
 }
 
 #[test]
@@ -408,6 +416,12 @@ fn a_row_that_was_changed_is_told_from_a_wrong_unit() {
     let args = ["check", "--dir", "out", "--unit", "fp_add"];
     let (code, told) = said(dir.path(), &[&args[..], &SMALL].concat());
     assert_eq!(code, Some(1), "{told}");
+    let (code, json) = said(dir.path(), &[&args[..], &SMALL, &["--json"]].concat());
+    let json: serde_json::Value = serde_json::from_str(json.trim()).unwrap();
+    assert_eq!((code, &json["exit_code"]), (Some(1), &1.into()));
+    let first = &json["first"];
+    assert_eq!((&first["unit"], &first["output"], &first["stage"]), (&"fp_add".into(), &"result".into(), &2.into()));
+    assert_ne!(first["expected"], first["got"]);
     assert!(
         told.contains("fp_add: 1 of ") && told.contains("does not hold the rows that vectors.json describes"),
         "{told}"

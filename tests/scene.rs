@@ -74,6 +74,8 @@ fn hard_cases() {
 
 #[test]
 fn the_standard_cameras() {
+    let example = Camera::load(concat!(env!("CARGO_MANIFEST_DIR"), "/examples/camera.toml")).unwrap();
+    assert_eq!(example, Camera::default());
     for view in [View::Front, View::Oblique, View::Grazing] {
         let rays = Camera::standard(view, 1024, 768).rays(20.0, 4, 4);
         assert!(rays.len() > 1000, "{view}: {}", rays.len());

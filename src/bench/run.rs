@@ -79,7 +79,7 @@ pub fn run_bench(sim: Simulator, dir: &Path, unit: &str, params: &Binding, plusa
     let detail = output.lines().find(|l| l.starts_with("vector ") || l.starts_with("ray ")).unwrap_or_default();
     match code {
         exit::OK if verdict.starts_with("PASS") => {}
-        exit::MISMATCH => return Err(Error::Mismatch(format!("{text}; first: {detail}"))),
+        exit::MISMATCH => return Err(Error::mismatch(format!("{text}; first: {detail}"))),
         exit::USAGE => return Err(Error::input(text)),
         exit::NOTHING_RAN => return Err(Error::NothingRan(text)),
         exit::DROPPED => return Err(Error::Dropped(text)),

@@ -1,5 +1,5 @@
 //! Replays a unit's vectors in the interpreter, and compares results with what is expected.
-use crate::error::{Error, Result};
+use crate::error::{Error, Finding, Place, Result};
 use crate::format::FloatFormat;
 use crate::interp::{BLOCK, Lanes, Netlist, elaborate};
 use crate::ir::Module;
@@ -58,7 +58,18 @@ impl CheckReport {
             .zip(set.stimulus.get(x.vector).map_or(&[][..], Vec::as_slice))
             .map(|(c, v)| format!("{} {}", c.name, word(&c.name, *v)))
             .collect();
-        Err(Error::Mismatch(format!(
+        let place = Place {
+            unit: self.unit.clone(),
+            engine: self.engine.clone(),
+            checked: self.checked,
+            mismatched: self.mismatched,
+            vector: x.vector,
+            output: x.output.clone(),
+            stage: port.and_then(|p| p.stage),
+            expected: format!("{:x}", x.expected),
+            got: format!("{:x}", x.got),
+        };
+        let text = format!(
             "{}: {} of {} mismatched in {}; first: vector {} ({}), output {}{}: expected {}, got {}",
             self.unit,
             self.mismatched,
@@ -70,14 +81,15 @@ impl CheckReport {
             port.and_then(|p| p.stage).map(|s| format!(" (stage {s})")).unwrap_or_default(),
             show(x.expected),
             show(x.got)
-        )))
+        );
+        Err(Error::Mismatch(Finding { text, place: Some(Box::new(place)) }))
     }
 }
 
 /// What a bench said of its first mismatch, with fields decoded and operands named as [`CheckReport::verdict`] does; other errors as they
 /// are.
 pub fn told(e: Error, engine: &str, set: &VectorSet, m: &Module) -> Error {
-    let Error::Mismatch(text) = &e else { return e };
+    let Error::Mismatch(Finding { text, .. }) = &e else { return e };
     let number = |after: &str| -> Option<usize> {
         let digits = text.split(after).nth(1)?;
         digits.split(|c: char| !c.is_ascii_digit()).next()?.parse().ok()

@@ -233,7 +233,10 @@ pub fn bench(cli: &Cli, a: &BenchArgs) -> Result<()> {
     let text: Vec<Vec<String>> = rows
         .iter()
         .map(|r| {
-            let ratio = base.map_or("-".into(), |b| format!("{:.2}", rate(r) / b));
+            let ratio = base.map_or("-".into(), |b| match rate(r) / b {
+                small if small < 0.1 => format!("{small:.4}"),
+                ratio => format!("{ratio:.2}"),
+            });
             vec![
                 r.0.clone(),
                 r.1.to_string(),

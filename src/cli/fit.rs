@@ -57,7 +57,7 @@ pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
     if kept {
         return Ok(());
     }
-    Err(Error::Mismatch(format!("fresh rays break the budget: {}; ask for a tighter one", check.figure(budget))))
+    Err(Error::mismatch(format!("fresh rays break the budget: {}; ask for a tighter one", check.figure(budget))))
 }
 
 /// Rays evenly over each view's picture; `shift` takes the ones between.

@@ -99,7 +99,7 @@ pub fn run(cli: &Cli, a: &HardArgs) -> Result<()> {
         return Ok(());
     }
     let kind = c.datapath.kind;
-    Err(Error::Mismatch(format!(
+    Err(Error::mismatch(format!(
         "the {kind:?} datapath gives up rays, or its modes disagree, in {} of {} cases: {}",
         broken.len(),
         chosen.len(),
@@ -123,7 +123,7 @@ fn equal(cli: &Cli, c: &Config, engine: Engine, name: &str, hard: &HardScene, f:
     let hits = super::trace::hits(cli, &c, engine, &scene, &f.rays)?;
     match hits.iter().zip(&f.hits).position(|(got, want)| got != want) {
         None => Ok(()),
-        Some(ray) => Err(Error::Mismatch(format!(
+        Some(ray) => Err(Error::mismatch(format!(
             "case {name}, ray {ray} ({}): expected {}, got {}",
             words(&f.rays[ray]),
             found(&f.hits[ray]),
@@ -171,7 +171,7 @@ fn endure(cli: &Cli, c: &Config, cases: &[&Case], rays: usize, seed: u64) -> Res
     }
     match sum.witness.filter(|_| c.datapath.kind != DatapathKind::Published) {
         None => Ok(()),
-        Some((ray, m)) => Err(Error::Mismatch(format!("a ray does not end: {} ({})", words(&ray), mode(&m)))),
+        Some((ray, m)) => Err(Error::mismatch(format!("a ray does not end: {} ({})", words(&ray), mode(&m)))),
     }
 }
 

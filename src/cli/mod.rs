@@ -27,7 +27,10 @@ use clap::{CommandFactory, Parser};
 /// 5 nothing ran, 6 a result never came, 7 a result too many).
 pub fn main() -> i32 {
     // An interrupted run leaves nothing behind. Without a handler it ends all the same.
-    let _ = ctrlc::set_handler(|| crate::files::abandon(130));
+    let _ = ctrlc::set_handler(|| {
+        output::interrupted();
+        crate::files::abandon(130)
+    });
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(e) => {

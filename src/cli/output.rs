@@ -1,17 +1,37 @@
 //! How results and errors reach the user.
 use super::args::Cli;
 use crate::emit::Files;
-use crate::error::{Error, Result};
+use crate::error::{Error, Finding, Result};
 use crate::files::{OutDir, Part};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::path::Path;
+use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
+
+/// What to say when the run is interrupted.
+static IF_INTERRUPTED: Mutex<Option<String>> = Mutex::new(None);
+
+/// Says what to do after an interrupt, if there is one from now on.
+pub fn if_interrupted(text: Option<String>) {
+    *IF_INTERRUPTED.lock().unwrap_or_else(PoisonError::into_inner) = text;
+}
+
+/// Called on an interrupt.
+pub fn interrupted() {
+    if let Some(text) = &*IF_INTERRUPTED.lock().unwrap_or_else(PoisonError::into_inner) {
+        eprintln!("reliefrtl: {text}");
+    }
+}
 
 /// Prints an error: one sentence, or one JSON object.
 pub fn error(cli: &Cli, e: &Error) {
     if cli.json {
-        println!("{}", serde_json::json!({"error": e.to_string(), "exit_code": e.exit_code()}));
+        let mut told = serde_json::json!({"error": e.to_string(), "exit_code": e.exit_code()});
+        if let Error::Mismatch(Finding { place: Some(place), .. }) = e {
+            told["first"] = serde_json::to_value(place).expect("plain data");
+        }
+        println!("{told}");
     } else {
         eprintln!("reliefrtl: {e}");
     }

@@ -22,6 +22,8 @@ pub fn run(cli: &Cli, a: &ReportArgs) -> Result<()> {
     }
     let style = "{bar:40} {pos} of {len} measurements, {eta} left";
     bar.set_style(ProgressStyle::with_template(style).expect("template is well formed"));
+    let resumed = format!("interrupted; the same command goes on from the measurements in {}", a.out.display());
+    super::output::if_interrupted(Some(resumed));
     let (cells, work) = cells(&plan, &a.out, &|done, _| bar.set_position(done as u64))?;
     bar.finish_and_clear();
     let bar = super::output::spinner(cli, "pictures and bilinear refinement");

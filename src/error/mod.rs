@@ -1,4 +1,7 @@
 //! One error type for the whole crate, and the exit codes it maps to.
+mod finding;
+
+pub use finding::{Finding, Place};
 use std::path::{Path, PathBuf};
 
 /// Exit codes of the command line (and of the emitted benches).
@@ -39,7 +42,7 @@ pub enum Error {
     },
     /// Results differ.
     #[error("{0}")]
-    Mismatch(String),
+    Mismatch(Finding),
     /// An expected result never came.
     #[error("{0}")]
     Dropped(String),
@@ -64,6 +67,11 @@ impl Error {
     /// An input error from a finished sentence.
     pub fn input(text: impl Into<String>) -> Self {
         Self::Input(text.into())
+    }
+
+    /// A mismatch from a finished sentence.
+    pub fn mismatch(text: impl Into<String>) -> Self {
+        Self::Mismatch(Finding { text: text.into(), place: None })
     }
 
     /// A file error.

@@ -43,6 +43,14 @@ pub fn write_atomic(path: impl AsRef<Path>, bytes: &[u8]) -> Result<()> {
     Ok(())
 }
 
+/// Makes a directory and those that it stands in, where they are not there.
+fn make_directory(path: &Path) -> Result<()> {
+    if let Some(file) = path.ancestors().find(|p| p.exists()).filter(|p| !p.is_dir()) {
+        return Err(Error::input(format!("cannot create {}: {} is not a directory", path.display(), file.display())));
+    }
+    std::fs::create_dir_all(path).map_err(|error| Error::file("create", path, error))
+}
+
 /// What the system said, without the name of the temporary file that nobody asked for.
 fn bare(error: std::io::Error) -> std::io::Error {
     match error.raw_os_error() {

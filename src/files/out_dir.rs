@@ -52,7 +52,7 @@ impl OutDir {
             return Err(Error::input(format!("cannot write into {}: it is a file, not a directory", shown.display())));
         }
         let parent = target.parent().unwrap_or(&target);
-        fs::create_dir_all(parent).map_err(|error| Error::file("create", parent, error))?;
+        super::make_directory(parent)?;
         let staging = Staging::new(parent)?;
         Ok(Self { target, staging, files: BTreeMap::new(), config: None, replaces: None, alone_in: Vec::new() })
     }
@@ -191,7 +191,7 @@ impl OutDir {
         for path in self.files.keys().map(String::as_str).chain([MANIFEST]) {
             let place = self.target.join(path);
             if let Some(parent) = place.parent() {
-                fs::create_dir_all(parent).map_err(|error| Error::file("create", parent, error))?;
+                super::make_directory(parent)?;
             }
             fs::rename(self.staging.path().join(path), &place).map_err(|error| Error::file("write", &place, error))?;
         }
@@ -213,7 +213,7 @@ impl OutDir {
 
 fn put(path: &Path, bytes: &[u8]) -> Result<()> {
     if let Some(parent) = path.parent() {
-        fs::create_dir_all(parent).map_err(|error| Error::file("create", parent, error))?;
+        super::make_directory(parent)?;
     }
     write_atomic(path, bytes)
 }

@@ -1,4 +1,5 @@
 //! Checks an emitted tree: every unit's vectors replayed by the interpreter or a simulator.
+use super::same::{same_config, same_text};
 use super::stored::{memory, pyramid_of, ray_of, same_rows};
 use crate::bench::{Simulator, run_bench};
 use crate::catalogue::{CheckReport, check_interp, compare, fits, told, units};
@@ -89,9 +90,8 @@ pub fn check_tree(
     if list.is_empty() {
         return Err(Error::NothingRan("the chosen unit has no vectors of its own; nothing was checked".into()));
     }
-    if sim.is_some() {
-        same_latencies(c, dir)?;
-    } else {
+    same_config(c, dir)?;
+    if sim.is_none() {
         let whole = list.iter().any(|m| m.latency.is_none());
         let text = if whole { super::hardware(c)?.files } else { text_of(c, &list)? };
         same_text(&text, dir)?;
@@ -114,41 +114,6 @@ pub fn check_tree(
 /// The Verilog of some units and what they are made of.
 fn text_of(c: &Config, units: &[Arc<Module>]) -> Result<Files> {
     Ok(crate::emit::rtl(c, &crate::emit::modules(units)?))
-}
-
-/// The interpreter runs the datapath that the configuration emits, not the text in `dir`: refuses a tree where the two differ.
-fn same_text(files: &Files, dir: &Path) -> Result<()> {
-    for (name, text) in files.iter().filter(|(n, _)| n.ends_with(".v")) {
-        let path = dir.join(name);
-        let there = std::fs::read(&path).map_err(|e| Error::file("read", &path, e))?;
-        if there != text.as_bytes() {
-            return Err(Error::input(format!(
-                "{} is not what this configuration emits, and the interpreter would not see the difference: use --engine icarus or verilator",
-                path.display()
-            )));
-        }
-    }
-    Ok(())
-}
-
-/// A simulator runs the text in `dir`, whatever latencies the configuration asks for: refuses a verdict on others than those.
-/// A tree without a manifest (vectors and a netlist, say) tells nothing of its latencies.
-fn same_latencies(c: &Config, dir: &Path) -> Result<()> {
-    let path = dir.join("manifest.json");
-    let Ok(text) = std::fs::read_to_string(&path) else { return Ok(()) };
-    let manifest: serde_json::Value = serde_json::from_str(&text)
-        .map_err(|e| Error::input(format!("{} is not the manifest of an emitted tree: {e}", path.display())))?;
-    let asked = serde_json::to_value(c.latency).expect("a configuration is plain data");
-    let there = &manifest["config"]["latency"];
-    let differs = |(key, value): &(&String, &serde_json::Value)| there.get(key.as_str()).is_some_and(|x| x != *value);
-    match asked.as_object().and_then(|keys| keys.iter().find(differs)) {
-        None => Ok(()),
-        Some((key, value)) => Err(Error::input(format!(
-            "{} was emitted with latency.{key} = {}, and {value} is asked for: give the configuration of the tree, or emit it anew",
-            dir.display(),
-            there[key]
-        ))),
-    }
 }
 
 /// Clocks around the first mismatch of a unit, from power-up.
@@ -225,9 +190,10 @@ fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary:
     let edited = (!whole && canary.is_none())
         .then(|| format!("{} does not hold the rows that vectors.json describes (blake3 differs)", place.display()));
     let checked = replayed().map_err(|e| match (e, &edited) {
-        (Error::Mismatch(text), Some(edited)) => Error::Mismatch(format!(
-            "{text}; but {edited}: the vectors were changed, not the unit, if that is not meant"
-        )),
+        (Error::Mismatch(found), Some(edited)) => {
+            let why = format!("{edited}, so it is the vectors that were changed, if the unit was not");
+            Error::Mismatch(found.and(why))
+        }
         (e, _) => e,
     })?;
     exports?;
@@ -248,8 +214,8 @@ fn located(
     vectors: String,
 ) -> Error {
     let told = told(e, sim.name(), set, m);
-    let Error::Mismatch(text) = &told else { return told };
-    let vector = || text.split("vector ").nth(1)?.split(' ').next()?.parse::<usize>().ok();
+    let Error::Mismatch(found) = told else { return told };
+    let vector = found.place.as_ref().map(|p| p.vector);
     let again = |number: usize| -> Result<String> {
         let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
         let seen = work.path().join("iterations");
@@ -259,11 +225,11 @@ fn located(
         let pyramid = pyramid_of(d, &memory(&dir.join("golden").join(&m.name))?)?;
         wrong_iteration(d, &pyramid, &ray_of(&set.stimulus[number]), number, &iterations)
     };
-    match vector().filter(|_| m.latency.is_none()).map(again) {
-        Some(Ok(more)) => Error::Mismatch(format!("{text}; {more}")),
+    Error::Mismatch(match vector.filter(|_| m.latency.is_none()).map(again) {
+        Some(Ok(more)) => found.and(more),
         // A tree without these signals (a netlist, say) has nothing more to tell.
-        Some(Err(_)) | None => told,
-    }
+        Some(Err(_)) | None => found,
+    })
 }
 
 /// The traverse unit in the interpreter.
@@ -289,8 +255,10 @@ fn rays(d: &Design, place: &Path, m: &Module, set: &VectorSet) -> Result<Checked
                     .into()
             }
         };
-        let e = r.verdict(set, m).expect_err("there is a mismatch");
-        return Err(Error::Mismatch(format!("{e}; {told}")));
+        return r.verdict(set, m).map(|()| unreachable!("there is a mismatch")).map_err(|e| match e {
+            Error::Mismatch(found) => Error::Mismatch(found.and(told)),
+            e => e,
+        });
     }
     let note = format!(
         "slots busy: {} of {} under full load; {} clocks from first ray to last hit",

@@ -1,6 +1,7 @@
 //! A whole project from one configuration: scene, Verilog, benches, vectors, manifest; and its check by any engine.
 mod alone;
 mod check;
+mod same;
 mod scene;
 mod stored;
 

@@ -47,7 +47,7 @@ pub fn prove(dir: &Path, name: &str) -> Result<Proved> {
         |what: &str| text.lines().find(|l| l.contains(what)).map(|l| l.split("] ").last().unwrap_or(l).to_string());
     match out.status.code() {
         Some(0) if text.contains("DONE (PASS") => Ok(Proved { name: name.to_string(), took: start.elapsed() }),
-        Some(2 | 16) if text.contains("returned FAIL") => Err(Error::Mismatch(format!(
+        Some(2 | 16) if text.contains("returned FAIL") => Err(Error::mismatch(format!(
             "fv_{name}: disproved: {}",
             line("Assert failed").or_else(|| line("failed assertion")).unwrap_or_default()
         ))),

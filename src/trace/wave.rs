@@ -119,7 +119,7 @@ fn result(p: &Pipeline, sim: &Tracked<'_>, clock: u64) -> Result<Option<RayHit>>
         return Ok(None);
     }
     let net = &p.net;
-    let undefined = |name: &str| Error::Mismatch(format!("{name} has undefined bits in clock {clock}"));
+    let undefined = |name: &str| Error::mismatch(format!("{name} has undefined bits in clock {clock}"));
     let known = |name: &str| match sim.get(net.output(name)) {
         (v, 0) => Ok(v),
         _ => Err(undefined(name)),

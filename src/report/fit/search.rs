@@ -127,7 +127,7 @@ impl Search<'_> {
                 || "no design is legal here".to_string(),
                 |t| format!("{}: {}", name(&t.design), t.figure(self.budget)),
             );
-            return Err(Error::Mismatch(format!("no design keeps the budget; the widest one is {best}")));
+            return Err(Error::mismatch(format!("no design keeps the budget; the widest one is {best}")));
         };
         for other in found {
             self.reject(&other, name(&other.design));

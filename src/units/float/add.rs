@@ -96,7 +96,7 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
 
     b.section(
         "normalize",
-        "The far sum moves by one place at most; the near difference goes up, the coarse steps first.",
+        "The far sum moves by one place at most; the near difference goes up, the coarse steps first. The leg is the near difference, or zero, infinity or NaN in its place.",
     );
     let carry = sum.msb().named("carry");
     let top = sum.bit(&f.man + 3).named("top");
@@ -114,15 +114,14 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
     let near_exp = less.slice(0, &f.exp).named("near_exp");
     b.unused(b.cat(&[near_norm, less]));
     let flush = (near & reach).none().named("flush");
-    let to_inf = (huge | (near_max & !subtract)).named("to_inf");
+    let inf = (huge | (near_max & !subtract)).named("give_inf");
     let leg = (huge | both_zero | (carry & near_max) | !(carry | top | (next & !bottom))).named("use_leg");
     let no_sign = (is_nan | (subtract & !huge & (both_zero | (near_zero & !(carry | top | next))))).named("no_sign");
 
     b.section("round", "One place up can carry into the exponent, and from the largest number to infinity, by itself.");
     let number = b.cat(&[exp, frac]).named("unrounded");
     let number = (number + round_up.zext(mag_w)).named("rounded");
-    let (keep, inf) = (!(flush | to_inf), to_inf);
-    let (keep, inf) = (keep.named("keep"), inf.named("give_inf"));
+    let keep = (!(flush | inf)).named("keep");
     let near_e = near_exp & keep.rep(&f.exp) | inf.rep(&f.exp);
     let near_f = near_frac & keep.rep(&f.man);
     let quiet = b.cat(&[is_nan, b.zeros(&f.man - 1)]);

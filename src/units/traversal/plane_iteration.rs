@@ -139,7 +139,7 @@ pub fn plane_iteration<'b>(
         }
     };
 
-    b.section("level decision", "A ray that is done goes round unchanged.");
+    b.section("level decision", "");
     let late = |v: Sig<'b>| if d.latency.decision > 1 { v.cut() } else { v };
     let mut ins = vec![("is_inside", late(inside)), ("x_first", late(x_first)), (across.0, late(across.1))];
     ins.extend(ray.find("lod").map(|lod| ("lod", late(lod))));
@@ -153,6 +153,7 @@ pub fn plane_iteration<'b>(
     let names = ["level_next", "x_next", "y_next", "t_after"];
     let n: Vec<Sig<'b>> = o[2..].iter().zip(names).map(|(v, n)| done(v.named(n))).collect();
 
+    b.section("step limit", "A ray that is done takes no more steps.");
     let moves = (!ray.get("done")).named("moves");
     let steps = (ray.get("steps") + moves.zext(16)).named("steps_next");
     let limit_value = b.konst(&s.step_limit, 16).named("step_limit");
@@ -160,6 +161,7 @@ pub fn plane_iteration<'b>(
     let at_limit = (last_step & !hit).named("at_limit");
     let crossed_now = (crosses & moves).named("crossed_now");
     let up_now = (grown & crossed_now).named("up_now");
+    b.section("write back", "A ray that is done goes round unchanged.");
     let keep = |new: Sig<'b>, old: &str| (ray.get("done").mux(ray.get(old), new)).id();
     let [level, x, y, t] =
         [(n[0], "level"), (n[1], "x"), (n[2], "y"), (n[3], "t")].map(|(new, old)| b.sig(keep(new, old)));

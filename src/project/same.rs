@@ -1,0 +1,52 @@
+//! Whether a tree is the one that the configuration emits, before it is checked.
+use crate::config::Config;
+use crate::emit::Files;
+use crate::error::{Error, Result};
+use serde_json::Value;
+use std::path::Path;
+
+/// Sections of the configuration that shape the hardware.
+const HARDWARE: [&str; 5] = ["format", "traverse", "mode", "datapath", "latency"];
+
+/// The interpreter runs the datapath that the configuration emits, not the text in `dir`: refuses a tree where the two differ.
+///
+/// # Errors
+/// A file that is missing or differs.
+pub fn same_text(files: &Files, dir: &Path) -> Result<()> {
+    for (name, text) in files.iter().filter(|(n, _)| n.ends_with(".v")) {
+        let path = dir.join(name);
+        let there = std::fs::read(&path).map_err(|e| Error::file("read", &path, e))?;
+        if there != text.as_bytes() {
+            return Err(Error::input(format!(
+                "{} is not what this configuration emits, and the interpreter would not see the difference: use --engine icarus or verilator",
+                path.display()
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// An engine runs the hardware in `dir`, whatever the configuration asks for: refuses a verdict on another design than that.
+/// A tree without a manifest (vectors and a netlist, say) tells nothing of its configuration.
+///
+/// # Errors
+/// A manifest that is none, or the first key of another value.
+pub fn same_config(c: &Config, dir: &Path) -> Result<()> {
+    let path = dir.join("manifest.json");
+    let Ok(text) = std::fs::read_to_string(&path) else { return Ok(()) };
+    let manifest: Value = serde_json::from_str(&text)
+        .map_err(|e| Error::input(format!("{} is not the manifest of an emitted tree: {e}", path.display())))?;
+    let asked = serde_json::to_value(c).expect("a configuration is plain data");
+    for section in HARDWARE {
+        let there = &manifest["config"][section];
+        let differs = |(key, value): &(&String, &Value)| there.get(key.as_str()).is_some_and(|x| x != *value);
+        if let Some((key, value)) = asked[section].as_object().and_then(|keys| keys.iter().find(differs)) {
+            return Err(Error::input(format!(
+                "{} was emitted with {section}.{key} = {}, and {value} is asked for: give the configuration of the tree, or emit it anew",
+                dir.display(),
+                there[key]
+            )));
+        }
+    }
+    Ok(())
+}
