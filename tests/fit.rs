@@ -56,9 +56,9 @@ fn the_configuration_is_what_was_found() {
     for (section, key) in [("traverse", "tile_bits"), ("traverse", "frac_bits"), ("traverse", "step_limit")] {
         assert!(text.contains(&format!("\n{key} = {}\n", found[section][key])), "{key} in {text}");
     }
-    assert!(text.contains("kind = \"bricks\""));
+    assert!(text.contains("kind = \"bricks\"") && text.contains("names = [\"oblique\"]"), "{text}");
     // The report judges what was found on other rays, and finds the budget kept.
-    let chosen = ["report", "--config", "fit.toml", "--out", "again", "--views", "oblique", "--datapaths", "fixed"];
+    let chosen = ["report", "--config", "fit.toml", "--out", "again", "--datapaths", "fixed"];
     let few = ["--maps", "bricks", "--fractions", "24", "--modes", "one", "--levels", "8"];
     let out = run(dir.path(), &[&chosen[..], &few].concat());
     assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));

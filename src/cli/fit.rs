@@ -50,7 +50,7 @@ pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
     bar.finish_and_clear();
     let kept = check.keeps(budget);
     if let Some(path) = &a.out {
-        let text = configuration(&c, &found, a)?.to_commented_toml();
+        let text = configuration(&c, &found, a, &views)?.to_commented_toml();
         crate::files::write_atomic(path, text.as_bytes())?;
     }
     print(cli, &found, &check, budget, &views)?;
@@ -73,11 +73,12 @@ fn rays(c: &Config, scene: &Scene, views: &[View], shift: bool) -> Result<Vec<[f
     Ok(out)
 }
 
-/// The configuration that was asked for, with the design that was found.
-fn configuration(c: &Config, found: &Fit, a: &FitArgs) -> Result<Config> {
+/// The configuration that was asked for, with the views that were judged and the design that was found.
+fn configuration(c: &Config, found: &Fit, a: &FitArgs, views: &[View]) -> Result<Config> {
     let (mut c, d) = (c.clone(), found.chosen.design);
     (c.format.exp, c.format.man) = (d.format.exp, d.format.man);
     (c.traverse, c.mode, c.datapath) = (d.traverse, d.mode, d.datapath);
+    c.view.names = views.to_vec();
     c.map.resample |= a.allow_resample || a.map.resample;
     if let Some(file) = &a.map.map {
         c.map.kind = crate::config::MapKind::File;

@@ -13,9 +13,9 @@ use serde_json::{Value, json};
 
 /// Runs `hard`.
 pub fn run(cli: &Cli, a: &HardArgs) -> Result<()> {
-    let chosen: Vec<&Case> = match &a.case {
-        Some(name) => vec![Case::find(name)?],
-        None => Case::all().collect(),
+    let chosen: Vec<&Case> = match a.case.as_slice() {
+        [] => Case::all().collect(),
+        names => names.iter().map(|name| Case::find(name)).collect::<Result<_>>()?,
     };
     if a.list {
         list(cli, &chosen);

@@ -1,6 +1,6 @@
 //! `reliefrtl report`: speed against error of every design, as one page, JSON and CSV.
 use super::args::{Cli, ReportArgs};
-use crate::config::MapKind;
+use crate::config::{Config, MapKind, View};
 use crate::error::{Error, Result};
 use crate::report::page::{Extent, Plan, Selection, cells, files, write};
 use clap::ValueEnum;
@@ -11,7 +11,7 @@ use std::io::IsTerminal;
 pub fn run(cli: &Cli, a: &ReportArgs) -> Result<()> {
     let mut c = super::config::load(cli)?;
     c.map.resample |= a.map.resample;
-    let plan = Plan::new(&c, &selection(a)?)?;
+    let plan = Plan::new(&c, &selection(&c, a)?)?;
     if plan.cells.is_empty() {
         let why = plan.not_legal.first().map_or("no design was chosen", |r| r.reason.as_str());
         return Err(Error::NothingRan(format!("nothing to measure: {why}")));
@@ -77,7 +77,7 @@ fn again(cli: &Cli, a: &ReportArgs) -> String {
 }
 
 /// What the command line chooses.
-fn selection(a: &ReportArgs) -> Result<Selection> {
+fn selection(c: &Config, a: &ReportArgs) -> Result<Selection> {
     if a.maps.contains(&MapKind::File) {
         return Err(Error::input("--maps names own maps; a file goes to --map FILE"));
     }
@@ -87,7 +87,9 @@ fn selection(a: &ReportArgs) -> Result<Selection> {
         maps: a.maps.clone(),
         scenes: a.scenes.clone(),
         levels: a.levels.clone(),
-        views: a.views.clone(),
+        // A configuration of fewer views (what `fit` wrote, say) has chosen.
+        views: if a.views.is_empty() && c.view.names.len() < View::ALL.len() { &c.view.names } else { &a.views }
+            .clone(),
         datapaths: a.datapaths.clone(),
         formats: a.formats.clone(),
         fractions: a.fractions.clone(),

@@ -115,9 +115,9 @@ pub struct HardArgs {
     /// Lists the cases and what they aim at, and runs none.
     #[arg(long)]
     pub list: bool,
-    /// Only this case.
-    #[arg(long, value_name = "NAME")]
-    pub case: Option<String>,
+    /// Only these cases.
+    #[arg(long, value_name = "NAME", value_delimiter = ',')]
+    pub case: Vec<String>,
     /// Rays of each case.
     #[arg(long, default_value_t = 200)]
     pub rays: usize,
