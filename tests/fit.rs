@@ -83,6 +83,8 @@ fn a_budget_that_nothing_keeps_is_refused() {
     for (args, told) in [
         (vec!["fit"], "fit needs a budget"),
         (vec!["fit", "--max-wrong-texel", "1.5"], "is no share"),
+        (vec!["fit", "--max-wrong-texel", "0"], "is no share that rays can show"),
+        (vec!["fit", "--max-wrong-texel", "0.0001"], "30000 rays in all are needed, so give more --rays"),
         (vec!["fit", "--max-uv-error", "-1"], "--max-uv-error"),
     ] {
         let out = run(dir.path(), &args);

@@ -4,6 +4,7 @@
 #
 #   sh tools/test.sh            everything
 #   sh tools/test.sh --tools    only install the tools
+#   sh tools/test.sh --full     everything, with the full budget: large tables, ten million random operands an operation and choice (a day)
 #
 # Debian's packages come with apt-get; the Python tools go into target/tools and nowhere else.
 # Ends with 0, or with the exit code of the first step that failed.
@@ -82,5 +83,15 @@ export RELIEFRTL_TOOLS
 unset VERILATOR_ROOT
 step "cargo fmt" cargo fmt --check
 step "cargo clippy" cargo clippy --release --all-targets -- -D warnings
-step "cargo test" cargo test --release --no-fail-fast
+if [ "${1:-}" = --full ]; then
+    # Each can be set to something else before.
+    export RELIEFRTL_PAIRS="${RELIEFRTL_PAIRS:-10000000}"         # random operands of an operation against both oracles
+    export RELIEFRTL_CHOICES="${RELIEFRTL_CHOICES:-10000000}"     # the same, of each rounding, with subnormals or without
+    export RELIEFRTL_PARTS="${RELIEFRTL_PARTS:-1}"                # of the large tables of corners: all
+    export RELIEFRTL_LEVEL="${RELIEFRTL_LEVEL:-2}"                # the large tables in the interpreter at five formats
+    export RELIEFRTL_DIVIDENDS="${RELIEFRTL_DIVIDENDS:-65536}"    # every dividend of the divider by table
+    step "cargo test, full budget" cargo test --release --no-fail-fast -- --include-ignored
+else
+    step "cargo test" cargo test --release --no-fail-fast
+fi
 echo "tools/test.sh: format, clippy and tests passed"

@@ -5,18 +5,21 @@ use crate::config::{Config, View};
 use crate::error::{Error, Result};
 use crate::project::Scene;
 use crate::report::{Budget, Fit, Limits, Trial, Truth, fit};
+use crate::scene::ViewRay;
 use serde_json::json;
 
-/// Rays of a view that the search uses; as many others check the result.
-const RAYS: usize = 6000;
+/// Sets of rays that share none: one to search with, the others to check with, each until a design breaks its budget on it.
+const SETS: usize = 4;
 
 /// Runs `fit`.
 pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
     let c = super::config::load(cli)?;
     let budget = match (a.max_wrong_texel, a.max_uv_error) {
-        (Some(share), None) if (0.0..1.0).contains(&share) => Budget::WrongTexel(share),
+        (Some(share), None) if share > 0.0 && share < 1.0 => Budget::WrongTexel(share),
         (Some(share), None) => {
-            return Err(Error::input(format!("--max-wrong-texel {share} is no share: 0 to below 1 are legal")));
+            return Err(Error::input(format!(
+                "--max-wrong-texel {share} is no share that rays can show: above 0, below 1"
+            )));
         }
         (None, Some(e)) if e > 0.0 && e <= 4096.0 => Budget::UvError(e),
         (_, Some(e)) => {
@@ -35,42 +38,67 @@ pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
     }
     let views = if a.views.is_empty() { c.view.names.clone() } else { a.views.clone() };
     let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
-    let of = |shift| {
-        let rays = rays(&c, &scene, &views, shift)?;
+    let all = views.iter().map(|v| scene.view(&c, *v, 1)).collect::<Result<Vec<_>>>()?;
+    let truth = |sets: &[usize]| {
+        let rays = sets.iter().flat_map(|set| rays(&all, a.rays, *set)).collect();
         Truth::new(c.traverse.levels, c.traverse.height_bits, scene.texels.clone(), rays)
     };
-    let (seen, fresh) = (of(false)?, of(true)?);
-    if seen.rays.is_empty() || fresh.rays.is_empty() {
+    let mut seen = truth(&[0])?;
+    if seen.rays.is_empty() {
         return Err(Error::NothingRan("no ray of the views meets the map".into()));
     }
+    enough(budget, seen.rays.len(), a.rays * views.len())?;
     let bar = spinner(cli, "fitting");
     let limits = Limits { resample: a.allow_resample };
-    let found = fit(&c.design(), &seen, budget, limits, &|what| bar.set_message(what.to_string()))?;
-    let check = Trial::run(&found.chosen.design, &fresh)?;
+    let mut broken: Option<(String, String)> = None;
+    for fresh in 1..SETS {
+        let mut found = fit(&c.design(), &seen, budget, limits, &|what| bar.set_message(what.to_string()))?;
+        let check = Trial::run(&found.chosen.design, &truth(&[fresh])?)?;
+        if let Some((design, figure)) = &broken {
+            found.reasons.push(format!("fresh rays broke the budget of {design} ({figure}): searched again with them"));
+        }
+        if check.keeps(budget) {
+            bar.finish_and_clear();
+            if let Some(path) = &a.out {
+                let text = configuration(&c, &found, a, &views)?.to_commented_toml();
+                crate::files::write_atomic(path, text.as_bytes())?;
+            }
+            return print(cli, &found, &check, budget, &views);
+        }
+        broken = Some((found.chosen.name(), check.figure(budget)));
+        seen = truth(&(0..=fresh).collect::<Vec<_>>())?;
+    }
     bar.finish_and_clear();
-    let kept = check.keeps(budget);
-    if let Some(path) = &a.out {
-        let text = configuration(&c, &found, a, &views)?.to_commented_toml();
-        crate::files::write_atomic(path, text.as_bytes())?;
-    }
-    print(cli, &found, &check, budget, &views)?;
-    if kept {
-        return Ok(());
-    }
-    Err(Error::mismatch(format!("fresh rays break the budget: {}; ask for a tighter one", check.figure(budget))))
+    let figure = broken.map_or(String::new(), |b| b.1);
+    Err(Error::mismatch(format!(
+        "fresh rays break the budget of every design that the search found, {} times over: {figure}; ask for a tighter one, or for more --rays",
+        SETS - 1
+    )))
 }
 
-/// Rays evenly over each view's picture; `shift` takes the ones between.
-fn rays(c: &Config, scene: &Scene, views: &[View], shift: bool) -> Result<Vec<[f64; 4]>> {
-    let mut out = Vec::new();
-    for view in views {
-        let all = scene.view(c, *view, 1)?;
-        // Two sets that share no ray, each of RAYS where the picture has as many.
-        let n = RAYS.min(all.len() / 2);
-        let pick = |k: usize| (2 * k + usize::from(shift)) * all.len() / (2 * n);
-        out.extend((0..n).map(|k| &all[pick(k)]).map(|r| [r.u, r.v, r.du, r.dv]));
+/// Whether so many rays can show that a budget is kept: none wrong of N says less than 3 in N.
+fn enough(budget: Budget, rays: usize, wanted: usize) -> Result<()> {
+    let Budget::WrongTexel(share) = budget else { return Ok(()) };
+    let needed = (3.0 / share).ceil();
+    if rays as f64 >= needed {
+        return Ok(());
     }
-    Ok(out)
+    let more = if rays < wanted { "a larger view.width and view.height" } else { "more --rays" };
+    Err(Error::input(format!(
+        "{rays} rays can't show that at most {share} are wrong, for none wrong says less than 3 of {rays}: {needed} rays in all are needed, so give {more}"
+    )))
+}
+
+/// Rays evenly over each view's picture, `each` of a view where the picture has as many for every set; no two sets share one.
+fn rays(views: &[Vec<ViewRay>], each: usize, set: usize) -> Vec<[f64; 4]> {
+    // Two neighbouring sets lie as far from each other as they can.
+    let place = [0, 2, 1, 3][set];
+    let of = |all: &Vec<ViewRay>| {
+        let n = each.min(all.len() / SETS);
+        let pick = |k: usize| (SETS * k + place) * all.len() / (SETS * n);
+        (0..n).map(|k| &all[pick(k)]).map(|r| [r.u, r.v, r.du, r.dv]).collect::<Vec<_>>()
+    };
+    views.iter().flat_map(of).collect()
 }
 
 /// The configuration that was asked for, with the views that were judged and the design that was found.

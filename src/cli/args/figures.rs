@@ -104,6 +104,9 @@ pub struct FitArgs {
     /// The map itself may become coarser: fewer levels, fewer bits a height.
     #[arg(long)]
     pub allow_resample: bool,
+    /// Rays of each view to search with, and as many to check with; a share of wrong texels needs at least 3 / SHARE in all.
+    #[arg(long, default_value_t = 6000)]
+    pub rays: usize,
     /// Where the configuration of the design goes.
     #[arg(long, value_name = "FILE.toml")]
     pub out: Option<PathBuf>,

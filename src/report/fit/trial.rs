@@ -125,10 +125,15 @@ impl Trial {
             witness: wrong.first().copied(),
             wrong_own,
             uv_p99: at(0.99),
-            uv_sure: at(0.99 + 3.0 * (0.99 * 0.01 / far.len().max(1) as f64).sqrt()),
+            uv_sure: at((0.99 + 3.0 * (0.99 * 0.01 / far.len().max(1) as f64).sqrt()).min(1.0)),
             uv_max: far.last().copied().unwrap_or_default(),
             steps: steps(&hits),
         })
+    }
+
+    /// The arithmetic of the design, in words.
+    pub fn name(&self) -> String {
+        super::search::name(&self.design)
     }
 
     /// True if the budget is kept; a ray that is given up never keeps it.
