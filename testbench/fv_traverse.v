@@ -50,7 +50,7 @@ module fv_traverse (input wire clk);
   wire [N-1:0] holds = {holds_0, holds_1, holds_2, holds_3, holds_4, holds_5, holds_6, holds_7, holds_8, holds_9, holds_10, holds_11, holds_12, holds_13, holds_14};
   wire [N*TAG_W-1:0] tags = {tag_0, tag_1, tag_2, tag_3, tag_4, tag_5, tag_6, tag_7, tag_8, tag_9, tag_10, tag_11, tag_12, tag_13, tag_14};
   (* anyconst *) wire [TAG_W-1:0] tag;
-  reg [7:0] inside, found;
+  reg [7:0] held, found;
   integer k;
   always @* begin
     found = 0;
@@ -63,13 +63,13 @@ module fv_traverse (input wire clk);
     started <= 1;
     was_stalled <= out_valid && !out_ready && !rst;
     was_tag <= out_tag;
-    if (rst) inside <= 0;
-    else inside <= inside + (in_valid && in_ready && in_tag == tag) - (out_valid && out_ready && out_tag == tag);
+    if (rst) held <= 0;
+    else held <= held + (in_valid && in_ready && in_tag == tag) - (out_valid && out_ready && out_tag == tag);
   end
   always @* begin
     if (!started) assume (rst);
-    if (started) assert (inside == found);
-    if (started && out_valid && out_tag == tag) assert (inside != 0);
+    if (started) assert (held == found);
+    if (started && out_valid && out_tag == tag) assert (held != 0);
     if (was_stalled) assert (out_valid && out_tag == was_tag);
   end
 endmodule

@@ -385,7 +385,8 @@ module tb_traverse #(
         finish(8'd1);
       end else begin
         $display("slots busy: %0d of %0d %0s; %0d clocks from first ray to last hit", busy, loaded,
-                 (gaps || stalls) ? "with gaps and stalls" : "under full load", last_out - first_in + 1);
+                 (gaps || stalls) ? "with gaps and stalls" : "under full load",
+                 last_out - first_in + 1);
         $display("PASS tb_traverse: 0 of %0d mismatched", checked);
         finish(8'd0);
       end

@@ -24,7 +24,7 @@ module fv_traverse (input wire clk);
   wire [N-1:0] holds = { {%- for k in range(slots) %}{{ "" if loop.first else ", " }}holds_{{ k }}{% endfor -%} };
   wire [N*TAG_W-1:0] tags = { {%- for k in range(slots) %}{{ "" if loop.first else ", " }}tag_{{ k }}{% endfor -%} };
   (* anyconst *) wire [TAG_W-1:0] tag;
-  reg [7:0] inside, found;
+  reg [7:0] held, found;
   integer k;
   always @* begin
     found = 0;
@@ -37,13 +37,13 @@ module fv_traverse (input wire clk);
     started <= 1;
     was_stalled <= out_valid && !out_ready && !rst;
     was_tag <= out_tag;
-    if (rst) inside <= 0;
-    else inside <= inside + (in_valid && in_ready && in_tag == tag) - (out_valid && out_ready && out_tag == tag);
+    if (rst) held <= 0;
+    else held <= held + (in_valid && in_ready && in_tag == tag) - (out_valid && out_ready && out_tag == tag);
   end
   always @* begin
     if (!started) assume (rst);
-    if (started) assert (inside == found);
-    if (started && out_valid && out_tag == tag) assert (inside != 0);
+    if (started) assert (held == found);
+    if (started && out_valid && out_tag == tag) assert (held != 0);
     if (was_stalled) assert (out_valid && out_tag == was_tag);
   end
 endmodule

@@ -168,7 +168,7 @@ impl Trial {
                 let share = self.wrong as f64 / self.rays.max(1) as f64 * 100.0;
                 format!("{} of {} wrong texels ({share:.3} %){limits}", self.wrong, self.rays)
             }
-            Budget::UvError(_) => format!("uv error p99 {:.4} texels, max {:.3}{limits}", self.uv_p99, self.uv_max.0),
+            Budget::UvError(_) => format!("uv error p99 {:.4} texels, max {:.4}{limits}", self.uv_p99, self.uv_max.0),
         }
     }
 }
