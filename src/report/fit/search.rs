@@ -1,5 +1,5 @@
 //! The search: one dimension after the other, each to the least that keeps the budget.
-use super::trial::{Budget, Trial, Truth};
+use super::trial::{Budget, Trial, Truth, name};
 use crate::config::{DatapathKind, Design, LevelUp, ModeConfig, Trim};
 use crate::error::{Error, Result};
 use crate::golden::Tracer;
@@ -297,17 +297,6 @@ fn modes() -> Vec<ModeConfig> {
         }
     }
     all
-}
-
-/// The arithmetic of a design in words.
-pub(super) fn name(d: &Design) -> String {
-    match d.datapath.kind {
-        DatapathKind::Watertight => format!("watertight, float {}/{}", d.format.exp, d.format.man),
-        DatapathKind::Published => format!("published, float {}/{}", d.format.exp, d.format.man),
-        DatapathKind::Fixed => {
-            format!("fixed, {} fraction bits, reciprocal of {}", d.datapath.fraction_bits, d.datapath.reciprocal_bits)
-        }
-    }
 }
 
 fn mode_name(m: &ModeConfig) -> String {

@@ -1,5 +1,5 @@
 //! One design on one scene, against the truth.
-use crate::config::Design;
+use crate::config::{DatapathKind, Design};
 use crate::error::Result;
 use crate::golden::{Pyramid, RayHit, RayInput, encode_ray};
 use crate::oracle::{ExactHit, ExactMap, ExactRay};
@@ -133,7 +133,7 @@ impl Trial {
 
     /// The arithmetic of the design, in words.
     pub fn name(&self) -> String {
-        super::search::name(&self.design)
+        name(&self.design)
     }
 
     /// True if the budget is kept; a ray that is given up never keeps it.
@@ -183,4 +183,15 @@ fn distance(d: &Design, levels: u32, h: &RayHit, exact: [f64; 2]) -> f64 {
         gap.min(side - gap)
     };
     one(h.i, h.fu, exact[0]).max(one(h.j, h.fv, exact[1]))
+}
+
+/// The arithmetic of a design in words.
+pub(super) fn name(d: &Design) -> String {
+    match d.datapath.kind {
+        DatapathKind::Watertight => format!("watertight, float {}/{}", d.format.exp, d.format.man),
+        DatapathKind::Published => format!("published, float {}/{}", d.format.exp, d.format.man),
+        DatapathKind::Fixed => {
+            format!("fixed, {} fraction bits, reciprocal of {}", d.datapath.fraction_bits, d.datapath.reciprocal_bits)
+        }
+    }
 }
