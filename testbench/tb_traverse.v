@@ -6,7 +6,7 @@
 //                  what the longest ray sent so far may take)
 //   +results=FILE  one line a ray: its number, then its outputs in hex
 // Compiled with ITERATIONS defined, it looks into the loop (which a netlist hasn't under these names):
-//   +iterations=FILE  one line an iteration: ray, level, x, y, t in hex, as the ray enters stage 0
+//   +iterations=FILE  one line an iteration: ray, level, x, y, t in hex, as the ray enters the loop
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
 // 5 nothing ran, 6 a ray never came back, 7 a result that nobody expected.
 `default_nettype none

@@ -379,7 +379,7 @@ fn a_simulator_names_the_first_wrong_iteration() {
         let (code, told) = said(dir.path(), &[&args[..], &small].concat());
         assert_eq!(code, Some(1), "{told}");
         assert!(told.contains("first wrong iteration: "), "{told}");
-        assert!(told.contains(", y where it enters stage 0: expected "), "{told}");
+        assert!(told.contains(", y where it enters the loop: expected "), "{told}");
         assert!(told.contains("should have decided Descend"), "{told}");
     }
     // A wrong expected row is no fault of any iteration.

@@ -60,6 +60,31 @@ fn the_deepest_pipeline_is_the_same_in_the_simulators() {
     }
 }
 
+/// What a bench says of iterations does not depend on where the pipeline has its registers.
+#[test]
+fn a_bench_sees_the_iterations_of_each_profile() {
+    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
+        println!("skipped: RELIEFRTL_NO_SIMULATORS=1");
+        return;
+    }
+    let dir = tempfile::tempdir().unwrap();
+    for (profile, kind) in
+        [("published", "watertight"), ("balanced", "fixed"), ("fast", "watertight"), ("fast", "published")]
+    {
+        let kind = format!("datapath.kind={kind}");
+        let few = ["vectors.rays=20", "traverse.levels=5", "traverse.step_limit=500"];
+        let few: Vec<&str> = few.into_iter().flat_map(|s| ["--set", s]).collect();
+        let line = ["check", "--unit", "traverse", "--engine", "icarus", "--canary", "flip", "--profile", profile];
+        let out = reliefrtl(dir.path(), &[&line[..], &["--set", &kind], &few].concat());
+        let said = String::from_utf8_lossy(&out.stderr).into_owned();
+        assert_eq!(out.status.code(), Some(1), "{said}");
+        assert!(
+            said.contains("iterations are right: the fault is in what follows the loop"),
+            "{profile}, {kind}: {said}"
+        );
+    }
+}
+
 #[test]
 fn a_clock_picks_latencies_and_says_how_sure_it_is() {
     let dir = tempfile::tempdir().unwrap();

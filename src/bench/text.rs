@@ -55,7 +55,10 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Module, u32)>, pref
     }
     let Some((traverse, warm_up)) = traverse else { return files };
     let named = |names: &[&str]| ports(names.iter().map(|n| traverse.port(n).expect("traverse has its ports").1));
+    // The stage at which a slot's ray is chosen: the first that has it whole.
+    let chosen = traverse.nodes.iter().filter(|n| n.name.as_deref() == Some("done")).filter_map(|n| n.stage).min();
     let value = context! {
+        enters => chosen.unwrap_or(0),
         unit => "traverse", dut => format!("{prefix}traverse"), params => params(traverse), warm_up,
         // The published datapath has rays that never end by themselves.
         lingers => traverse.params.iter().any(|p| p.name == "NUDGE_W"),

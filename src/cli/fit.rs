@@ -63,7 +63,13 @@ pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
                 let text = configuration(&c, &found, a, &views)?.to_commented_toml();
                 crate::files::write_atomic(path, text.as_bytes())?;
             }
-            return print(cli, &found, &check, budget, &views);
+            let alone = |k: usize| {
+                let own = rays(&all[k..=k], a.rays, fresh);
+                let truth = Truth::new(c.traverse.levels, c.traverse.height_bits, scene.texels.clone(), own)?;
+                Ok((views[k], Trial::run(&found.chosen.design, &truth)?))
+            };
+            let by_view = (0..views.len()).map(alone).collect::<Result<Vec<_>>>()?;
+            return print(cli, &found, &check, budget, &by_view);
         }
         broken = Some((found.chosen.name(), check.figure(budget)));
         seen = truth(&(0..=fresh).collect::<Vec<_>>())?;
@@ -116,7 +122,7 @@ fn configuration(c: &Config, found: &Fit, a: &FitArgs, views: &[View]) -> Result
     Ok(c)
 }
 
-fn print(cli: &Cli, f: &Fit, check: &Trial, budget: Budget, views: &[View]) -> Result<()> {
+fn print(cli: &Cli, f: &Fit, check: &Trial, budget: Budget, by_view: &[(View, Trial)]) -> Result<()> {
     let c = &f.chosen.cost;
     if cli.json {
         let trial = |t: &Trial| {
@@ -127,11 +133,11 @@ fn print(cli: &Cli, f: &Fit, check: &Trial, budget: Budget, views: &[View]) -> R
         let rejected: Vec<_> = f.rejected.iter().map(|r| json!({"what": r.what, "why": r.why})).collect();
         let all = json!({"traverse": d.traverse, "mode": d.mode, "datapath": d.datapath, "exp": d.format.exp, "man": d.format.man,
             "bits": {"logic": c.logic, "products": c.products, "registers": c.registers, "memory": c.memory},
-            "search": trial(&f.chosen), "fresh": trial(check), "reasons": f.reasons, "rejected": rejected, "tried": f.tried});
+            "search": trial(&f.chosen), "fresh": trial(check), "fresh_by_view": by_view.iter().map(|(v, t)| (v.word().to_owned(), trial(t))).collect::<serde_json::Map<_, _>>(), "reasons": f.reasons, "rejected": rejected, "tried": f.tried});
         println!("{}", serde_json::to_string_pretty(&all).expect("plain data"));
         return Ok(());
     }
-    let views: Vec<&str> = views.iter().map(|v| v.word()).collect();
+    let views: Vec<&str> = by_view.iter().map(|v| v.0.word()).collect();
     println!("{} designs tried on {} rays ({}):", f.tried, f.chosen.rays, views.join(", "));
     f.reasons.iter().for_each(|r| println!("  {r}"));
     println!(
@@ -144,6 +150,9 @@ fn print(cli: &Cli, f: &Fit, check: &Trial, budget: Budget, views: &[View]) -> R
         check.wrong_own,
         check.rays
     );
+    if by_view.len() > 1 {
+        by_view.iter().for_each(|(view, t)| println!("  of these {}: {}", view.word(), t.figure(budget)));
+    }
     let rows: Vec<Vec<String>> = f.rejected.iter().map(|r| vec![r.what.clone(), r.why.clone()]).collect();
     print!("{}", table(&["not taken", "because"], &rows));
     Ok(())

@@ -13,21 +13,29 @@ pub struct Proved {
     pub took: Duration,
 }
 
-/// Runs `testbench/fv_<name>.sby` of the emitted tree `dir`. The environment's SBY, YOSYS, YOSYS_SMTBMC and YOSYS_ABC name other programs than `sby`,
-/// `yosys`, `yosys-smtbmc` and `yosys-abc`; z3 must be on the path.
+/// The program that PyPI's package brings, if `sh tools/test.sh --tools` put it where RELIEFRTL_TOOLS says or into `target/tools`; else the plain name.
+fn packaged(plain: &str) -> String {
+    let dirs = std::env::var_os("RELIEFRTL_TOOLS").into_iter().chain(["target/tools".into()]);
+    let places = dirs.map(|d| Path::new(&d).join("bin").join(format!("yowasp-{plain}")));
+    let found = places.filter(|p| p.is_file()).find_map(|p| std::path::absolute(p).ok());
+    found.map_or_else(|| plain.to_owned(), |p| p.display().to_string())
+}
+
+/// Runs `testbench/fv_<name>.sby` of the emitted tree `dir`. The environment's SBY, YOSYS, YOSYS_SMTBMC and YOSYS_ABC name other programs than `sby`
+/// and `yosys` (PyPI's, where they are), `yosys-smtbmc` and `yosys-abc`; z3 must be on the path.
 ///
 /// # Errors
 /// A missing tool, a counterexample (with the failed assertion), or a run that does not end with a proof.
 pub fn prove(dir: &Path, name: &str) -> Result<Proved> {
     let start = Instant::now();
     let of = |key: &str, plain: &str| std::env::var(key).unwrap_or_else(|_| plain.to_string());
-    let (sby, yosys, smtbmc) = (of("SBY", "sby"), of("YOSYS", "yosys"), of("YOSYS_SMTBMC", "yosys-smtbmc"));
-    let abc = of("YOSYS_ABC", "yosys-abc");
+    let (sby, yosys) = (of("SBY", &packaged("sby")), of("YOSYS", &packaged("yosys")));
+    let (smtbmc, abc) = (of("YOSYS_SMTBMC", "yosys-smtbmc"), of("YOSYS_ABC", "yosys-abc"));
     let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
     let bench = dir.join("testbench").canonicalize().map_err(|e| Error::file("find", dir.join("testbench"), e))?;
     let missing = |tool: &str, package: &str| {
         Error::ToolMissing(format!(
-            "{tool} is not installed: install {package}, or name the program in the environment"
+            "{tool} is not installed: install {package}, or name the program in the environment (SBY, YOSYS, YOSYS_SMTBMC, YOSYS_ABC)"
         ))
     };
     for (tool, package) in

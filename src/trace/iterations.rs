@@ -4,7 +4,7 @@ use crate::config::{DatapathKind, Design};
 use crate::error::{Error, Result};
 use crate::golden::{Iteration, Pyramid, RayInput, Tracer};
 
-/// Values as a ray enters stage 0: level, x, y, t.
+/// Values as a ray enters the loop: level, x, y, t.
 type Entry = [u64; 4];
 
 /// Names and looks of an [`Entry`]'s values.
@@ -59,7 +59,7 @@ fn difference(d: &Design, want: &Iteration, got: &Entry) -> Option<String> {
     let k = (0..4).find(|k| want[*k] != got[*k])?;
     let (name, shown) = SIGNALS[k];
     let show = |v: u64| display(d, shown, v, if k == 0 { 8 } else { idx });
-    Some(format!("{name} where it enters stage 0: expected {}, got {}", show(want[k]), show(got[k])))
+    Some(format!("{name} where it enters the loop: expected {}, got {}", show(want[k]), show(got[k])))
 }
 
 fn entries(number: usize, text: &str) -> Result<Vec<Entry>> {

@@ -6,7 +6,7 @@
 //                  what the longest ray sent so far may take)
 //   +results=FILE  one line a ray: its number, then its outputs in hex
 // Compiled with ITERATIONS defined, it looks into the loop (which a netlist hasn't under these names):
-//   +iterations=FILE  one line an iteration: ray, level, x, y, t in hex, as the ray enters stage 0
+//   +iterations=FILE  one line an iteration: ray, level, x, y, t in hex, as the ray enters the loop
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
 // 5 nothing ran, 6 a ray never came back, 7 a result that nobody expected.
 `default_nettype none
@@ -449,9 +449,9 @@ module tb_traverse #(
     end
   end
   always @(posedge clk) begin
-    if (it_fd != 0 && !done && !rst && dut.s0_valid && !dut.s0_done)
-      $fwrite(it_fd, "%0d %h %h %h %h\n", tag_ray[dut.s0_tag[TagBits-1:0]],
-              dut.s0_level, dut.s0_x, dut.s0_y, dut.s0_t);
+    if (it_fd != 0 && !done && !rst && dut.s{{ enters }}_valid && !dut.s{{ enters }}_done)
+      $fwrite(it_fd, "%0d %h %h %h %h\n", tag_ray[dut.s{{ enters }}_tag[TagBits-1:0]],
+              dut.s{{ enters }}_level, dut.s{{ enters }}_x, dut.s{{ enters }}_y, dut.s{{ enters }}_t);
   end
 `endif
 endmodule

@@ -98,7 +98,7 @@ pub struct FitArgs {
     /// Budget: the share of rays that may end in another texel than the ray as given, 0 to 1.
     #[arg(long, value_name = "SHARE", allow_negative_numbers = true, conflicts_with = "max_uv_error")]
     pub max_wrong_texel: Option<f64>,
-    /// Budget: how far 99 % of the hits may lie from the exact ones, in texels.
+    /// Budget: how far 99 % of the hits may lie from the exact ones, in texels; of all views together.
     #[arg(long, value_name = "TEXELS", allow_negative_numbers = true)]
     pub max_uv_error: Option<f64>,
     /// The map itself may become coarser: fewer levels, fewer bits a height.
