@@ -4,7 +4,7 @@
 #
 #   sh tools/test.sh            everything
 #   sh tools/test.sh --tools    only install the tools
-#   sh tools/test.sh --full     everything, with the full budget: large tables, ten million random operands an operation and choice (a day)
+#   sh tools/test.sh --full     everything, with the full budget: large tables, ten million random operands an operation and choice (many hours)
 #
 # Debian's packages come with apt-get; the Python tools go into target/tools and nowhere else.
 # Ends with 0, or with the exit code of the first step that failed.
