@@ -13,7 +13,13 @@ use std::path::Path;
 /// # Errors
 /// [`Error::File`] if the directory does not exist or can't be written, or the path is a directory.
 pub fn write_atomic(path: impl AsRef<Path>, bytes: &[u8]) -> Result<()> {
-    let path = path.as_ref();
+    // An interrupt waits, or the file beside would stay.
+    let _writing = staging::live();
+    write_beside(path.as_ref(), bytes)
+}
+
+/// [`write_atomic`] for one who holds off interrupts.
+fn write_beside(path: &Path, bytes: &[u8]) -> Result<()> {
     let directory = match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),

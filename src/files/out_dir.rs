@@ -1,6 +1,6 @@
 //! A directory of generated files that appears whole or not at all.
 use super::staging::{Staging, live};
-use super::write_atomic;
+use super::write_beside;
 use crate::error::{Error, Result};
 use std::collections::BTreeMap;
 use std::fs;
@@ -83,6 +83,8 @@ impl OutDir {
         if parts.is_empty() || !parts.iter().all(|part| matches!(part, Component::Normal(_))) || path == MANIFEST {
             return Err(Error::input(format!("{path:?} is not a place inside the output directory")));
         }
+        // An interrupt waits: a file written after the directory was cleaned away would bring it back.
+        let _writing = live();
         put(&self.staging.path().join(path), bytes)?;
         self.files.insert(path.to_owned(), digest(bytes));
         Ok(())
@@ -215,7 +217,7 @@ fn put(path: &Path, bytes: &[u8]) -> Result<()> {
     if let Some(parent) = path.parent() {
         super::make_directory(parent)?;
     }
-    write_atomic(path, bytes)
+    write_beside(path, bytes)
 }
 
 fn digest(bytes: &[u8]) -> String {

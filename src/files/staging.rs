@@ -35,23 +35,25 @@ impl Staging {
 
 impl Drop for Staging {
     fn drop(&mut self) {
-        live().remove(self.path());
+        // Held until the directory is gone, or an interrupt would leave what is left of it.
+        let mut live = live();
+        live.remove(self.path());
         drop(self.0.take());
     }
 }
 
-/// While this is held, [`abandon`] waits: a tree is on its way into its place.
+/// While this is held, [`abandon`] waits: a file is being written, or a tree is on its way into its place.
 pub(super) fn live() -> MutexGuard<'static, BTreeSet<PathBuf>> {
     LIVE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Ends the process, without what an unfinished run would leave behind; waits for a tree that is being put into its place.
+/// Ends the process, without what an unfinished run would leave behind; waits for a file that is being written and for a tree that is being put
+/// into its place.
 pub fn abandon(code: i32) -> ! {
-    // Held to the end: nothing is put into its place any more.
+    // Held to the end: nothing is written or put into its place any more.
     let live = live();
     for path in live.iter() {
-        // Whoever still writes into it may bring a part back while it goes.
-        let _ = (0..20).find(|_| std::fs::remove_dir_all(path).is_ok() || !path.exists());
+        let _ = std::fs::remove_dir_all(path);
     }
     std::process::exit(code)
 }
