@@ -1,7 +1,7 @@
 //! The floating-point units in the interpreter against the golden model, at every choice of rounding, subnormals and specials:
 //! small formats with every operand, others with corners and weighted random rows.
 //!
-//! `RELIEFRTL_CHOICES` sets the rows of a unit at 7/16 and the formats around it (default 1500).
+//! `RELIEFRTL_ROWS` sets the rows of a unit at 7/16 and the formats around it (default 1500).
 use rayon::prelude::*;
 use reliefrtl::catalogue::{check_interp, find, model, vector_set};
 use reliefrtl::config::{Design, LatencyConfig};
@@ -102,7 +102,7 @@ fn every_sum_of_three() {
 
 #[test]
 fn larger_formats() {
-    let rows = std::env::var("RELIEFRTL_CHOICES").map_or(1500, |v| v.parse().expect("a number of rows"));
+    let rows = std::env::var("RELIEFRTL_ROWS").map_or(1500, |v| v.parse().expect("a number of rows"));
     let mut all = Vec::new();
     for (k, (exp, man)) in [(7, 16), (5, 10), (8, 23), (2, 6), (11, 27)].into_iter().enumerate() {
         for (c, format) in choices(exp, man).into_iter().enumerate() {

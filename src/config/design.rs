@@ -184,14 +184,18 @@ pub struct LatencyConfig {
     pub sqrt: u32,
     /// `fp_add3`.
     pub add3: u32,
-    /// `level_decision` and what stands before it.
+    /// `level_decision` and what stands before it: 1 to 5.
     pub decision: u32,
-    /// Behind the choice of the slot's ray and behind the node's planes (watertight, fixed): 0 to 2.
+    /// Behind the choice of the slot's ray, inside the node's planes and behind them (watertight, fixed): 0 to 3.
     pub node: u32,
     /// The read of a height: 1 to 4.
     pub memory: u32,
     /// Behind the choice of one of two parameters (watertight): 0 or 1.
     pub select: u32,
+    /// Inside `ray_setup`, around what is not a unit of its own (watertight): 0 or 1.
+    pub setup: u32,
+    /// Behind the difference of `hit_position` and behind its result (watertight, fixed): 0 to 2.
+    pub hit: u32,
     /// Between ready in and ready out, before the loop and behind the hit: 0 or 1.
     pub handshake: u32,
 }
@@ -212,6 +216,8 @@ impl Default for LatencyConfig {
             node: 0,
             memory: 1,
             select: 0,
+            setup: 0,
+            hit: 0,
             handshake: 0,
         }
     }

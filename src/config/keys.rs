@@ -179,13 +179,13 @@ pub const KEYS: &[Key] = &[
     key("latency.add3", "fp_add3, in clocks", CLOCKS),
     key(
         "latency.decision",
-        "clocks of the decision: a register before level_decision (2), one inside level_up (3), one behind level_decision (4); published: all behind it",
-        Legal::Whole(1, 4),
+        "clocks of the decision: a register before level_decision (2), one inside level_up (3), one behind level_decision (4), a second inside level_up and one inside multi_level_down (5); published: all behind it",
+        Legal::Whole(1, 5),
     ),
     key(
         "latency.node",
-        "registers behind a node's exit planes (1), and behind the choice of the slot's ray (2); not the published datapath",
-        Legal::Whole(0, 2),
+        "registers behind a node's exit planes (1), behind the choice of the slot's ray (2), and between a node's extent and its planes (3); not the published datapath",
+        Legal::Whole(0, 3),
     ),
     key(
         "latency.memory",
@@ -196,6 +196,16 @@ pub const KEYS: &[Key] = &[
         "latency.select",
         "registers behind the choice of one of two ray parameters; the watertight datapath",
         Legal::Whole(0, 1),
+    ),
+    key(
+        "latency.setup",
+        "registers in the setup between its units: behind each step of the bias, and behind the start level; the watertight datapath",
+        Legal::Whole(0, 1),
+    ),
+    key(
+        "latency.hit",
+        "registers of the hit position: behind its difference (1), and behind the clamp (2); not the published datapath",
+        Legal::Whole(0, 2),
     ),
     key(
         "latency.handshake",

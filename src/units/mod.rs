@@ -66,13 +66,13 @@ pub fn all(d: &Design) -> Vec<Arc<Module>> {
     // Where positions are moved, no index is stepped: the published datapath has units of its own for that.
     let indices = d.datapath.kind != crate::config::DatapathKind::Published;
     list.push(traversal::height_address(t));
-    list.extend(indices.then(|| traversal::node_planes(t, parity)));
+    list.extend(indices.then(|| traversal::node_planes(d, parity)));
     list.extend((path.steps)(d));
     if trims {
         list.push(traversal::chord_trim(d));
         list.extend((d.mode.level_up != crate::config::LevelUp::None).then(|| traversal::trim_return(d)));
     }
-    list.extend(indices.then(|| traversal::multi_level_down(t, &d.mode)));
+    list.extend(indices.then(|| traversal::multi_level_down(d)));
     list.extend(traversal::level_up(d));
     list.extend(indices.then(|| traversal::level_decision(d)));
     list.extend([(path.setup)(d), (path.hit)(d), traversal::memory(d)]);

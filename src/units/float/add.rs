@@ -9,13 +9,25 @@
 use super::fields::{Fields, FormatParams};
 use super::general;
 use crate::format::FloatFormat;
-use crate::ir::{Builder, Module, Sig};
+use crate::ir::{Builder, Expr, Module, Sig};
 use crate::units::lzc::lzc;
 use std::sync::Arc;
 
 /// Sections and how long each takes, in tenths of a nanosecond on ECP5.
 const PLAN: &[(&str, u32)] =
     &[("compare", 26), ("order", 12), ("align", 28), ("add", 36), ("normalize", 30), ("round", 24)];
+
+/// The same from 7 clocks on, where both shifts and the count take two steps.
+const DEEP: &[(&str, u32)] = &[
+    ("compare", 26),
+    ("order", 12),
+    ("align", 20),
+    ("fine shift", 18),
+    ("add", 24),
+    ("normalize", 22),
+    ("round", 20),
+    ("select", 10),
+];
 
 /// Builds `fp_add` with `latency` clocks from operand to result.
 pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
@@ -35,7 +47,8 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
     let a_in = b.input("a", &f.width, "float", "first operand");
     let b_in = b.input("b", &f.width, "float", "second operand");
     let out = b.output("result", &f.width, "float", "a + b");
-    b.plan(latency, PLAN);
+    let deep = latency as usize > PLAN.len();
+    b.plan(latency, if deep { DEEP } else { PLAN });
     let mag_w = &f.exp + &f.man;
 
     b.section("compare", "Both differences of the exponents, so that neither waits for which operand is larger.");
@@ -74,16 +87,16 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
     b.unused(wide.bit(0));
     let beyond = wide.slice(&amount_w, &shift_w - &amount_w).any().named("beyond");
     let small = b.cat(&[lower, b.zeros(1)]).named("small_sig");
-    let shifted = small.shift_right(amount);
     let kill = (beyond | small_zero).named("kill");
-    let aligned = (shifted & (!kill).rep(small.width())).named("aligned");
-    let lost = (small & !b.ones(small.width()).shift_left(amount)).any();
-    let sticky = ((beyond | lost) & !small_zero).named("sticky");
     let near = (b.cat(&[one, big_frac, b.zeros(1)]) - lower).named("near");
     let reach = (!b.ones(&near_w).shift_right(big_exp)).named("reach");
     let near_max = (big_exp.slice(1, &f.exp - 1).all() & !big_exp.bit(0)).named("near_max");
     let bottom = (big_exp.slice(1, &f.exp - 1).none() & big_exp.bit(0)).named("bottom");
     let is_nan = (huge & (both_huge | big_frac.any())).named("is_nan");
+    let (aligned, lost) = align(&b, small, amount, kill, deep);
+    let aligned = aligned.named("aligned");
+    let sticky = ((beyond | lost) & !small_zero).named("sticky");
+    let halves = deep.then(|| Halves::of(&b, near, &lead_w));
 
     b.section("add", "");
     let x = b.cat(&[b.lit(1, 2), big_frac, b.zeros(3)]).named("augend");
@@ -92,7 +105,8 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
     let exp_up = (big_exp + b.lit(1, &f.exp)).named("exp_up");
     let exp_down = (big_exp - b.lit(1, &f.exp)).named("exp_down");
     let near_zero = near.none().named("near_zero");
-    let lead = lzc(&b, "u_lzc", near, "lead");
+    let lead = halves.map_or_else(|| lzc(&b, "u_lzc", near, "lead"), |h| h.lead(&b, &lead_w));
+    let flush = (near & reach).none().named("flush");
 
     b.section(
         "normalize",
@@ -108,12 +122,12 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
     let up = |lsb: i64, rest: Sig<'_>| (sum.bit(lsb - 1) & (sum.bit(lsb) | rest)).id();
     let ups = [up(4, sum.bit(2) | low), up(3, low), up(2, sum.bit(0))].map(|i| b.sig(i));
     let round_up = carry.mux(ups[0], top.mux(ups[1], ups[2])).named("round_up");
-    let near_norm = shift_up(&b, near, lead);
-    let near_frac = near_norm.slice(1, &f.man).named("near_frac");
+    // The top bits of the count come first: they are the first that are known.
+    let fine_w = b.local("FineW", lead_w.clone().div(2));
+    let coarse = b.cat(&[lead.slice(&fine_w, &lead_w - &fine_w), b.zeros(&fine_w)]);
+    let near_coarse = near.shift_left(coarse).named("near_coarse");
     let less = (big_exp.zext(&e_w) - lead.zext(&e_w)).named("exp_less_lead");
     let near_exp = less.slice(0, &f.exp).named("near_exp");
-    b.unused(b.cat(&[near_norm, less]));
-    let flush = (near & reach).none().named("flush");
     let inf = (huge | (near_max & !subtract)).named("give_inf");
     let leg = (huge | both_zero | (carry & near_max) | !(carry | top | (next & !bottom))).named("use_leg");
     let no_sign = (is_nan | (subtract & !huge & (both_zero | (near_zero & !(carry | top | next))))).named("no_sign");
@@ -121,6 +135,11 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
     b.section("round", "One place up can carry into the exponent, and from the largest number to infinity, by itself.");
     let number = b.cat(&[exp, frac]).named("unrounded");
     let number = (number + round_up.zext(mag_w)).named("rounded");
+    let near_norm = near_coarse.shift_left(lead.slice(0, &fine_w)).named("near_norm");
+    let near_frac = near_norm.slice(1, &f.man).named("near_frac");
+    b.unused(b.cat(&[near_norm, less]));
+
+    b.section("select", "");
     let keep = (!(flush | inf)).named("keep");
     let near_e = near_exp & keep.rep(&f.exp) | inf.rep(&f.exp);
     let near_f = near_frac & keep.rep(&f.man);
@@ -131,9 +150,42 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
     b.finish(Some(latency), &super::bindings())
 }
 
-/// `x << n`, the top bits of `n` first: they are the first that a leading-zero count knows.
-fn shift_up<'b>(b: &'b Builder, x: Sig<'b>, n: Sig<'b>) -> Sig<'b> {
-    let fine_w = b.local("FineW", n.width().div(2));
-    let coarse = b.cat(&[n.slice(&fine_w, n.width() - &fine_w), b.zeros(&fine_w)]);
-    x.shift_left(coarse).shift_left(n.slice(0, &fine_w)).named("near_norm")
+/// `small >> amount` (an even number), zero if `kill`; and whether ones were shifted out. In two steps if `deep`.
+fn align<'b>(b: &'b Builder, small: Sig<'b>, amount: Sig<'b>, kill: Sig<'b>, deep: bool) -> (Sig<'b>, Sig<'b>) {
+    let w = small.width();
+    let keep = |x: Sig<'b>| x & (!kill).rep(&w);
+    let below = |n: Sig<'b>| !b.ones(&w).shift_left(n);
+    if !deep {
+        let lost = (small & below(amount)).any();
+        return (keep(small.shift_right(amount)), lost);
+    }
+    let fine_w = b.local("AlignFineW", amount.width().div(2) + 1);
+    let coarse = b.cat(&[amount.slice(&fine_w, amount.width() - &fine_w), b.zeros(&fine_w)]).named("coarse");
+    let near_place = keep(small.shift_right(coarse)).named("near_place");
+    let lost_coarse = (small & below(coarse)).any().named("lost_coarse");
+    b.section("fine shift", "");
+    let fine = amount.slice(0, &fine_w).named("fine");
+    let lost = lost_coarse | (near_place & below(fine)).any();
+    (near_place.shift_right(fine), lost)
+}
+
+/// Leading zeros of the upper bits and of the rest.
+struct Halves<'b> {
+    upper: Sig<'b>,
+    rest: Sig<'b>,
+    bits: Expr,
+}
+
+impl<'b> Halves<'b> {
+    fn of(b: &'b Builder, word: Sig<'b>, lead_w: &Expr) -> Self {
+        let bits = b.local("UpperW", (lead_w - 2).pow2());
+        let rest_w = b.local("RestW", word.width() - &bits);
+        let upper = lzc(b, "u_lzc_upper", word.slice(&rest_w, &bits), "lead_upper");
+        Self { upper, rest: lzc(b, "u_lzc_rest", word.slice(0, &rest_w), "lead_rest"), bits }
+    }
+    /// Of the whole word, `lead_w` bits.
+    fn lead(&self, b: &'b Builder, lead_w: &Expr) -> Sig<'b> {
+        let behind = b.konst(&self.bits, lead_w).named("upper_bits") + self.rest.zext(lead_w);
+        self.upper.msb().mux(behind, self.upper.zext(lead_w)).named("lead")
+    }
 }

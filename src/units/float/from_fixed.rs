@@ -47,17 +47,19 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32) -> 
         "float",
         if format.is_plain() { "a, rounded to nearest even" } else { "a, rounded" },
     );
-    let shift = format.is_gradual().then_some(("shift", 7));
-    let plan = [("magnitude", 3), ("normalize", 7)].into_iter().chain(shift).chain([("round", 6)]);
-    b.plan(latency, &plan.collect::<Vec<_>>());
+    let shift: &[(&str, u32)] = if format.is_gradual() { &[("shift", 7)] } else { &[] };
+    let head = [("magnitude", 3), ("count", 4), ("normalize", 3)];
+    b.plan(latency, &[&head, shift, &[("round", 4), ("select", 3)]].concat());
 
     b.section("magnitude", "");
     let minus = a.msb().named("minus");
     let flip = minus.rep(&int);
     let mag = ((a ^ flip) + minus.zext(&int)).named("mag");
 
-    b.section("normalize", "Zeros below make room for guard and sticky bits whatever INT_W is.");
+    b.section("count", "");
     let lz = lzc(&b, "u_lzc", mag, "lead");
+
+    b.section("normalize", "Zeros below make room for guard and sticky bits whatever INT_W is.");
     let norm = b.cat(&[mag.shift_left(lz), b.zeros(&f.man + 3)]).named("norm");
     let is_zero = (!norm.msb()).named("is_zero");
     let top = b.konst(f.bias() + &int - 1 - &frac, &e_w).named("top_exp");

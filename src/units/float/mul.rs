@@ -12,7 +12,7 @@ use crate::ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
 
 /// Sections and how long each takes, in tenths of a nanosecond on ECP5.
-const PLAN: &[(&str, u32)] = &[("multiply", 55), ("round", 25), ("select", 25)];
+const PLAN: &[(&str, u32)] = &[("operands", 10), ("multiply", 55), ("round", 30), ("select", 30)];
 
 /// Builds `fp_mul` with `latency` clocks from operand to result.
 pub fn fp_mul(format: FloatFormat, latency: u32) -> Arc<Module> {
@@ -30,13 +30,19 @@ pub fn fp_mul(format: FloatFormat, latency: u32) -> Arc<Module> {
     let out = b.output("result", &f.width, "float", "a * b");
     b.plan(latency, PLAN);
 
-    b.section("multiply", "The hidden bit is 1 for every operand: a zero operand overrides the result instead.");
+    b.section("operands", "");
     let (fa, fb) = (Fields::of(&f, a_in, "a"), Fields::of(&f, b_in, "b"));
+    // The bias is one less than a power of two: a carry in and a change of the top bits, no second sum.
+    let halves = [fa.exp, fb.exp].map(|e| b.cat(&[e.zext(&e_w), b.lit(1, 1)]));
+    let exp_sum = (halves[0] + halves[1]).named("exp_sum");
+    b.unused(exp_sum.bit(0));
+    let exp_top = exp_sum.slice(&f.exp, 3) - b.lit(1, 3);
+    let exp_low = b.cat(&[exp_top.named("exp_top"), exp_sum.slice(1, &f.exp - 1)]).named("exp_low");
+
+    b.section("multiply", "The hidden bit is 1 for every operand: a zero operand overrides the result instead.");
     let sa = b.cat(&[b.lit(1, 1), fa.frac]);
     let sb = b.cat(&[b.lit(1, 1), fb.frac]);
     let prod = sa.product(sb).named("prod");
-    let bias = b.konst(f.bias(), &e_w).named("bias");
-    let exp_low = (fa.exp.zext(&e_w) + fb.exp.zext(&e_w) - bias).named("exp_low");
     let exp_high = (exp_low + b.lit(1, &e_w)).named("exp_high");
     let zero = (fa.is_zero | fb.is_zero).named("is_zero");
     let inf = (fa.is_inf | fb.is_inf).named("is_inf");

@@ -31,7 +31,7 @@ pub struct Special<'b> {
 }
 
 /// Rounds to nearest even and packs. Overflow gives infinity; a rounded exponent below 1 gives zero of the sign
-/// (the flush is decided after rounding with unbounded exponent).
+/// (the flush is decided after rounding with unbounded exponent). From the sum on it is the section "select".
 pub fn round_pack<'b>(b: &'b Builder, f: &FormatParams, x: &Unrounded<'b>, s: &Special<'b>) -> Sig<'b> {
     let up = match x.sticky {
         Some(sticky) => (x.guard & (sticky | x.sig.bit(0))).named("round_up"),
@@ -39,6 +39,7 @@ pub fn round_pack<'b>(b: &'b Builder, f: &FormatParams, x: &Unrounded<'b>, s: &S
     };
     let p = f.man.clone() + 1;
     let sum = (x.sig.zext(p.clone() + 1) + up.zext(p.clone() + 1)).named("rounded");
+    b.section("select", "");
     let carry = sum.msb();
     let frac = carry.mux(sum.slice(1, f.man.clone()), sum.slice(0, f.man.clone())).named("frac");
     let exp = (x.exp + carry.zext(x.exp.width())).named("exp");

@@ -45,7 +45,7 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32) -> 
     let a = b.input("a", &f.width, "float", "operand");
     let unit = if frac_w.is_some() { "fixed point" } else { "integer" };
     let out = b.output("result", &int, unit, "floor of a, saturated");
-    b.plan(latency, &[("distance", 3), ("shift", 6), ("floor", 4)]);
+    b.plan(latency, &[("distance", 5), ("shift", 4), ("fine shift", 4), ("floor", 4), ("saturate", 2)]);
 
     b.section("distance", "The significand starts above INT_W zeros and moves right by what the exponent lacks.");
     let fa = Read::of(&b, &f, a);
@@ -57,16 +57,25 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32) -> 
     let too_big = fa.inf.map_or(big, |inf| big | inf).named("too_big");
     let (minus, nan) = (fa.sign, fa.nan);
 
-    b.section("shift", "");
+    b.section("shift", "By multiples of four first; what each step shifts out is lost.");
     let x = b.cat(&[sig, b.zeros(&int)]).named("unshifted");
-    let shifted = x.shift_right(right).named("shifted");
-    let lost = (x & !b.ones(&x_w).shift_left(right)).any().named("lost");
+    let coarse = b.cat(&[right.slice(2, &r_w - 2), b.zeros(2)]).named("coarse");
+    let near = x.shift_right(coarse).named("near_place");
+    let lost_coarse = (x & !b.ones(&x_w).shift_left(coarse)).any().named("lost_coarse");
+
+    b.section("fine shift", "");
+    let fine = right.slice(0, 2).named("fine");
+    let shifted = near.shift_right(fine).named("shifted");
+    let lost_fine = (near.slice(0, 3) & !b.ones(3).shift_left(fine)).any();
+    let lost = (lost_coarse | lost_fine).named("lost");
     let mag = shifted.slice(0, &int).named("mag");
     b.unused(shifted.slice(&int, &f.man + 1));
 
     b.section("floor", "A negative number with bits shifted out lies below its truncated magnitude.");
     let flip = minus.rep(&int);
     let floor = ((mag ^ flip) + (minus & !lost).zext(&int)).named("floor");
+
+    b.section("saturate", "");
     let limit = b.cat(&[minus, (!minus).rep(&int - 1)]).named("limit");
     let number = too_big.mux(limit, floor);
     let result = nan.map_or(number, |nan| nan.mux(b.zeros(&int), number)).named("result_value");

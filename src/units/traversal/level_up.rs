@@ -4,10 +4,15 @@ use crate::config::{DatapathKind, Design, LevelUp};
 use crate::ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
-/// Clocks through `level_up`: shifting both texels to their nodes and comparing these are long one behind the other.
+/// Clocks through `level_up`: the distance of two nodes, and what it says, are long one behind the other.
 pub fn latency(d: &Design) -> u32 {
     let alone = d.datapath.kind == DatapathKind::Published || d.mode.level_up != LevelUp::Selective;
-    u32::from(!alone && d.latency.decision > 2)
+    match d.latency.decision {
+        _ if alone => 0,
+        0..=2 => 0,
+        3..=4 => 1,
+        _ => 2,
+    }
 }
 
 /// Builds `level_up` for the design's rule, combinational up to a `latency.decision` of 2; `None` for the rule that never ascends.
@@ -37,12 +42,11 @@ pub fn level_up(d: &Design) -> Option<Arc<Module>> {
         LevelUp::Selective => {
             let idx = index_width(&b, t, Some(&levels));
             let even = b.input("even", 1, "bit", "the crossed plane also bounds the parent");
-            let mut near = Vec::new();
-            for axis in ["x", "y"] {
+            let ends = ["x", "y"].map(|axis| {
                 let at = b.input(&format!("{axis}_at"), &idx, "texels", "a texel of the node");
-                let hit = b.input(&format!("{axis}_hit"), &idx, "texels", "predicted hit");
-                near.push(distance(&b, at, hit, level, axis, clocks));
-            }
+                (axis, at, b.input(&format!("{axis}_hit"), &idx, "texels", "predicted hit"))
+            });
+            let near = ends.map(|(axis, at, hit)| distance(&b, at, hit, level, axis, clocks));
             let neighbour = near[0].1 & near[1].1 & !(near[0].0 & near[1].0);
             Some(even & !neighbour.named("is_neighbour"))
         }
@@ -52,7 +56,8 @@ pub fn level_up(d: &Design) -> Option<Arc<Module>> {
     Some(b.finish(Some(clocks), &bindings()))
 }
 
-/// (same node, at most one node apart) along one axis.
+/// (same node, at most one node apart) along one axis. Both texels stay where they are, with what lies below the node cleared: the difference
+/// is then a multiple of the node's side, and nothing has to be shifted down.
 fn distance<'b>(
     b: &'b Builder,
     at: Sig<'b>,
@@ -61,15 +66,17 @@ fn distance<'b>(
     axis: &str,
     clocks: u32,
 ) -> (Sig<'b>, Sig<'b>) {
-    let node = |texel: Sig<'b>, name: &str| {
-        let node = texel.sar(level).named(&format!("{axis}_{name}"));
-        (0..clocks).fold(node, |node, _| node.cut())
-    };
-    let (here, there) = (node(at, "node"), node(hit, "hit_node"));
-    let diff = (there - here).named(&format!("{axis}_diff"));
-    let same = diff.none().named(&format!("{axis}_same"));
-    let one = diff.eq(b.lit(1, diff.width()));
-    let minus_one = diff.all();
-    let near = (same | one | minus_one).named(&format!("{axis}_near"));
-    (same, near)
+    let n = |what: &str| format!("{axis}_{what}");
+    let cut = |v: Sig<'b>, least: u32| if clocks >= least { v.cut() } else { v };
+    let wide = at.width() + 1;
+    let keep = b.ones(&wide).shift_left(level).named(&n("keep"));
+    let corner = |texel: Sig<'b>, name: &str| (texel.sext(&wide) & keep).named(&n(name));
+    let diff = cut((corner(hit, "hit_corner") - corner(at, "corner")).named(&n("diff")), 1);
+    let keep = cut(keep, 1);
+    let side = (keep & !b.cat(&[keep.slice(0, at.width()), b.zeros(1)])).named(&n("side"));
+    let same = diff.none().named(&n("same"));
+    let one = diff.eq(side);
+    let minus_one = diff.eq(keep);
+    let near = (same | one | minus_one).named(&n("near"));
+    (cut(same, 2), cut(near, 2))
 }

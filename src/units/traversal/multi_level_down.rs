@@ -2,12 +2,18 @@
 //!
 //! Until the first crossing the step is `levels_down` levels where that many are left, afterwards one.
 use super::params::{LevelParams, bindings, index_width};
-use crate::config::{ModeConfig, TraverseConfig};
+use crate::config::Design;
 use crate::ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
-/// Builds `multi_level_down`, combinational.
-pub fn multi_level_down(t: &TraverseConfig, mode: &ModeConfig) -> Arc<Module> {
+/// Clocks through `multi_level_down`: a register between its comparisons and what they choose.
+pub fn latency(d: &Design) -> u32 {
+    u32::from(d.latency.decision > 4)
+}
+
+/// Builds `multi_level_down`.
+pub fn multi_level_down(d: &Design) -> Arc<Module> {
+    let (t, mode, clocks) = (&d.traverse, &d.mode, latency(d));
     let what = match mode.levels_down {
         1 => "level and child of a descent by one level".to_string(),
         n => format!("level and child of a descent: {n} levels until the first crossing, then one"),
@@ -16,6 +22,10 @@ pub fn multi_level_down(t: &TraverseConfig, mode: &ModeConfig) -> Arc<Module> {
     let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
     let idx = index_width(&b, t, Some(&levels));
     let many = u64::from(mode.levels_down);
+    if clocks > 0 {
+        b.clock();
+        b.clock_enable();
+    }
     let level = b.input("level", &level_w, "levels", "1 .. LEVELS (the result is not used at 0)");
     let crossed = (many > 1).then(|| b.input("crossed", 1, "bit", "the ray has crossed a node boundary already"));
     let lod = mode.lod.then(|| b.input("lod", &level_w, "levels", "the finest level to go to"));
@@ -50,15 +60,16 @@ pub fn multi_level_down(t: &TraverseConfig, mode: &ModeConfig) -> Arc<Module> {
         let next = next.named("next_free");
         next.lt(lod).mux(lod, next)
     });
-    b.drive(out, next.named("next_level"), None);
+    let stage = (clocks > 0).then_some(clocks);
+    b.drive(out, next.named("next_level"), stage);
     for ((axis, low, high, e), out) in axes.into_iter().zip(outs) {
-        b.drive(out, clamp(e, low, high, axis), None);
+        b.drive(out, clamp(e, low, high, axis, clocks), stage);
     }
-    b.finish(Some(0), &bindings())
+    b.finish(Some(clocks), &bindings())
 }
 
-fn clamp<'b>(e: Sig<'b>, low: Sig<'b>, high: Sig<'b>, axis: &str) -> Sig<'b> {
-    let before = e.slt(low).named(&format!("{axis}_before"));
-    let behind = high.slt(e).named(&format!("{axis}_behind"));
+fn clamp<'b>(e: Sig<'b>, low: Sig<'b>, high: Sig<'b>, axis: &str, clocks: u32) -> Sig<'b> {
+    let before = e.slt(low).named(&format!("{axis}_before")).at(clocks);
+    let behind = high.slt(e).named(&format!("{axis}_behind")).at(clocks);
     before.mux(low, behind.mux(high, e)).named(&format!("{axis}_child"))
 }

@@ -1,16 +1,26 @@
 //! `node_planes`: along one axis, the texels that a descent may go to, the plane by which the ray can leave,
 //! and the texel behind it (PIDM-HW section 3.2, node crossing).
 use super::params::{LevelParams, bindings, index_width};
-use crate::config::TraverseConfig;
+use crate::config::{Design, TraverseConfig};
 use crate::ir::{Builder, Module};
 use std::sync::Arc;
 
-/// Builds `node_planes`, combinational; `parity` adds the output that tevs and selective level-up ask for.
-pub fn node_planes(t: &TraverseConfig, parity: bool) -> Arc<Module> {
+/// Clocks through `node_planes`: extent and planes are a shift and a sum, one behind the other.
+pub fn latency(d: &Design) -> u32 {
+    u32::from(d.latency.node > 2)
+}
+
+/// Builds `node_planes`; `parity` adds the output that tevs and selective level-up ask for.
+pub fn node_planes(d: &Design, parity: bool) -> Arc<Module> {
+    let (t, clocks): (&TraverseConfig, u32) = (&d.traverse, latency(d));
     let b =
         Builder::new("node_planes", file!(), "extent of a node along one axis, and the plane by which the ray leaves");
     let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
     let idx = index_width(&b, t, Some(&levels));
+    if clocks > 0 {
+        b.clock();
+        b.clock_enable();
+    }
     let level = b.input("level", &level_w, "levels", "0 .. LEVELS");
     let x = b.input("x", &idx, "texels", "any texel of the node");
     let minus = b.input("neg", 1, "bit", "the ray runs toward smaller coordinates");
@@ -20,20 +30,26 @@ pub fn node_planes(t: &TraverseConfig, parity: bool) -> Arc<Module> {
     let beyond = b.output("beyond", &idx, "texels", "the texel just behind the exit plane");
     let even = parity.then(|| b.output("even", 1, "bit", "the plane also bounds the parent node"));
 
+    let stage = (clocks > 0).then_some(clocks);
     let keep = b.ones(&idx).shift_left(level).named("keep");
-    let first = (x & keep).named("first");
-    let last = (x | !keep).named("last");
+    let first = (x & keep).named("first").at(clocks);
+    let last = (x | !keep).named("last").at(clocks);
+    // The plane lies at the node's number, or at the next one: of that number's last bit neither asks for a shift or a sum.
+    let is_odd = parity.then(|| {
+        let keep = keep.at(clocks);
+        let side = (keep & !b.cat(&[keep.slice(0, &idx - 1), b.zeros(1)])).named("side_length");
+        (first & side).any().named("is_odd")
+    });
+    let (x, minus) = (x.at(clocks), minus.at(clocks));
     let edge = minus.mux(first, last).named("side");
     let exit = (edge + (!minus).zext(&idx)).named("exit_plane");
     let next = minus.mux(first - b.lit(1, &idx), exit).named("next");
-    b.drive(low, minus.mux(first, x), None);
-    b.drive(high, minus.mux(x, last), None);
-    b.drive(plane, exit, None);
-    b.drive(beyond, next, None);
-    if let Some(even) = even {
-        let in_nodes = exit.shift_right(level).named("plane_in_nodes");
-        b.unused(in_nodes);
-        b.drive(even, !in_nodes.bit(0), None);
+    b.drive(low, minus.mux(first, x), stage);
+    b.drive(high, minus.mux(x, last), stage);
+    b.drive(plane, exit, stage);
+    b.drive(beyond, next, stage);
+    if let Some((even, is_odd)) = even.zip(is_odd) {
+        b.drive(even, is_odd ^ minus, stage);
     }
-    b.finish(Some(0), &bindings())
+    b.finish(Some(clocks), &bindings())
 }

@@ -41,7 +41,6 @@ pub fn plane_iteration<'b>(
     load: &Load<'b>,
     units: &PlaneUnits,
 ) -> Ray<'b> {
-    let t = &d.traverse;
     let idx = || [("IDX_W", s.idx.clone())];
     // The choice between two rays and the node's planes are long on their own: a clock behind each, as latency.node has it.
     let chosen = if d.latency.node > 1 { ray.cut() } else { ray.clone() };
@@ -51,7 +50,7 @@ pub fn plane_iteration<'b>(
     let parity = matches!(d.mode.level_up, LevelUp::Tevs | LevelUp::Selective);
     let planes = |axis: &str, x: Sig<'b>, neg: Sig<'b>| {
         let ins = [("level", ray.get("level")), ("x", x), ("neg", neg)];
-        let o = b.inst(&node_planes(t, parity), &format!("u_planes_{axis}"), &idx(), &ins);
+        let o = b.inst(&node_planes(d, parity), &format!("u_planes_{axis}"), &idx(), &ins);
         let names = ["low", "high", "plane", "beyond", "even"];
         let cut = |v: Sig<'b>| if d.latency.node > 0 { v.cut() } else { v };
         o.iter().zip(names).map(|(v, n)| cut(v.named(&format!("{axis}_{n}"))).id()).collect::<Vec<_>>()
@@ -99,7 +98,7 @@ pub fn plane_iteration<'b>(
     ins.extend(ray.find("lod").map(|lod| ("lod", lod)));
     ins.extend([("x_low", px[0]), ("x_high", px[1]), ("x_hit", hit_x)]);
     ins.extend([("y_low", py[0]), ("y_high", py[1]), ("y_hit", hit_y)]);
-    let o = b.inst(&multi_level_down(t, &d.mode), "u_down", &idx(), &ins);
+    let o = b.inst(&multi_level_down(d), "u_down", &idx(), &ins);
     let (level_down, x_down, y_down) = (o[0].named("level_down"), o[1].named("x_down"), o[2].named("y_down"));
 
     b.section("level up", "");
@@ -149,18 +148,19 @@ pub fn plane_iteration<'b>(
     let o = b.inst(&level_decision(d), "u_decision", &idx(), &ins);
     // The last of the clocks stands between the decision and what is written back.
     let done = |v: Sig<'b>| if d.latency.decision > 3 { v.cut() } else { v };
-    let (hit, crosses) = (done(o[0].named("hit")), done(o[1].named("crosses")));
+    let (hit, crosses) = (done(o[0].named("hit")), o[1].named("crosses"));
     let names = ["level_next", "x_next", "y_next", "t_after"];
     let n: Vec<Sig<'b>> = o[2..].iter().zip(names).map(|(v, n)| done(v.named(n))).collect();
 
     b.section("step limit", "A ray that is done takes no more steps.");
     let moves = (!ray.get("done")).named("moves");
     let steps = (ray.get("steps") + moves.zext(16)).named("steps_next");
-    let limit_value = b.konst(&s.step_limit, 16).named("step_limit");
-    let last_step = steps.eq(limit_value).named("last_step");
+    let steps_before = b.konst(&s.step_limit - 1, 16).named("steps_before_last");
+    let last_step = ray.get("steps").eq(steps_before).named("last_step");
     let at_limit = (last_step & !hit).named("at_limit");
     let crossed_now = (crosses & moves).named("crossed_now");
-    let up_now = (grown & crossed_now).named("up_now");
+    let up_now = done((grown & crossed_now).named("up_now"));
+    let crossed_now = done(crossed_now);
     b.section("write back", "A ray that is done goes round unchanged.");
     let keep = |new: Sig<'b>, old: &str| (ray.get("done").mux(ray.get(old), new)).id();
     let [level, x, y, t] =

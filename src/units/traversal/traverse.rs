@@ -64,7 +64,9 @@ pub fn traverse(d: &Design) -> Traverse {
     let hit_valid = b.wire("hit_valid", 1);
     // What lets the output pipeline move: a free place in its register, or whoever takes the result.
     let hit_ce = if skids { b.wire("hit_room", 1) } else { (!hit_valid | out_ready).unstaged().named("hit_ce") };
-    let leaves = (back.valid & back.get("done") & hit_ce).named("leaves");
+    // Where registers stand in the way of ready, who may leave is known a clock before.
+    let may_leave = skids.then(|| b.loop_reg("may_leave", 1, true));
+    let leaves = (may_leave.unwrap_or_else(|| back.valid & back.get("done")) & hit_ce).named("leaves");
     let is_free = (!back.valid | leaves).named("is_free");
 
     b.section("set up", "The setup pipeline holds while its ray finds no free slot.");
@@ -112,7 +114,9 @@ pub fn traverse(d: &Design) -> Traverse {
     };
 
     let next = (path.iteration)(&b, &s, d, &ray, &load);
-    let slots = b.close(&back.pairs(&next));
+    let mut loops = back.pairs(&next);
+    loops.extend(may_leave.map(|r| (r, (next.valid & next.get("done")).named("may_leave_next"))));
+    let slots = b.close(&loops);
 
     b.section("result", "The ray that leaves, from the state registers.");
     let hit = (path.hit)(d);

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 /// Clocks through `hit_position`; at least one, as the valid bit beside it decides whether the pipeline moves.
 pub fn latency(l: &LatencyConfig) -> u32 {
-    (l.mul + l.add).max(1)
+    (l.mul + l.add + l.hit).max(1)
 }
 
 /// Builds `hit_position`. With a level of detail the hit is kept in its node, else in its texel.

@@ -8,7 +8,12 @@ use std::sync::Arc;
 
 /// Clocks through `hit_position`; at least one, as the valid bit beside it decides whether the pipeline moves.
 pub fn latency(l: &LatencyConfig) -> u32 {
-    (l.mul + l.add + l.to_int).max(1)
+    (found(l) + l.hit).max(1)
+}
+
+/// Clocks up to the position.
+fn found(l: &LatencyConfig) -> u32 {
+    l.mul + l.add + l.to_int
 }
 
 /// Formats at which the unit is verified besides its own.
@@ -50,16 +55,17 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
 
     b.section("clamp", "A hit on a wall lies exactly on a border: the integer texel decides, the fraction follows.");
     let wide = &idx + &frac + 1;
-    let l = latency(&d.latency);
+    let (l, known) = (latency(&d.latency), found(&d.latency));
     if let Some((lod, o_texel)) = coarse {
-        let ins = [("at", fixed.at(l)), ("x", x.at(l)), ("lod", lod.at(l))];
+        let ins = [("at", fixed), ("x", x.at(known)), ("lod", lod.at(known))];
         let kept = b.inst(&node_hit(&d.traverse), "u_node_hit", &[("IDX_W", idx)], &ins);
         b.drive(out, kept[1].named("kept"), Some(l));
         b.drive(o_texel, kept[0].named("hit_texel"), Some(l));
         return b.finish(Some(l), &BINDINGS.map(|(e, m)| at(e, m)));
     }
-    let corner = b.cat(&[x.at(l), b.zeros(&frac)]).named("corner");
-    let off = (fixed.at(l).sext(&wide) - corner.sext(&wide)).named("offset");
+    let corner = b.cat(&[x.at(known), b.zeros(&frac)]).named("corner");
+    let off = (fixed.sext(&wide) - corner.sext(&wide)).named("offset");
+    let off = if d.latency.hit > 0 { off.cut() } else { off };
     let past = off.slice(&frac, &idx + 1).any().named("past");
     let inside = off.slice(0, &frac).named("low_part");
     let kept = off.msb().mux(b.zeros(&frac), past.mux(b.ones(&frac), inside)).named("kept");

@@ -11,7 +11,7 @@ use std::sync::Arc;
 /// Clocks through `ray_setup`; at least one, so that a ready never follows from a valid in the same clock.
 pub fn latency(d: &Design) -> u32 {
     let l: &LatencyConfig = &d.latency;
-    let start = if d.mode.start_level { l.add + l.to_int } else { l.to_int };
+    let start = if d.mode.start_level { l.add + l.to_int + l.setup } else { l.to_int };
     let ahead = if d.mode.trim == Trim::None { 0 } else { bias_clocks(l) + 2 * l.add + l.to_int };
     scale_clocks(l) + l.div.max(l.mul).max(bias_clocks(l) + l.add).max(start).max(ahead).max(1)
 }
@@ -21,9 +21,9 @@ fn scale_clocks(l: &LatencyConfig) -> u32 {
     l.node.min(1)
 }
 
-/// The bias too: it waits for the scaled exponent, and a sum waits for it.
+/// The bias too: it waits for the scaled exponent, and a sum waits for it. Its own sum, comparison and difference can have a clock each.
 fn bias_clocks(l: &LatencyConfig) -> u32 {
-    l.node.min(1)
+    l.node.min(1) + 2 * l.setup
 }
 
 /// What setup computes for one axis.
@@ -97,7 +97,8 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
         (Some(x_end), Some(y_end)) => {
             let (x, y) = (axes[0].first, axes[1].first);
             let ins = [("x", x), ("y", y), ("x_end", x_end), ("y_end", y_end)];
-            b.inst(&start_level(t), "u_start_level", &[("IDX_W", s.idx.clone())], &ins)[0].named("start")
+            let start = b.inst(&start_level(t), "u_start_level", &[("IDX_W", s.idx.clone())], &ins)[0].named("start");
+            if d.latency.setup > 0 { start.cut() } else { start }
         }
         _ => b.konst(&s.levels, &levels.level_w).named("root"),
     };
@@ -166,11 +167,12 @@ fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &'static str, p_in: Sig
     let wide = &f.exp + 1;
     let least = b.konst(f.bias() + &s.levels + 2, &wide).named("least");
     let dn_exp = dn.slice(f.man.clone(), f.exp.clone());
-    let reach = (dn_exp.zext(&wide) + b.lit(5, &wide)).named(&n("reach"));
-    let top = least.lt(reach).mux(reach, least).named(&n("bias_top"));
+    let step = |v: Sig<'b>| if d.latency.setup > 0 { v.cut() } else { v };
+    let reach = step((dn_exp.zext(&wide) + b.lit(5, &wide)).named(&n("reach")));
+    let top = step(least.lt(reach).mux(reach, least).named(&n("bias_top")));
     let b_exp = (top - b.konst(&f.man + 1, &wide).named("ulps")).named(&n("bias_exp"));
     b.unused(b_exp.msb());
-    let cut = |v: Sig<'b>| if bias_clocks(&d.latency) > 0 { v.cut() } else { v };
+    let cut = |v: Sig<'b>| if d.latency.node > 0 { v.cut() } else { v };
     let bias = b.cat(&[(!neg).named(&n("forward")), b_exp.slice(0, f.exp.clone()), b.zeros(&f.man)]).named(&n("bias"));
     let bias = cut(bias);
     let add = fp_add(d.format, d.latency.add);
