@@ -25,7 +25,7 @@ module fp_add #(
   localparam integer AmountW = $clog2(MAN_W + 3);
   localparam integer ShiftW = (EXP_W > (AmountW + 1) ? EXP_W : (AmountW + 1));
   localparam integer ExpSumW = (EXP_W > LeadW ? EXP_W : LeadW);
-  localparam integer FineW = (($clog2(MAN_W + 3)) / 2);
+  localparam integer FineW = (LeadW / 2);
 
   // Illegal parameters end elaboration here: the missing module's name says what must hold.
   generate
@@ -83,14 +83,14 @@ module fp_add #(
   wire               s0_beyond = |s0_wide_shift[ShiftW-1:AmountW];
   wire [MAN_W+2:0]   s0_small_sig = {s0_lower, 1'b0};
   wire               s0_kill = s0_beyond | s0_small_is_zero;
-  wire [MAN_W+2:0]   s0_aligned = (s0_small_sig >> s0_amount) & {(MAN_W + 3){~s0_kill}};
-  wire               s0_sticky =
-      (s0_beyond | (|(s0_small_sig & ~({(MAN_W + 3){1'b1}} << s0_amount)))) & ~s0_small_is_zero;
   wire [NearW-1:0]   s0_near = {1'b1, s0_big_frac, 1'b0} - s0_lower;
   wire [NearW-1:0]   s0_reach = ~({NearW{1'b1}} >> s0_big_exp);
   wire               s0_near_max = (&s0_big_exp[EXP_W-1:1]) & ~s0_big_exp[0];
   wire               s0_bottom = ~(|s0_big_exp[EXP_W-1:1]) & s0_big_exp[0];
   wire               s0_is_nan = s0_huge & (s0_inf_minus_inf | (|s0_big_frac));
+  wire [MAN_W+2:0]   s0_aligned = (s0_small_sig >> s0_amount) & {(MAN_W + 3){~s0_kill}};
+  wire               s0_sticky =
+      (s0_beyond | (|(s0_small_sig & ~({(MAN_W + 3){1'b1}} << s0_amount)))) & ~s0_small_is_zero;
 
   // ---- stage 1: registers ------------------------------------------------------ add.rs
   reg [MAN_W-1:0] s1_big_frac;
@@ -136,6 +136,7 @@ module fp_add #(
     .bits (s1_near),
     .count(s1_lead)
   );
+  wire s1_flush = ~(|(s1_near & s1_reach));
 
   // ---- stage 1: normalize ------------------------------------------------------ add.rs
   // The far sum moves by one place at most; the near difference goes up, the coarse steps first.
@@ -148,13 +149,10 @@ module fp_add #(
   wire [EXP_W-1:0]   s1_exp = s1_carry ? s1_exp_up : s1_top ? s1_big_exp : s1_exp_down;
   wire               s1_round_up = s1_carry ? (s1_sum[3] & (s1_sum[4] | s1_sum[2] | (|s1_sum[1:0])))
       : s1_top ? (s1_sum[2] & (s1_sum[3] | (|s1_sum[1:0]))) : (s1_sum[1] & (s1_sum[2] | s1_sum[0]));
-  wire [NearW-1:0]   s1_near_norm =
-      (s1_near << {s1_lead[$clog2(MAN_W+3)-1:FineW], {FineW{1'b0}}}) << s1_lead[FineW-1:0];
-  wire [MAN_W-1:0]   s1_near_frac = s1_near_norm[MAN_W:1];
+  wire [NearW-1:0]   s1_near_coarse = s1_near << {s1_lead[LeadW-1:FineW], {FineW{1'b0}}};
   wire [ExpSumW-1:0] s1_exp_less_lead =
       {{(ExpSumW - EXP_W){1'b0}}, s1_big_exp} - {{(ExpSumW - $clog2(MAN_W + 3)){1'b0}}, s1_lead};
   wire [EXP_W-1:0]   s1_near_exp = s1_exp_less_lead[EXP_W-1:0];
-  wire               s1_flush = ~(|(s1_near & s1_reach));
   wire               s1_give_inf = s1_huge | (s1_near_max & ~s1_subtract);
   wire               s1_use_leg = s1_huge | s1_both_zero | (s1_carry & s1_near_max) |
       ~(s1_carry | s1_top | (s1_next & ~s1_bottom));
@@ -165,6 +163,10 @@ module fp_add #(
   // One place up can carry into the exponent, and from the largest number to infinity, by itself.
   wire [EXP_W+MAN_W-1:0] s1_unrounded = {s1_exp, s1_frac};
   wire [EXP_W+MAN_W-1:0] s1_rounded = s1_unrounded + {{(EXP_W + MAN_W - 1){1'b0}}, s1_round_up};
+  wire [NearW-1:0]       s1_near_norm = s1_near_coarse << s1_lead[FineW-1:0];
+  wire [MAN_W-1:0]       s1_near_frac = s1_near_norm[MAN_W:1];
+
+  // ---- stage 1: select --------------------------------------------------------- add.rs
   wire                   s1_keep = ~(s1_flush | s1_give_inf);
   wire [EXP_W+MAN_W-1:0] s1_body =
       s1_use_leg ?

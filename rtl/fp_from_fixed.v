@@ -56,22 +56,26 @@ module fp_from_fixed #(
   wire             s0_minus = a[INT_W-1];
   wire [INT_W-1:0] s0_mag = (a ^ {INT_W{s0_minus}}) + {{(INT_W - 1){1'b0}}, s0_minus};
 
-  // ---- stage 0: normalize ----------------------------------------------- from_fixed.rs
-  // Zeros below make room for guard and sticky bits whatever INT_W is.
+  // ---- stage 0: count --------------------------------------------------- from_fixed.rs
   wire [$clog2(INT_W+1)-1:0] s0_lead;
   lzc #(.W(INT_W)) u_lzc (
     .bits (s0_mag),
     .count(s0_lead)
   );
+
+  // ---- stage 0: normalize ----------------------------------------------- from_fixed.rs
+  // Zeros below make room for guard and sticky bits whatever INT_W is.
   wire [INT_W+MAN_W+2:0] s0_norm = {s0_mag << s0_lead, {(MAN_W + 3){1'b0}}};
   wire                   s0_is_zero = ~s0_norm[INT_W+MAN_W+2];
   wire [ExpSumW-1:0]     s0_norm_exp =
       TopExp[ExpSumW-1:0] - {{(ExpSumW - $clog2(INT_W + 1)){1'b0}}, s0_lead};
 
   // ---- stage 0: round --------------------------------------------------- from_fixed.rs
-  wire [MAN_W:0]         s0_sig = s0_norm[INT_W+MAN_W+2:INT_W+2];
-  wire                   s0_round_up = s0_norm[INT_W+1] & ((|s0_norm[INT_W:0]) | s0_sig[0]);
-  wire [MAN_W+1:0]       s0_rounded = {1'b0, s0_sig} + {{(MAN_W + 1){1'b0}}, s0_round_up};
+  wire [MAN_W:0]   s0_sig = s0_norm[INT_W+MAN_W+2:INT_W+2];
+  wire             s0_round_up = s0_norm[INT_W+1] & ((|s0_norm[INT_W:0]) | s0_sig[0]);
+  wire [MAN_W+1:0] s0_rounded = {1'b0, s0_sig} + {{(MAN_W + 1){1'b0}}, s0_round_up};
+
+  // ---- stage 0: select -------------------------------------------------- from_fixed.rs
   wire [MAN_W-1:0]       s0_frac = s0_rounded[MAN_W+1] ? s0_rounded[MAN_W:1]
       : s0_rounded[MAN_W-1:0];
   wire [ExpSumW-1:0]     s0_exp = s0_norm_exp + {{(ExpSumW - 1){1'b0}}, s0_rounded[MAN_W+1]};

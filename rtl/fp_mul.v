@@ -22,7 +22,6 @@ module fp_mul #(
   localparam integer FloatW = EXP_W + MAN_W + 1;
   localparam integer ExpSumW = EXP_W + 2;
   localparam integer SigW = MAN_W + 1;
-  localparam integer Bias = (1 << (EXP_W - 1)) - 1;
 
   // Illegal parameters end elaboration here: the missing module's name says what must hold.
   generate
@@ -40,8 +39,7 @@ module fp_mul #(
     end
   endgenerate
 
-  // ---- stage 0: multiply ------------------------------------------------------- mul.rs
-  // The hidden bit is 1 for every operand: a zero operand overrides the result instead.
+  // ---- stage 0: operands ------------------------------------------------------- mul.rs
   wire               s0_a_sign = a[FloatW-1];
   wire [EXP_W-1:0]   s0_a_exp = a[EXP_W+MAN_W-1:MAN_W];
   wire [MAN_W-1:0]   s0_a_frac = a[MAN_W-1:0];
@@ -58,11 +56,15 @@ module fp_mul #(
   wire               s0_b_frac_some = |s0_b_frac;
   wire               s0_b_is_inf = s0_b_exp_ones & ~s0_b_frac_some;
   wire               s0_b_is_nan = s0_b_exp_ones & s0_b_frac_some;
+  wire [ExpSumW:0]   s0_exp_sum = {{{(ExpSumW - EXP_W){1'b0}}, s0_a_exp}, 1'b1} +
+      {{{(ExpSumW - EXP_W){1'b0}}, s0_b_exp}, 1'b1};
+  wire [2:0]         s0_exp_top = s0_exp_sum[EXP_W+2:EXP_W] - 3'd1;
+  wire [ExpSumW-1:0] s0_exp_low = {s0_exp_top, s0_exp_sum[EXP_W-1:1]};
+
+  // ---- stage 0: multiply ------------------------------------------------------- mul.rs
+  // The hidden bit is 1 for every operand: a zero operand overrides the result instead.
   wire [2*MAN_W+1:0] s0_prod =
       {{(MAN_W + 1){1'b0}}, {1'b1, s0_a_frac}} * {{(MAN_W + 1){1'b0}}, {1'b1, s0_b_frac}};
-  wire [ExpSumW-1:0] s0_exp_low =
-      ({{(ExpSumW - EXP_W){1'b0}}, s0_a_exp} +
-      {{(ExpSumW - EXP_W){1'b0}}, s0_b_exp}) - Bias[ExpSumW-1:0];
   wire [ExpSumW-1:0] s0_exp_high = s0_exp_low + {{(ExpSumW - 1){1'b0}}, 1'b1};
   wire               s0_is_zero = s0_a_is_zero | s0_b_is_zero;
   wire               s0_is_inf = s0_a_is_inf | s0_b_is_inf;
@@ -78,9 +80,9 @@ module fp_mul #(
       {{(EXP_W + MAN_W - 1){1'b0}}, s0_low_guard};
   wire [EXP_W+MAN_W-1:0] s0_low_body = {s0_low_sum[EXP_W+MAN_W-1:1], s0_low_sum[0] & ~s0_low_tie};
   wire                   s0_low_at_zero = ~(|s0_exp_low);
-  wire                   s0_low_too_low = s0_exp_low[ExpSumW-1] |
+  wire                   s0_low_too_low = s0_exp_low[EXP_W+1] |
       (s0_low_at_zero & ~s0_low_sum[MAN_W]);
-  wire                   s0_low_over = ~s0_exp_low[ExpSumW-1] &
+  wire                   s0_low_over = ~s0_exp_low[EXP_W+1] &
       (s0_exp_low[EXP_W] | (&s0_exp_low[EXP_W-1:0]));
   wire                   s0_high_guard = s0_prod[SigW-1];
   wire                   s0_high_tie = s0_high_guard & ~(|s0_prod[SigW-2:0]);
@@ -89,9 +91,9 @@ module fp_mul #(
   wire [EXP_W+MAN_W-1:0] s0_high_body =
       {s0_high_sum[EXP_W+MAN_W-1:1], s0_high_sum[0] & ~s0_high_tie};
   wire                   s0_high_at_zero = ~(|s0_exp_high);
-  wire                   s0_high_too_low = s0_exp_high[ExpSumW-1] |
+  wire                   s0_high_too_low = s0_exp_high[EXP_W+1] |
       (s0_high_at_zero & ~s0_high_sum[MAN_W]);
-  wire                   s0_high_over = ~s0_exp_high[ExpSumW-1] &
+  wire                   s0_high_over = ~s0_exp_high[EXP_W+1] &
       (s0_exp_high[EXP_W] | (&s0_exp_high[EXP_W-1:0]));
   wire                   s0_top = s0_prod[2*MAN_W+1];
 
@@ -113,6 +115,11 @@ module fp_mul #(
       s1_value <= s0_value;
     end
   end
+
+  // Bits that nothing needs, named so that no lint has to be switched off for the rest.
+  // verilator lint_off UNUSED
+  wire unused_0 = &{1'b0, s0_exp_sum[0]};
+  // verilator lint_on UNUSED
 
   assign result = s1_value;
 endmodule

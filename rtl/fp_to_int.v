@@ -64,15 +64,24 @@ module fp_to_int #(
   wire              s0_too_big = ($signed(s0_right) < $signed(Least[RightW-1:0])) | s0_a_is_inf;
 
   // ---- stage 0: shift ----------------------------------------------------- to_fixed.rs
-  wire [WideW-1:0] s0_unshifted = {s0_a_sig, {INT_W{1'b0}}};
-  wire [WideW-1:0] s0_shifted = s0_unshifted >> s0_right;
-  wire             s0_lost = |(s0_unshifted & ~({WideW{1'b1}} << s0_right));
+  // By multiples of four first; what each step shifts out is lost.
+  wire [WideW-1:0]  s0_unshifted = {s0_a_sig, {INT_W{1'b0}}};
+  wire [RightW-1:0] s0_coarse = {s0_right[RightW-1:2], 2'd0};
+  wire [WideW-1:0]  s0_near_place = s0_unshifted >> s0_coarse;
+  wire              s0_lost_coarse = |(s0_unshifted & ~({WideW{1'b1}} << s0_coarse));
+
+  // ---- stage 0: fine shift ------------------------------------------------ to_fixed.rs
+  wire [1:0]       s0_fine = s0_right[1:0];
+  wire [WideW-1:0] s0_shifted = s0_near_place >> s0_fine;
+  wire             s0_lost = s0_lost_coarse | (|(s0_near_place[2:0] & ~({3{1'b1}} << s0_fine)));
   wire [INT_W-1:0] s0_mag = s0_shifted[INT_W-1:0];
 
   // ---- stage 0: floor ----------------------------------------------------- to_fixed.rs
   // A negative number with bits shifted out lies below its truncated magnitude.
   wire [INT_W-1:0] s0_floor = (s0_mag ^ {INT_W{s0_a_sign}}) +
       {{(INT_W - 1){1'b0}}, s0_a_sign & ~s0_lost};
+
+  // ---- stage 0: saturate -------------------------------------------------- to_fixed.rs
   wire [INT_W-1:0] s0_limit = {s0_a_sign, {(INT_W - 1){~s0_a_sign}}};
   wire [INT_W-1:0] s0_result_value = s0_a_is_nan ? {INT_W{1'b0}} : s0_too_big ? s0_limit : s0_floor;
 

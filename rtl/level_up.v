@@ -35,18 +35,22 @@ module level_up #(
     end
   endgenerate
 
-  wire             below_root = ~(level == Root[LevelW-1:0]);
-  wire [IDX_W-1:0] x_node = $signed(x_at) >>> level;
-  wire [IDX_W-1:0] x_hit_node = $signed(x_hit) >>> level;
-  wire [IDX_W-1:0] x_diff = x_hit_node - x_node;
-  wire             x_same = ~(|x_diff);
-  wire             x_near = x_same | (x_diff == {{(IDX_W - 1){1'b0}}, 1'b1}) | (&x_diff);
-  wire [IDX_W-1:0] y_node = $signed(y_at) >>> level;
-  wire [IDX_W-1:0] y_hit_node = $signed(y_hit) >>> level;
-  wire [IDX_W-1:0] y_diff = y_hit_node - y_node;
-  wire             y_same = ~(|y_diff);
-  wire             y_near = y_same | (y_diff == {{(IDX_W - 1){1'b0}}, 1'b1}) | (&y_diff);
-  wire             is_neighbour = x_near & y_near & ~(x_same & y_same);
+  wire           below_root = ~(level == Root[LevelW-1:0]);
+  wire [IDX_W:0] x_keep = {(IDX_W + 1){1'b1}} << level;
+  wire [IDX_W:0] x_hit_corner = {{1{x_hit[IDX_W-1]}}, x_hit} & x_keep;
+  wire [IDX_W:0] x_corner = {{1{x_at[IDX_W-1]}}, x_at} & x_keep;
+  wire [IDX_W:0] x_diff = x_hit_corner - x_corner;
+  wire [IDX_W:0] x_side = x_keep & ~{x_keep[IDX_W-1:0], 1'b0};
+  wire           x_same = ~(|x_diff);
+  wire           x_near = x_same | (x_diff == x_side) | (x_diff == x_keep);
+  wire [IDX_W:0] y_keep = {(IDX_W + 1){1'b1}} << level;
+  wire [IDX_W:0] y_hit_corner = {{1{y_hit[IDX_W-1]}}, y_hit} & y_keep;
+  wire [IDX_W:0] y_corner = {{1{y_at[IDX_W-1]}}, y_at} & y_keep;
+  wire [IDX_W:0] y_diff = y_hit_corner - y_corner;
+  wire [IDX_W:0] y_side = y_keep & ~{y_keep[IDX_W-1:0], 1'b0};
+  wire           y_same = ~(|y_diff);
+  wire           y_near = y_same | (y_diff == y_side) | (y_diff == y_keep);
+  wire           is_neighbour = x_near & y_near & ~(x_same & y_same);
 
   assign up = even & ~is_neighbour & below_root;
 endmodule

@@ -39,20 +39,16 @@ module node_planes #(
   wire [IDX_W-1:0] keep = {IDX_W{1'b1}} << level;
   wire [IDX_W-1:0] first = x & keep;
   wire [IDX_W-1:0] last = x | ~keep;
+  wire [IDX_W-1:0] side_length = keep & ~{keep[IDX_W-2:0], 1'b0};
+  wire             is_odd = |(first & side_length);
   wire [IDX_W-1:0] side = neg ? first : last;
   wire [IDX_W-1:0] exit_plane = side + {{(IDX_W - 1){1'b0}}, ~neg};
   wire [IDX_W-1:0] next = neg ? (first - {{(IDX_W - 1){1'b0}}, 1'b1}) : exit_plane;
-  wire [IDX_W-1:0] plane_in_nodes = exit_plane >> level;
-
-  // Bits that nothing needs, named so that no lint has to be switched off for the rest.
-  // verilator lint_off UNUSED
-  wire unused_0 = &{1'b0, plane_in_nodes};
-  // verilator lint_on UNUSED
 
   assign low = neg ? first : x;
   assign high = neg ? x : last;
   assign plane = exit_plane;
   assign beyond = next;
-  assign even = ~plane_in_nodes[0];
+  assign even = is_odd ^ neg;
 endmodule
 `default_nettype wire

@@ -57,7 +57,7 @@ module traverse #(
   localparam integer FloatW = EXP_W + MAN_W + 1;
   localparam integer LevelW = $clog2(LEVELS + 1);
   localparam integer IdxW = LEVELS + TILE_W + 2;
-  localparam integer StepLimit = STEP_LIMIT;
+  localparam integer StepsBeforeLast = STEP_LIMIT - 1;
 
   // Illegal parameters end elaboration here: the missing module's name says what must hold.
   generate
@@ -336,7 +336,7 @@ module traverse #(
   // A ray that is done takes no more steps.
   wire        s0_moves = ~s0_done;
   wire [15:0] s0_steps_next = s0_steps + {15'd0, s0_moves};
-  wire        s0_last_step = s0_steps_next == StepLimit[15:0];
+  wire        s0_last_step = s0_steps == StepsBeforeLast[15:0];
 
   // ---- stage 0: result ---------------------------------------------------- traverse.rs
   // The ray that leaves, from the state registers.

@@ -57,6 +57,35 @@ fn ecp5_has_a_clock_at_each_seed_and_a_path_in_our_names() {
 }
 
 #[test]
+fn foreign_verilog_stands_beside_ours() {
+    if without_tools() {
+        return;
+    }
+    let dir = tempfile::tempdir().unwrap();
+    let text = "`include \"width.vh\"\nmodule twice(input clk, input [`W-1:0] a, output reg [`W-1:0] o);\n  reg [`W-1:0] r;\n  always @(posedge clk) begin r <= a; o <= r + r + 1; end\nendmodule\n";
+    std::fs::write(dir.path().join("twice.v"), text).unwrap();
+    std::fs::write(dir.path().join("width.vh"), "`define W 6\n").unwrap();
+    let beside = format!("twice={}", dir.path().display());
+    let f = figures(&["--unit", "fp_lt", "--latency", "1", "--target", "xilinx", "--beside", &beside]);
+    assert_eq!((f[0]["unit"].as_str(), f[1]["unit"].as_str()), (Some("fp_lt"), Some("twice")));
+    assert_eq!(f[1]["flip_flops"], 11, "six bits twice, one of which is constant: {}", f[1]);
+    let refused = |beside: &str| {
+        let out = reliefrtl(
+            dir.path(),
+            &["synth", "--unit", "fp_lt", "--latency", "1", "--target", "xilinx", "--beside", beside],
+        );
+        (out.status.code(), String::from_utf8_lossy(&out.stderr).into_owned())
+    };
+    std::fs::create_dir(dir.path().join("empty")).unwrap();
+    for (beside, said) in
+        [("twice", "write TOP=DIR"), ("twice=empty", "holds no .v or .sv file"), ("twice=none", "none")]
+    {
+        let (code, text) = refused(beside);
+        assert!(code == Some(2) && text.contains(said), "{beside}: {code:?} {text}");
+    }
+}
+
+#[test]
 fn the_other_targets_have_area_and_depth() {
     if without_tools() {
         return;

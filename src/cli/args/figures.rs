@@ -167,6 +167,9 @@ pub struct SynthArgs {
     /// Measures each unit at these latencies instead of the configured one.
     #[arg(long, value_delimiter = ',', value_name = "CLOCKS")]
     pub latency: Vec<u32>,
+    /// Somebody else's Verilog in the same run: the module TOP, with registers of its own around what counts, of the files in DIR.
+    #[arg(long, value_delimiter = ',', value_name = "TOP=DIR")]
+    pub beside: Vec<String>,
     /// Where the figures go.
     #[arg(long, default_value = "synth.json", value_name = "FILE.json")]
     pub out: PathBuf,
