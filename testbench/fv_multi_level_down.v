@@ -30,14 +30,16 @@ module fv_multi_level_down;
   always @* begin
     assume (level >= 1 && level <= LEVELS);
     assume ($signed(x_low) <= $signed(x_high) && $signed(y_low) <= $signed(y_high));
-    assert (level_down == level - ((!crossed && level >= MANY) ? MANY : 1));
-    assert (level_down < level);
-    assert ($signed(x_low) <= $signed(x_down) && $signed(x_down) <= $signed(x_high));
-    assert ($signed(y_low) <= $signed(y_down) && $signed(y_down) <= $signed(y_high));
-    if ($signed(x_low) <= $signed(x_hit) && $signed(x_hit) <= $signed(x_high)) assert (x_down == x_hit);
-    if ($signed(y_low) <= $signed(y_hit) && $signed(y_hit) <= $signed(y_high)) assert (y_down == y_hit);
-    if ($signed(x_hit) < $signed(x_low)) assert (x_down == x_low);
-    if ($signed(y_hit) > $signed(y_high)) assert (y_down == y_high);
+    begin
+      assert (level_down == level - ((!crossed && level >= MANY) ? MANY : 1));
+      assert (level_down < level);
+      assert ($signed(x_low) <= $signed(x_down) && $signed(x_down) <= $signed(x_high));
+      assert ($signed(y_low) <= $signed(y_down) && $signed(y_down) <= $signed(y_high));
+      if ($signed(x_low) <= $signed(x_hit) && $signed(x_hit) <= $signed(x_high)) assert (x_down == x_hit);
+      if ($signed(y_low) <= $signed(y_hit) && $signed(y_hit) <= $signed(y_high)) assert (y_down == y_hit);
+      if ($signed(x_hit) < $signed(x_low)) assert (x_down == x_low);
+      if ($signed(y_hit) > $signed(y_high)) assert (y_down == y_high);
+    end
   end
 endmodule
 `default_nettype wire

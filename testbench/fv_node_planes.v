@@ -30,11 +30,13 @@ module fv_node_planes;
   always @* begin
     assume (level <= LEVELS);
     assume (at + size < (1 <<< (IDX_W - 1)) && at - size >= -(1 <<< (IDX_W - 1)));
-    assert ($signed(plane) == exit);
-    assert ($signed(beyond) == (neg ? first - 1 : first + size));
-    assert ($signed(low) == (neg ? first : at));
-    assert ($signed(high) == (neg ? at : first + size - 1));
-    assert (even == !nodes[0]);
+    begin
+      assert ($signed(plane) == exit);
+      assert ($signed(beyond) == (neg ? first - 1 : first + size));
+      assert ($signed(low) == (neg ? first : at));
+      assert ($signed(high) == (neg ? at : first + size - 1));
+      assert (even == !nodes[0]);
+    end
   end
 endmodule
 `default_nettype wire

@@ -126,13 +126,15 @@ module fv_progress;
   always @* begin
     assume (u_level <= LEVELS);
     assume (x_old < FAR && x_old > -FAR && y_old < FAR && y_old > -FAR);
-    assert (x_new >= x_old && y_new >= y_old);
-    if (k_crosses) begin
-      assert (x_new > x_old || y_new > y_old);
-      assert (node_left);
+    begin
+      assert (x_new >= x_old && y_new >= y_old);
+      if (k_crosses) begin
+        assert (x_new > x_old || y_new > y_old);
+        assert (node_left);
+      end
+      if (!k_crosses) assert (!node_left);
+      if (!k_crosses && !k_hit) assert (k_level_next < u_level);
     end
-    if (!k_crosses) assert (!node_left);
-    if (!k_crosses && !k_hit) assert (k_level_next < u_level);
   end
 endmodule
 `default_nettype wire

@@ -196,7 +196,7 @@ pub struct LatencyConfig {
     pub setup: u32,
     /// Behind the difference of `hit_position` and behind its result (watertight, fixed): 0 to 2.
     pub hit: u32,
-    /// Between ready in and ready out, before the loop and behind the hit: 0 or 1.
+    /// Between ready in and ready out, before the loop and behind the hit: 0 to 2.
     pub handshake: u32,
 }
 

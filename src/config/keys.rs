@@ -209,8 +209,8 @@ pub const KEYS: &[Key] = &[
     ),
     key(
         "latency.handshake",
-        "registers in the way of ready: 1 puts a stream_skid behind the setup and behind the hit",
-        Legal::Whole(0, 1),
+        "registers in the way of ready: a stream_skid behind the setup and behind the hit (1), and one behind the choice of the ray that leaves (2)",
+        Legal::Whole(0, 2),
     ),
     key("map.kind", "a procedural map, or file", Legal::Word(MapKind::WORDS)),
     key("map.file", "the image if kind is file; relative to this file", Legal::Path),

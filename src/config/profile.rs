@@ -31,19 +31,19 @@ impl Profile {
         let (add, mul, compare) = match self {
             Self::Published => (2, 1, 1),
             Self::Balanced => (3, 2, 1),
-            Self::Fast => (8, 4, 2),
+            Self::Fast => (6, 4, 2),
         };
         let (div, from_int, to_int, sqrt, add3) = match (self, kind) {
             (Self::Published, DatapathKind::Published) => (2, 1, 1, 4, 4),
             (Self::Published, _) => (20, 1, 1, 8, 4),
             (Self::Balanced, _) => (20, 2, 2, 12, 8),
-            (Self::Fast, _) => (22, 5, 5, 20, 12),
+            (Self::Fast, _) => (20, 5, 4, 20, 12),
         };
         let (decision, node, memory, select, handshake) = match (self, kind) {
             (Self::Published, DatapathKind::Published) => (1, 0, 1, 0, 0),
             (Self::Published, _) => (2, 1, 2, 1, 1),
             (Self::Balanced, _) => (2, 2, 4, 1, 1),
-            (Self::Fast, _) => (5, 3, 4, 1, 1),
+            (Self::Fast, _) => (5, 3, 4, 1, 2),
         };
         let (setup, hit) = if matches!(self, Self::Fast) { (1, 2) } else { (0, 0) };
         LatencyConfig {

@@ -82,7 +82,8 @@ const ALL: &[Proof] = &[
         "progress",
         &["node_planes", "multi_level_down", "level_decision"],
         "a crossing moves the integer index forward, a descent never back: no ray visits a texel again"
-    ),
+    )
+    .chained(),
     proof!("fp_lt", &["fp_lt"], "the order of the numbers, at full width"),
     proof!("fp_add", &["fp_add"], "the exact sum, rounded once (4/3)", SMALL),
     proof!("fp_mul", &["fp_mul"], "the exact product, rounded once (4/3)", SMALL),

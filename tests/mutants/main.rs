@@ -30,13 +30,13 @@ const LIVE: &[(&str, usize)] = &[
     ("node_planes", 1),
     ("plane_time", 71),
     ("height_test", 41),
-    ("predicted_hit", 67),
+    ("predicted_hit", 68),
     ("node_crossing", 17),
     ("multi_level_down", 2),
     ("level_up", 6),
     ("level_decision", 0),
-    ("ray_setup", 599),
-    ("hit_position", 59),
+    ("ray_setup", 628),
+    ("hit_position", 61),
 ];
 
 /// Operations that a slip could put in the place of `op`; each has operands and result of the same widths.

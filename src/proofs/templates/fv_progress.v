@@ -3,7 +3,7 @@
 // The units of an iteration that handle indices, put together as in traverse. What the arithmetic says (inside or not, which plane comes
 // first, the predicted hit, the level-up rule) is left open, so the claim holds whatever it says.
 `default_nettype none
-module fv_progress;
+module fv_progress{% if latency > 0 %} (input wire clk){% endif %};
   localparam integer LEVELS = {{ value("node_planes", "LEVELS") }};
   localparam integer IDX_W = {{ value("node_planes", "IDX_W") }};
 {{ instance("node_planes", "u_") }}
@@ -32,6 +32,11 @@ module fv_progress;
   wire signed [IDX_W:0] y_new = v_neg ? -$signed({k_y_next[IDX_W-1], k_y_next}) : $signed({k_y_next[IDX_W-1], k_y_next});
   wire node_left = ($signed(k_x_next) >>> u_level) != ($signed(u_x) >>> u_level)
       || ($signed(k_y_next) >>> u_level) != ($signed(v_x) >>> u_level);
+{%- if latency > 0 %}
+  reg [7:0] clocks;
+  initial clocks = 0;
+  always @(posedge clk) clocks <= clocks + 1;
+{%- endif %}
   always @* begin
     assume (u_level <= LEVELS);
 {%- if trims %}
@@ -41,13 +46,15 @@ module fv_progress;
     assume (k_lod <= k_level);
 {%- endif %}
     assume (x_old < FAR && x_old > -FAR && y_old < FAR && y_old > -FAR);
-    assert (x_new >= x_old && y_new >= y_old);
-    if (k_crosses) begin
-      assert (x_new > x_old || y_new > y_old);
-      assert (node_left);
+    {% if latency > 0 %}if (clocks == {{ latency }}) {% endif %}begin
+      assert (x_new >= x_old && y_new >= y_old);
+      if (k_crosses) begin
+        assert (x_new > x_old || y_new > y_old);
+        assert (node_left);
+      end
+      if (!k_crosses) assert (!node_left);
+      if (!k_crosses && !k_hit) assert (k_level_next < u_level);
     end
-    if (!k_crosses) assert (!node_left);
-    if (!k_crosses && !k_hit) assert (k_level_next < u_level);
   end
 endmodule
 `default_nettype wire

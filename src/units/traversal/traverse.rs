@@ -64,9 +64,10 @@ pub fn traverse(d: &Design) -> Traverse {
     let hit_valid = b.wire("hit_valid", 1);
     // What lets the output pipeline move: a free place in its register, or whoever takes the result.
     let hit_ce = if skids { b.wire("hit_room", 1) } else { (!hit_valid | out_ready).unstaged().named("hit_ce") };
-    // Where registers stand in the way of ready, who may leave is known a clock before.
-    let may_leave = skids.then(|| b.loop_reg("may_leave", 1, true));
-    let leaves = (may_leave.unwrap_or_else(|| back.valid & back.get("done")) & hit_ce).named("leaves");
+    // Where two registers stand in the way of ready, it is decided a clock before: what finds both places of the waiting results empty finds
+    // the output pipeline moving a clock later.
+    let decided = (d.latency.handshake > 1).then(|| b.loop_reg("leaves", 1, true));
+    let leaves = decided.unwrap_or_else(|| (back.valid & back.get("done") & hit_ce).named("leaves"));
     let is_free = (!back.valid | leaves).named("is_free");
 
     b.section("set up", "The setup pipeline holds while its ray finds no free slot.");
@@ -115,7 +116,8 @@ pub fn traverse(d: &Design) -> Traverse {
 
     let next = (path.iteration)(&b, &s, d, &ray, &load);
     let mut loops = back.pairs(&next);
-    loops.extend(may_leave.map(|r| (r, (next.valid & next.get("done")).named("may_leave_next"))));
+    let leaving = || (next.valid & next.get("done") & hit_ce & !hit_valid).named("leaves_next");
+    loops.extend(decided.map(|r| (r, leaving())));
     let slots = b.close(&loops);
 
     b.section("result", "The ray that leaves, from the state registers.");
