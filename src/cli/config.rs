@@ -1,6 +1,6 @@
 //! `reliefrtl config`: the configuration as it stands, with comments, or its schema.
 use super::args::{Cli, ConfigArgs};
-use crate::config::{Config, DatapathKind, for_clock};
+use crate::config::{Config, Design, for_clock};
 use crate::error::{Error, Result};
 use crate::ir::Module;
 use std::sync::Arc;
@@ -40,10 +40,10 @@ pub(super) fn load_ranges(cli: &Cli) -> Result<Config> {
         None => Config::default(),
     };
     if let Some(profile) = cli.profile {
-        c.latency = profile.latency(kind(cli, &c)?);
+        c.latency = profile.latency_for(&numbers(cli, &c)?);
     }
     if let Some(mhz) = cli.clock {
-        let choice = for_clock(mhz, kind(cli, &c)?)?;
+        let choice = for_clock(mhz, numbers(cli, &c)?.datapath.kind)?;
         (c.latency, c.emit.clock_mhz) = (choice.latency, mhz);
         eprintln!("reliefrtl: {}", choice.certainty(mhz));
     }
@@ -51,11 +51,12 @@ pub(super) fn load_ranges(cli: &Cli) -> Result<Config> {
     Ok(c)
 }
 
-/// The datapath that the configuration ends up with.
-fn kind(cli: &Cli, c: &Config) -> Result<DatapathKind> {
+/// The design with the datapath and the format that the configuration ends up with.
+fn numbers(cli: &Cli, c: &Config) -> Result<Design> {
     let mut c = c.clone();
-    cli.sets.iter().filter(|s| s.trim_start().starts_with("datapath.kind")).try_for_each(|s| c.apply_set(s))?;
-    Ok(c.datapath.kind)
+    let numbers = |s: &&String| ["datapath.kind", "format."].iter().any(|key| s.trim_start().starts_with(key));
+    cli.sets.iter().filter(numbers).try_for_each(|s| c.apply_set(s))?;
+    Ok(c.design())
 }
 
 /// Runs `config`.

@@ -2,7 +2,7 @@
 //!
 //! The clocks are those of units alone on an ECP5 (85k, speed grade 8) at 1/7/16: medians of three seeds, `docs/clocks.md` has the commands. A
 //! traversal around them is slower, by the share that the profiles came out at when they were placed and routed whole.
-use super::{DatapathKind, LatencyConfig, Profile};
+use super::{DatapathKind, Divider, LatencyConfig, Profile};
 use crate::error::{Error, Result};
 
 /// Clocks of one kind of unit: latency and MHz, the slowest first.
@@ -69,6 +69,7 @@ pub fn for_clock(mhz: u32, kind: DatapathKind) -> Result<Choice> {
         _ => Some(Profile::Fast),
     };
     let mut latency = profile.map_or(LatencyConfig::default(), |p| p.latency(kind));
+    latency.divider = Divider::Rows;
     let mut slowest = ("", u32::MAX);
     for c in &CURVES {
         let Some((clocks, alone)) = c.points.iter().find(|p| p.1 >= asked) else {

@@ -1,5 +1,5 @@
 //! Latencies by name.
-use super::{DatapathKind, Divider, LatencyConfig};
+use super::{DatapathKind, Design, Divider, LatencyConfig};
 
 /// A named set of latencies. Clocks that were measured of each: `docs/clocks.md`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -26,7 +26,17 @@ impl Profile {
         }
     }
 
-    /// Its latencies. The published datapath divides in its loop: with the published latencies it has the published 15 stages.
+    /// Its latencies for a design: where the table of the divider does not fit the format, the divider has rows.
+    pub fn latency_for(self, d: &Design) -> LatencyConfig {
+        let latency = self.latency(d.datapath.kind);
+        let fits = Design { latency, ..*d }.check_divider().is_ok();
+        if fits { latency } else { LatencyConfig { div: Self::ROWS, divider: Divider::Rows, ..latency } }
+    }
+
+    /// Clocks of a divider of rows, where there are many.
+    const ROWS: u32 = 20;
+
+    /// Its latencies for the published format. The published datapath divides in its loop: with the published latencies it has the published 15 stages.
     pub const fn latency(self, kind: DatapathKind) -> LatencyConfig {
         let (add, mul, compare) = match self {
             Self::Published => (2, 1, 1),
@@ -35,10 +45,11 @@ impl Profile {
         };
         let (div, from_int, to_int, sqrt, add3) = match (self, kind) {
             (Self::Published, DatapathKind::Published) => (2, 1, 1, 4, 4),
-            (Self::Published, _) => (20, 1, 1, 8, 4),
-            (Self::Balanced, _) => (20, 2, 2, 12, 8),
-            (Self::Fast, _) => (20, 5, 4, 20, 12),
+            (Self::Published, _) => (Self::ROWS, 1, 1, 8, 4),
+            (Self::Balanced, _) => (Self::ROWS, 2, 2, 12, 8),
+            (Self::Fast, _) => (10, 5, 4, 20, 12),
         };
+        let divider = if matches!(self, Self::Fast) { Divider::Table } else { Divider::Rows };
         let (decision, node, memory, select, handshake) = match (self, kind) {
             (Self::Published, DatapathKind::Published) => (1, 0, 1, 0, 0),
             (Self::Published, _) => (2, 1, 2, 1, 1),
@@ -50,7 +61,7 @@ impl Profile {
             add,
             mul,
             div,
-            divider: Divider::Rows,
+            divider,
             compare,
             from_int,
             to_int,

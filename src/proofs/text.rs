@@ -196,7 +196,7 @@ impl Flights {
         list.extend((1..=t.finish).map(|k| (format!("u_hit_valid.s{k}_valid"), format!("u_hit_tag.s{k}_data"))));
         if skids {
             for (unit, tag) in [("u_setup_skid", "new_tag"), ("u_hit_skid", "waiting_tag")] {
-                list.extend(["head", "tail"].map(|k| (format!("{unit}.{k}_valid"), format!("{unit}_{tag}.{k}"))));
+                list.extend(["first", "second"].map(|k| (format!("{unit}.{k}_valid"), format!("{unit}_{tag}.{k}"))));
             }
         }
         Self(list)

@@ -241,9 +241,10 @@ fn skid<'b>(b: &'b Builder, s: &Skid<'b>, words: &[Sig<'b>], names: &[String]) -
     let name = s.unit.trim_start_matches("u_");
     let o = b.inst(&stream_skid(), s.unit, &[], &[("in_valid", s.valid), ("out_ready", s.take)]);
     b.connect(s.room, o[0].unstaged().named(&format!("{name}_ready")));
-    let (hold, spare) = (o[2].named(&format!("{name}_hold")), o[3].named(&format!("{name}_spare")));
+    let [first, second, turn] =
+        [(2, "first"), (3, "second"), (4, "turn")].map(|(k, what)| o[k].named(&format!("{name}_{what}")));
     let place = |(word, name): (&Sig<'b>, &String)| {
-        let ins = [("hold", hold), ("spare", spare), ("in_data", *word)];
+        let ins = [("first_open", first), ("second_open", second), ("turn", turn), ("in_data", *word)];
         b.inst(&word_skid(), &format!("{}_{name}", s.unit), &[("W", word.width())], &ins)[0].named(name)
     };
     (o[1], words.iter().zip(names).map(place).collect())
