@@ -73,8 +73,11 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
     Ok(())
 }
 
+/// Files by name.
+type Named = Vec<(String, Vec<u8>)>;
+
 /// Name and files of a module that is not ours, from `TOP=DIR`.
-fn foreign(asked: &str) -> Result<(String, Vec<(String, Vec<u8>)>)> {
+fn foreign(asked: &str) -> Result<(String, Named)> {
     let Some((top, dir)) = asked.split_once('=') else {
         return Err(Error::input(format!("--beside {asked}: write TOP=DIR, a module and the directory of its files")));
     };
