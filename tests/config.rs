@@ -134,7 +134,7 @@ fn all_problems_come_at_once() {
     config.view.names.clear();
     assert_eq!(
         sentence(config.validate()),
-        "3 problems:\n  - latency.div = 33 is too large: 0 to 32 are legal\n  - latency.decision = 0 is too small: 1 to 4 are legal\n  - view.names is empty: at least one of front, oblique, grazing is needed"
+        "3 problems:\n  - latency.div = 33 is too large: 0 to 32 are legal\n  - latency.decision = 0 is too small: 1 to 5 are legal\n  - view.names is empty: at least one of front, oblique, grazing is needed"
     );
 }
 

@@ -1,7 +1,8 @@
 //! The emitted traverse unit in the interpreter, in every mode, equals the golden model ray by ray; all modes hit alike.
 use rand::{Rng, SeedableRng};
+use rayon::prelude::*;
 use reliefrtl::catalogue::design_at;
-use reliefrtl::config::{Design, Divider, LevelUp, ModeConfig, Trim};
+use reliefrtl::config::{Design, Divider, LatencyConfig, LevelUp, ModeConfig, Trim};
 use reliefrtl::golden::{Golden, Pyramid, RayHit, RayInput};
 use reliefrtl::interp::Traffic;
 use reliefrtl::ir::Binding;
@@ -106,6 +107,48 @@ fn other_latencies_and_full_load() {
         assert!(run.results.iter().zip(&rays).all(|(h, r)| hit(h) == g.trace(&pyramid, r)));
         assert!(run.loaded > 500 && run.busy as f64 / run.loaded as f64 >= 0.98, "{} of {}", run.busy, run.loaded);
     }
+}
+
+/// Each register that stands between units by itself, and all at once; with rays that come and results that are taken in fits and starts, so that
+/// every pipeline stops and goes on.
+#[test]
+fn registers_between_units_change_no_result() {
+    type Set = fn(&mut LatencyConfig, u32);
+    let keys: [(Set, u32); 7] = [
+        (|l, n| l.decision = n, 5),
+        (|l, n| l.node = n, 3),
+        (|l, n| l.memory = n, 4),
+        (|l, n| l.select = n, 1),
+        (|l, n| l.setup = n, 1),
+        (|l, n| l.hit = n, 2),
+        (|l, n| l.handshake = n, 2),
+    ];
+    let mut all: Vec<LatencyConfig> = Vec::new();
+    for (set, most) in keys {
+        for n in 0..=most {
+            let mut l = LatencyConfig::default();
+            set(&mut l, n.max(u32::from(most > 3)));
+            all.push(l);
+        }
+    }
+    let mut every = LatencyConfig { add: 8, mul: 4, compare: 2, from_int: 5, to_int: 5, div: 20, ..Default::default() };
+    keys.iter().for_each(|(set, most)| set(&mut every, *most));
+    all.push(every);
+    let check = |(k, l): (usize, &LatencyConfig)| {
+        let mut d = Design { latency: *l, ..Design::default() };
+        d.traverse.levels = 4;
+        d.mode.trim = [Trim::None, Trim::Descent, Trim::Always][k % 3];
+        let (pyramid, rays) = hard(&d, 8);
+        let (g, p) = (Golden::new(&d).unwrap(), Pipeline::new(&d, &Binding::new()).unwrap());
+        for traffic in
+            [Traffic::default(), Traffic { gaps: 30, stalls: 200, seed: 7 }, Traffic { gaps: 200, stalls: 0, seed: 8 }]
+        {
+            let run = p.run(&pyramid, &rays, 64, traffic).unwrap();
+            assert_eq!(run.results.len(), rays.len(), "{l:?}");
+            assert!(run.results.iter().zip(&rays).all(|(h, r)| hit(h) == g.trace(&pyramid, r)), "{l:?}, {traffic:?}");
+        }
+    };
+    all.par_iter().enumerate().for_each(check);
 }
 
 /// The divider by table at its fewest clocks, among others and with a register at the end.
