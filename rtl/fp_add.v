@@ -150,6 +150,7 @@ module fp_add #(
   wire               s1_round_up = s1_carry ? (s1_sum[3] & (s1_sum[4] | s1_sum[2] | (|s1_sum[1:0])))
       : s1_top ? (s1_sum[2] & (s1_sum[3] | (|s1_sum[1:0]))) : (s1_sum[1] & (s1_sum[2] | s1_sum[0]));
   wire [NearW-1:0]   s1_near_coarse = s1_near << {s1_lead[LeadW-1:FineW], {FineW{1'b0}}};
+  wire [FineW-1:0]   s1_lead_fine = s1_lead[FineW-1:0];
   wire [ExpSumW-1:0] s1_exp_less_lead =
       {{(ExpSumW - EXP_W){1'b0}}, s1_big_exp} - {{(ExpSumW - $clog2(MAN_W + 3)){1'b0}}, s1_lead};
   wire [EXP_W-1:0]   s1_near_exp = s1_exp_less_lead[EXP_W-1:0];
@@ -163,7 +164,7 @@ module fp_add #(
   // One place up can carry into the exponent, and from the largest number to infinity, by itself.
   wire [EXP_W+MAN_W-1:0] s1_unrounded = {s1_exp, s1_frac};
   wire [EXP_W+MAN_W-1:0] s1_rounded = s1_unrounded + {{(EXP_W + MAN_W - 1){1'b0}}, s1_round_up};
-  wire [NearW-1:0]       s1_near_norm = s1_near_coarse << s1_lead[FineW-1:0];
+  wire [NearW-1:0]       s1_near_norm = s1_near_coarse << s1_lead_fine;
   wire [MAN_W-1:0]       s1_near_frac = s1_near_norm[MAN_W:1];
 
   // ---- stage 1: select --------------------------------------------------------- add.rs

@@ -68,10 +68,10 @@ module fp_to_int #(
   wire [WideW-1:0]  s0_unshifted = {s0_a_sig, {INT_W{1'b0}}};
   wire [RightW-1:0] s0_coarse = {s0_right[RightW-1:2], 2'd0};
   wire [WideW-1:0]  s0_near_place = s0_unshifted >> s0_coarse;
+  wire [1:0]        s0_fine = s0_right[1:0];
   wire              s0_lost_coarse = |(s0_unshifted & ~({WideW{1'b1}} << s0_coarse));
 
   // ---- stage 0: fine shift ------------------------------------------------ to_fixed.rs
-  wire [1:0]       s0_fine = s0_right[1:0];
   wire [WideW-1:0] s0_shifted = s0_near_place >> s0_fine;
   wire             s0_lost = s0_lost_coarse | (|(s0_near_place[2:0] & ~({3{1'b1}} << s0_fine)));
   wire [INT_W-1:0] s0_mag = s0_shifted[INT_W-1:0];

@@ -126,6 +126,7 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
     let fine_w = b.local("FineW", lead_w.clone().div(2));
     let coarse = b.cat(&[lead.slice(&fine_w, &lead_w - &fine_w), b.zeros(&fine_w)]);
     let near_coarse = near.shift_left(coarse).named("near_coarse");
+    let lead_fine = lead.slice(0, &fine_w).named("lead_fine");
     let less = (big_exp.zext(&e_w) - lead.zext(&e_w)).named("exp_less_lead");
     let near_exp = less.slice(0, &f.exp).named("near_exp");
     let inf = (huge | (near_max & !subtract)).named("give_inf");
@@ -135,7 +136,7 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
     b.section("round", "One place up can carry into the exponent, and from the largest number to infinity, by itself.");
     let number = b.cat(&[exp, frac]).named("unrounded");
     let number = (number + round_up.zext(mag_w)).named("rounded");
-    let near_norm = near_coarse.shift_left(lead.slice(0, &fine_w)).named("near_norm");
+    let near_norm = near_coarse.shift_left(lead_fine).named("near_norm");
     let near_frac = near_norm.slice(1, &f.man).named("near_frac");
     b.unused(b.cat(&[near_norm, less]));
 
@@ -163,8 +164,8 @@ fn align<'b>(b: &'b Builder, small: Sig<'b>, amount: Sig<'b>, kill: Sig<'b>, dee
     let coarse = b.cat(&[amount.slice(&fine_w, amount.width() - &fine_w), b.zeros(&fine_w)]).named("coarse");
     let near_place = keep(small.shift_right(coarse)).named("near_place");
     let lost_coarse = (small & below(coarse)).any().named("lost_coarse");
-    b.section("fine shift", "");
     let fine = amount.slice(0, &fine_w).named("fine");
+    b.section("fine shift", "");
     let lost = lost_coarse | (near_place & below(fine)).any();
     (near_place.shift_right(fine), lost)
 }

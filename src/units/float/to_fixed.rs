@@ -61,10 +61,10 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32) -> 
     let x = b.cat(&[sig, b.zeros(&int)]).named("unshifted");
     let coarse = b.cat(&[right.slice(2, &r_w - 2), b.zeros(2)]).named("coarse");
     let near = x.shift_right(coarse).named("near_place");
+    let fine = right.slice(0, 2).named("fine");
     let lost_coarse = (x & !b.ones(&x_w).shift_left(coarse)).any().named("lost_coarse");
 
     b.section("fine shift", "");
-    let fine = right.slice(0, 2).named("fine");
     let shifted = near.shift_right(fine).named("shifted");
     let lost_fine = (near.slice(0, 3) & !b.ones(3).shift_left(fine)).any();
     let lost = (lost_coarse | lost_fine).named("lost");
