@@ -64,7 +64,7 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
     if let Some(parent) = a.out.parent().filter(|p| !p.as_os_str().is_empty()) {
         std::fs::create_dir_all(parent).map_err(|e| Error::file("create", parent, e))?;
     }
-    std::fs::write(&a.out, &text).map_err(|e| Error::file("write", &a.out, e))?;
+    crate::files::write_atomic(&a.out, text.as_bytes())?;
     if cli.json {
         print!("{text}");
     } else {

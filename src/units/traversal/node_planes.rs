@@ -34,7 +34,7 @@ pub fn node_planes(d: &Design, parity: bool) -> Arc<Module> {
     let keep = b.ones(&idx).shift_left(level).named("keep");
     let first = (x & keep).named("first").at(clocks);
     let last = (x | !keep).named("last").at(clocks);
-    // The plane lies at the node's number, or at the next one: of that number's last bit neither asks for a shift or a sum.
+    // The plane lies at the node's number, or at the next one: the last bit of that takes neither a shift nor a sum.
     let is_odd = parity.then(|| {
         let keep = keep.at(clocks);
         let side = (keep & !b.cat(&[keep.slice(0, &idx - 1), b.zeros(1)])).named("side_length");

@@ -34,10 +34,7 @@ pub fn stream_skid() -> Arc<Module> {
     let filled = |k: usize, name: &str| (fills[k] | (valid[k] & !leaves[k])).named(name);
     let next = [filled(0, "first_filled"), filled(1, "second_filled")];
 
-    b.section(
-        "registers",
-        "Beside the places' own bits, what others wait for: each has a register that nothing else reads.",
-    );
+    b.section("registers", "What others wait for has registers of its own, beside the places' bits.");
     let one = b.lit(1, 1).named("from_now_on");
     b.close(&[
         (valid[0], next[0]),
