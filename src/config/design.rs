@@ -196,8 +196,10 @@ pub struct LatencyConfig {
     pub setup: u32,
     /// Behind the difference of `hit_position` and behind its result (watertight, fixed): 0 to 2.
     pub hit: u32,
-    /// Between ready in and ready out, before the loop and behind the hit: 0 to 2.
+    /// Between ready in and ready out, before the loop and behind the hit: 0 to 3.
     pub handshake: u32,
+    /// What waits this many clocks or longer waits in a `delay_line` instead of registers: 3 to 17; 0: nothing does.
+    pub delay_line: u32,
 }
 
 impl Default for LatencyConfig {
@@ -219,6 +221,7 @@ impl Default for LatencyConfig {
             setup: 0,
             hit: 0,
             handshake: 0,
+            delay_line: 0,
         }
     }
 }

@@ -209,8 +209,13 @@ pub const KEYS: &[Key] = &[
     ),
     key(
         "latency.handshake",
-        "registers in the way of ready: a stream_skid behind the setup and behind the hit (1), and one behind the choice of the ray that leaves (2)",
-        Legal::Whole(0, 2),
+        "registers in the way of ready: a stream_skid behind the setup and behind the hit (1), one behind the choice of the ray that leaves (2), and a stream_queue instead of the stream_skids, before which nothing has an enable (3)",
+        Legal::Whole(0, 3),
+    ),
+    key(
+        "latency.delay_line",
+        "what waits this many clocks or longer does so in a memory of look-up tables instead of registers; 0: nothing does, else 3 or more",
+        Legal::Whole(0, 17),
     ),
     key("map.kind", "a procedural map, or file", Legal::Word(MapKind::WORDS)),
     key("map.file", "the image if kind is file; relative to this file", Legal::Path),

@@ -41,20 +41,20 @@ impl Profile {
         let (add, mul, compare) = match self {
             Self::Published => (2, 1, 1),
             Self::Balanced => (3, 2, 1),
-            Self::Fast => (6, 4, 2),
+            Self::Fast => (6, 6, 2),
         };
         let (div, from_int, to_int, sqrt, add3) = match (self, kind) {
             (Self::Published, DatapathKind::Published) => (2, 1, 1, 4, 4),
             (Self::Published, _) => (Self::ROWS, 1, 1, 8, 4),
             (Self::Balanced, _) => (Self::ROWS, 2, 2, 12, 8),
-            (Self::Fast, _) => (10, 5, 4, 20, 12),
+            (Self::Fast, _) => (13, 5, 4, 20, 12),
         };
         let divider = if matches!(self, Self::Fast) { Divider::Table } else { Divider::Rows };
-        let (decision, node, memory, select, handshake) = match (self, kind) {
-            (Self::Published, DatapathKind::Published) => (1, 0, 1, 0, 0),
-            (Self::Published, _) => (2, 1, 2, 1, 1),
-            (Self::Balanced, _) => (2, 2, 4, 1, 1),
-            (Self::Fast, _) => (5, 3, 4, 1, 2),
+        let (decision, node, memory, select, handshake, delay_line) = match (self, kind) {
+            (Self::Published, DatapathKind::Published) => (1, 0, 1, 0, 0, 0),
+            (Self::Published, _) => (2, 1, 2, 1, 1, 0),
+            (Self::Balanced, _) => (2, 2, 4, 1, 1, 0),
+            (Self::Fast, _) => (5, 3, 4, 1, 3, 4),
         };
         let (setup, hit) = if matches!(self, Self::Fast) { (1, 2) } else { (0, 0) };
         LatencyConfig {
@@ -74,6 +74,7 @@ impl Profile {
             setup,
             hit,
             handshake,
+            delay_line,
         }
     }
 }

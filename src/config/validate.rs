@@ -19,6 +19,7 @@ impl Config {
             self.bilinear_problems(&mut problems);
             self.map_problems(&mut problems);
             problems.extend(self.design().divider_problems());
+            problems.extend(self.line_problem());
         }
         report(problems)
     }
@@ -38,6 +39,11 @@ impl Config {
                 check::problem(key, value(section, name)?)
             })
             .collect())
+    }
+
+    fn line_problem(&self) -> Option<String> {
+        let least = self.latency.delay_line;
+        (1..3).contains(&least).then(|| format!("latency.delay_line = {least} is too short for a memory: 0 (none) or 3 to 17 are legal"))
     }
 
     /// A traversal in floating point is watertight by an argument about one choice of the format (`docs/datapath.md`).

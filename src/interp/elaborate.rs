@@ -88,7 +88,7 @@ impl Flat {
                 }
                 BTreeMap::from([(kr, rem), (kq, root)])
             }
-            Prim::Memory => {
+            Prim::Memory | Prim::Queue | Prim::Banks => {
                 let (k, w) = o("read_data");
                 let read_data = self.source(w);
                 self.mems.push(FlatMem {
@@ -98,22 +98,25 @@ impl Flat {
                     read_addr: i("read_addr"),
                     read_data,
                     depth: b["DEPTH"] as usize,
+                    own: p == Prim::Queue,
                 });
-                BTreeMap::from([(k, read_data)])
-            }
-            Prim::Banks => {
-                let (k, w) = o("read_data");
-                let (read, out) = (self.source(w), self.source(w));
-                self.mems.push(FlatMem {
-                    write_en: i("write_en"),
-                    write_addr: i("write_addr"),
-                    write_data: i("write_data"),
-                    read_addr: i("read_addr"),
-                    read_data: read,
-                    depth: b["DEPTH"] as usize,
-                });
-                self.regs.push(FlatReg { q: out, d: read, enable: None, reset: None });
+                if p != Prim::Banks {
+                    return BTreeMap::from([(k, read_data)]);
+                }
+                let out = self.source(w);
+                self.regs.push(FlatReg { q: out, d: read_data, enable: None, reset: None });
                 BTreeMap::from([(k, out)])
+            }
+            Prim::DelayLine => {
+                let (k, w) = o("out_data");
+                let enable = m.ce.map(|ce| inputs[&ce]).filter(|e| self.value(*e) != Some(1));
+                let mut word = i("in_data");
+                for _ in 0..b["CLOCKS"] {
+                    let q = self.source(w);
+                    self.regs.push(FlatReg { q, d: word, enable, reset: None });
+                    word = q;
+                }
+                BTreeMap::from([(k, word)])
             }
             Prim::RecipTable => {
                 let (k, w) = o("word");

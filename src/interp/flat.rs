@@ -79,7 +79,8 @@ impl Flat {
     }
 
     /// Renumbers: sources first, then operations, operands before their users.
-    pub fn levelize(self, binding: Binding, mut inputs: Vec<FlatPort>, mut outputs: Vec<FlatPort>) -> Netlist {
+    pub fn levelize(mut self, binding: Binding, mut inputs: Vec<FlatPort>, mut outputs: Vec<FlatPort>) -> Netlist {
+        self.mems.sort_by_key(|m| m.own);
         let mut producer = vec![usize::MAX; self.widths.len()];
         self.ops.iter().enumerate().for_each(|(i, (s, _))| producer[*s as usize] = i);
         let mut map = vec![Slot::MAX; self.widths.len()];
@@ -122,6 +123,7 @@ impl Flat {
             read_addr: at(m.read_addr),
             read_data: at(m.read_data),
             depth: m.depth,
+            own: m.own,
         };
         let mut consts: Vec<(Slot, u64)> = self.const_of.iter().map(|(s, v)| (at(*s), *v)).collect();
         consts.sort_unstable();

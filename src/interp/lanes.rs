@@ -1,7 +1,8 @@
 //! Two-valued simulation of many independent copies of a design side by side.
 //!
 //! Lanes stand in blocks whose values fit the cache; in a block every operation is one loop over the lanes, which the
-//! compiler vectorizes. Memories are shared by all lanes: what is written must be the same in each.
+//! compiler vectorizes. Memories are shared by all lanes, and what is written must be the same in each; but for those of which each lane has
+//! its own ([`FlatMem::own`]), whose words stand behind each other, lane by lane.
 use super::kernel::BLOCK;
 use super::layout::layout;
 use super::netlist::*;
@@ -28,7 +29,7 @@ impl Lanes {
     }
     fn with(net: &Netlist, program: Program, lanes: usize) -> Self {
         let blocks = (0..lanes.div_ceil(BLOCK)).map(|_| program.block()).collect();
-        let mems = net.mems.iter().map(|m| Arc::new(vec![0; m.depth])).collect();
+        let mems = net.mems.iter().map(|m| Arc::new(vec![0; if m.own { m.depth * lanes.div_ceil(BLOCK) * BLOCK } else { m.depth }])).collect();
         Self { program, blocks, lanes, ports: net.mems.clone(), mems }
     }
     /// Number of lanes.
@@ -54,7 +55,7 @@ impl Lanes {
     pub fn fill(&mut self, s: Slot, v: u64) {
         (0..self.lanes).for_each(|lane| self.set(s, lane, v));
     }
-    /// Puts `words` into memory `index` (a back door; the write port does the same, word by word).
+    /// Puts `words` into the shared memory `index` (a back door; the write port does the same, word by word).
     pub fn load(&mut self, index: usize, words: Arc<Vec<u64>>) {
         assert_eq!(words.len(), self.ports[index].depth, "memory image has the memory's depth");
         self.mems[index] = words;
@@ -70,10 +71,13 @@ impl Lanes {
     /// # Panics
     /// If lanes write different things to a memory.
     pub fn clock(&mut self) {
-        for b in &mut self.blocks {
+        for (k, b) in self.blocks.iter_mut().enumerate() {
             for r in &self.program.reads {
+                let port = &self.ports[r.mem];
                 for lane in 0..BLOCK {
-                    let word = self.mems[r.mem].get(b.get(r.addr, lane) as usize).copied().unwrap_or(0);
+                    let first = if port.own { (k * BLOCK + lane) * port.depth } else { 0 };
+                    let at = b.get(r.addr, lane) as usize;
+                    let word = if at < port.depth { self.mems[r.mem][first + at] } else { 0 };
                     b.set(r.hold, lane, word);
                 }
             }
@@ -85,6 +89,10 @@ impl Lanes {
     fn write_memories(&mut self) {
         for i in 0..self.ports.len() {
             let m = self.ports[i];
+            if m.own {
+                self.write_own(i);
+                continue;
+            }
             if (0..self.lanes).all(|l| self.get(m.write_en, l) == 0) {
                 continue;
             }
@@ -94,6 +102,16 @@ impl Lanes {
             let (addr, data) = (self.get(m.write_addr, 0) as usize, self.get(m.write_data, 0));
             if let Some(word) = Arc::make_mut(&mut self.mems[i]).get_mut(addr) {
                 *word = data;
+            }
+        }
+    }
+
+    fn write_own(&mut self, i: usize) {
+        let m = self.ports[i];
+        for lane in (0..self.lanes).filter(|l| self.get(m.write_en, *l) != 0).collect::<Vec<_>>() {
+            let (addr, data) = (self.get(m.write_addr, lane) as usize, self.get(m.write_data, lane));
+            if addr < m.depth {
+                Arc::make_mut(&mut self.mems[i])[lane * m.depth + addr] = data;
             }
         }
     }

@@ -79,6 +79,8 @@ pub struct FlatMem {
     pub read_data: Slot,
     /// Words.
     pub depth: usize,
+    /// Every copy of the design has words of its own; else all read the same.
+    pub own: bool,
 }
 
 /// A port of the elaborated module.
@@ -108,7 +110,7 @@ pub struct Netlist {
     pub first_op: Slot,
     /// Registers.
     pub regs: Vec<FlatReg>,
-    /// Memories.
+    /// Memories: first those that all copies share, then those of each copy.
     pub mems: Vec<FlatMem>,
     /// Hierarchical names (`u_add.s1_sum`) of slots, for waveforms and mismatch reports.
     pub names: BTreeMap<String, Slot>,

@@ -87,6 +87,7 @@ fn round(net: &Netlist) -> Netlist {
             read_addr: at(m.read_addr),
             read_data: at(m.read_data),
             depth: m.depth,
+            own: m.own,
         })
         .collect();
     f.names = net.names.iter().filter(|(_, s)| at(**s) != Slot::MAX).map(|(n, s)| (n.clone(), at(*s))).collect();

@@ -1,6 +1,7 @@
 //! The one description of the hardware: fixed-width operations in pipeline stages, widths over module parameters.
 mod builder;
 mod expr;
+mod lines;
 mod module;
 mod names;
 mod schedule;
@@ -9,6 +10,7 @@ mod verify;
 
 pub use builder::{Builder, Sig};
 pub use expr::{Atom, Binding, Expr, Func};
+pub use lines::{Lines, with_lines};
 pub use module::*;
 pub use names::Names;
 pub use schedule::plan_stages;

@@ -230,8 +230,12 @@ pub enum Prim {
     SqrtRows,
     /// Single read, single write memory with registered read.
     Memory,
+    /// The same with few words, which change while rays are inside.
+    Queue,
     /// The same in banks, each with a second register.
     Banks,
+    /// `in_data` \[W\] to `out_data` \[W\] CLOCKS clocks later, held while the clock enable is 0.
+    DelayLine,
     /// `index` \[8\] to `word` \[33\] one clock later: constants, held while the clock enable is 0.
     RecipTable,
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 /// Banks of a copy of the map.
 const BANKS: usize = 4;
 
-/// The words of each memory of `net` after the words of the pyramid's image went through the load port: the pyramid itself, then the banks of each copy of
+/// The words of each memory of `net` that all copies of it share, after the words of the pyramid's image went through the load port: the pyramid itself, then the banks of each copy of
 /// the map, which hold every fourth word of level 0.
 ///
 /// # Panics
@@ -22,8 +22,9 @@ pub fn images(net: &Netlist, image: &[u64]) -> Vec<Arc<Vec<u64>>> {
         None => whole.clone(),
         Some(k) => of(k, depth),
     };
-    let list: Vec<_> = net.mems.iter().map(|m| m.depth).enumerate().map(one).collect();
-    let fit = list.iter().zip(&net.mems).all(|(words, m)| words.len() == m.depth);
+    let shared = || net.mems.iter().filter(|m| !m.own);
+    let list: Vec<_> = shared().map(|m| m.depth).enumerate().map(one).collect();
+    let fit = list.iter().zip(shared()).all(|(words, m)| words.len() == m.depth);
     assert!(fit, "an image of {} words fills no memories of this size", image.len());
     list
 }

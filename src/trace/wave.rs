@@ -51,7 +51,7 @@ pub fn record_ray(
     net.inputs.iter().for_each(|i| sim.set(i.slot, 0));
     sim.set(net.input("out_ready"), 1);
     let data: Vec<_> = p.inputs.iter().map(|n| net.input(n)).collect();
-    let limit = u64::from(p.slots) * u64::from(design.traverse.step_limit + 2) + u64::from(p.depth) + 4;
+    let limit = u64::from(p.slots) * u64::from(design.traverse.step_limit + 2) + u64::from(p.depth) + 12;
     let mut hit = None;
     for clock in 0..limit {
         sim.set(net.input("rst"), u64::from(clock == 0));

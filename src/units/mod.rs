@@ -1,4 +1,5 @@
 //! The hardware: one file a unit, named as the unit is.
+pub mod delay_line;
 pub mod div_rows;
 pub mod float;
 pub mod interleave;
@@ -13,6 +14,10 @@ use std::sync::Arc;
 
 /// The arithmetic of a design and what it is made of, leaves first: units that stand alone, at any legal format.
 pub fn arithmetic(d: &Design) -> Vec<Arc<Module>> {
+    delay_line::in_lines(arithmetic_in_registers(d), d.latency.delay_line)
+}
+
+fn arithmetic_in_registers(d: &Design) -> Vec<Arc<Module>> {
     let mut list = vec![lzc::lzc_module(8), interleave::interleave_module(d.traverse.levels + 1)];
     list.extend((traversal::Datapath::of(d).arithmetic)(d));
     list.extend(chosen(d, d.extra));
@@ -21,7 +26,7 @@ pub fn arithmetic(d: &Design) -> Vec<Arc<Module>> {
 
 /// Units that no traversal needs and that only come where `emit.units` or a command names them, leaves first.
 pub fn available(d: &Design) -> Vec<Arc<Module>> {
-    chosen(d, ExtraUnits::ALL)
+    delay_line::in_lines(chosen(d, ExtraUnits::ALL), d.latency.delay_line)
 }
 
 /// What `fp_div` stands on besides its own text.
@@ -57,7 +62,7 @@ pub fn all(d: &Design) -> Vec<Arc<Module>> {
     let t = &d.traverse;
     let path = traversal::Datapath::of(d);
     let parity = matches!(d.mode.level_up, crate::config::LevelUp::Tevs | crate::config::LevelUp::Selective);
-    let mut list = arithmetic(d);
+    let mut list = arithmetic_in_registers(d);
     let trims = d.mode.trim != crate::config::Trim::None;
     list.extend((d.mode.start_level || trims).then(|| traversal::start_level(t)));
     if d.mode.lod {
@@ -80,5 +85,5 @@ pub fn all(d: &Design) -> Vec<Arc<Module>> {
         list.extend(traversal::bilinear::units(d));
     }
     list.push(traversal::traverse(d).module);
-    list
+    delay_line::in_lines(list, d.latency.delay_line)
 }

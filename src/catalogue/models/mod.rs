@@ -39,6 +39,7 @@ pub fn model(unit: &str, d: &Design, b: &Binding, x: &[u64]) -> Vec<u64> {
             let root = (radicand >> (2 * below)).isqrt() << below;
             vec![((radicand - root * root) >> below) as u64, root as u64]
         }
+        "delay_line" => vec![x[0]],
         "recip_table" => vec![recip_line(x[0].into())],
         "start_level" => vec![u64::from(start_level(d.traverse.levels, idx, s(x[0]), s(x[1]), s(x[2]), s(x[3])))],
         "height_address" => {

@@ -26,6 +26,22 @@ const PLAN: [(&str, u32); 7] = [
     ("select", 30),
 ];
 
+/// The same with registers before and behind each multiplier besides, so that these can stand beside the block, wherever the rest is.
+const DEEP: [&str; 12] = [
+    "read",
+    "line",
+    "fall",
+    "fallen",
+    "reciprocal",
+    "factors",
+    "quotient",
+    "part",
+    "estimate",
+    "remainder",
+    "rest",
+    "select",
+];
+
 /// Builds it with `latency` clocks from operand to result; 2 or more.
 pub fn by_table(format: FloatFormat, latency: u32) -> Arc<Module> {
     assert!(format.is_plain() && latency >= Design::TABLE_CLOCKS, "Design::check_divider comes first");
@@ -39,7 +55,11 @@ pub fn by_table(format: FloatFormat, latency: u32) -> Arc<Module> {
     let a_in = b.input("a", &f.width, "float", "dividend");
     let b_in = b.input("b", &f.width, "float", "divisor");
     let out = b.output("result", &f.width, "float", "a / b");
-    b.plan_from(1, latency - 1, &PLAN);
+    if latency as usize > DEEP.len() {
+        b.plan_from(1, latency - 1, &DEEP.map(|name| (name, 60)));
+    } else {
+        b.plan_from(1, latency - 1, &PLAN);
+    }
 
     b.section("table", "Short fractions are filled up with zeros, so one table serves every MAN_W.");
     let x = Quotient::of(&b, &f, a_in, b_in, &e_w);
@@ -59,21 +79,25 @@ pub fn by_table(format: FloatFormat, latency: u32) -> Arc<Module> {
     let exp = (x.exp - less.zext(&e_w)).named("norm_exp");
     let lower = (exp - b.lit(1, &e_w)).named("lower_exp");
 
+    b.section("line", "");
     b.section("fall", "");
     let product = slope.product(along).named("fall_product");
     let fall = product.slice(6, SLOPE_W + 10 - INDEX_W).named("fall");
     b.unused(product);
 
+    b.section("fallen", "");
     b.section("reciprocal", "Less 1/2, in 18 bits.");
     let sum = (start - fall.zext(START_W)).named("recip_sum");
     let recip = sum.slice(3, 18).named("recip");
     b.unused(sum);
 
+    b.section("factors", "");
     b.section("quotient", "");
     let product = num.product(recip).named("part_product");
     let part = product.slice(18, 18).named("part");
     b.unused(product);
 
+    b.section("part", "");
     b.section("estimate", "With the half that the reciprocal was given less, and cut to a significand.");
     let est = (num + part).named("est");
     b.unused(est);
@@ -86,6 +110,7 @@ pub fn by_table(format: FloatFormat, latency: u32) -> Arc<Module> {
     );
     let back = b.cat(&[quot, b.ones(1)]).product(divisor).named("back");
     b.unused(back);
+    b.section("rest", "");
     let (n0, n1, b0, b1) = (low_bits.bit(0), low_bits.bit(1), back.bit(&f.man + 1), back.bit(&f.man + 2));
     let up = (n1 ^ b1 ^ (n0 & !b0)).named("round_up");
     // An estimate just below 1: one more is the result, and carries to the exponent that is there.

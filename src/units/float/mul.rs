@@ -13,6 +13,11 @@ use std::sync::Arc;
 
 /// Sections and how long each takes, in tenths of a nanosecond on ECP5.
 const PLAN: &[(&str, u32)] = &[("operands", 10), ("multiply", 55), ("round", 30), ("select", 30)];
+/// With registers behind the multiplier besides: the first can stand beside the block, wherever the rest is.
+const FIVE: &[(&str, u32)] = &[("operands", 10), ("multiply", 55), ("product", 55), ("round", 30), ("select", 30)];
+/// And before it.
+const DEEP: &[(&str, u32)] =
+    &[("operands", 10), ("factors", 55), ("multiply", 55), ("product", 55), ("round", 30), ("select", 30)];
 
 /// Builds `fp_mul` with `latency` clocks from operand to result.
 pub fn fp_mul(format: FloatFormat, latency: u32) -> Arc<Module> {
@@ -28,7 +33,12 @@ pub fn fp_mul(format: FloatFormat, latency: u32) -> Arc<Module> {
     let a_in = b.input("a", &f.width, "float", "first factor");
     let b_in = b.input("b", &f.width, "float", "second factor");
     let out = b.output("result", &f.width, "float", "a * b");
-    b.plan(latency, PLAN);
+    let plan = match latency {
+        0..=4 => PLAN,
+        5 => FIVE,
+        _ => DEEP,
+    };
+    b.plan(latency, plan);
 
     b.section("operands", "");
     let (fa, fb) = (Fields::of(&f, a_in, "a"), Fields::of(&f, b_in, "b"));
@@ -39,6 +49,7 @@ pub fn fp_mul(format: FloatFormat, latency: u32) -> Arc<Module> {
     let exp_top = exp_sum.slice(&f.exp, 3) - b.lit(1, 3);
     let exp_low = b.cat(&[exp_top.named("exp_top"), exp_sum.slice(1, &f.exp - 1)]).named("exp_low");
 
+    b.section("factors", "");
     b.section("multiply", "The hidden bit is 1 for every operand: a zero operand overrides the result instead.");
     let sa = b.cat(&[b.lit(1, 1), fa.frac]);
     let sb = b.cat(&[b.lit(1, 1), fb.frac]);
@@ -49,6 +60,7 @@ pub fn fp_mul(format: FloatFormat, latency: u32) -> Arc<Module> {
     let nan = (fa.is_nan | fb.is_nan | (zero & inf)).named("is_nan");
     let sign = (fa.sign ^ fb.sign).named("prod_sign");
 
+    b.section("product", "");
     b.section(
         "round",
         "A product of two numbers in [1, 2) lies in [1, 4): low below 2, high from 2 on. A carry out of the fraction \

@@ -1,4 +1,5 @@
 //! The traversal's units, one file each, and `traverse` on top. Units of one datapath stand in a folder of its name.
+mod between;
 pub mod bilinear;
 mod census;
 mod chord_trim;
@@ -20,6 +21,7 @@ mod plane_iteration;
 pub mod published;
 mod start_level;
 mod stream_delay;
+mod stream_queue;
 mod stream_skid;
 mod traverse;
 mod trim;
@@ -41,6 +43,7 @@ pub use node_hit::node_hit;
 pub use node_planes::node_planes;
 pub use start_level::start_level;
 pub use stream_delay::stream_delay;
+pub use stream_queue::{stream_queue, word_queue};
 pub use stream_skid::{stream_skid, word_skid};
 pub use traverse::{Traverse, traverse};
 pub use trim_return::trim_return;

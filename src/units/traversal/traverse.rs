@@ -3,12 +3,13 @@
 //! A ray is set up once, then goes round the loop, one node an iteration, one iteration a clock. A slot that is free, or
 //! whose ray has just left, takes the next ray. A ray that is done goes round unchanged until it can leave, so
 //! back-pressure stops neither the others nor loses anything. The number of stages follows from the latencies.
+use super::between::Between;
 use super::bilinear::{bilinear_hit, latency as bilinear_clocks};
 use super::datapath::Datapath;
 use super::loop_state::{Ray, Sizes, fields};
 use super::stream_delay::{stream_delay, valid_delay, word_delay};
-use super::stream_skid::{stream_skid, word_skid};
 use crate::config::Design;
+use crate::units::delay_line::in_lines;
 use crate::ir::{Binding, Builder, Module, Sig};
 use std::sync::Arc;
 
@@ -26,6 +27,12 @@ pub struct Traverse {
 
 /// Builds `traverse`.
 pub fn traverse(d: &Design) -> Traverse {
+    let t = in_registers(d);
+    let module = in_lines(vec![t.module], d.latency.delay_line).pop().expect("one came in");
+    Traverse { module, ..t }
+}
+
+fn in_registers(d: &Design) -> Traverse {
     let b =
         Builder::new("traverse", file!(), "traces rays against a height field: a looping pipeline, one node a clock");
     b.throughput("one iteration (one node) per clock; a ray takes as many iterations as its path needs");
@@ -60,19 +67,24 @@ pub fn traverse(d: &Design) -> Traverse {
     let finish = if d.mode.bilinear { bilinear_clocks(&d.latency) } else { clocks_hit };
 
     b.section("leave", "A ray that is done leaves when the output pipeline moves.");
-    let skids = d.latency.handshake > 0;
+    let (skids, queues) = (d.latency.handshake > 0, d.latency.handshake > 2);
     let hit_valid = b.wire("hit_valid", 1);
     // What lets the output pipeline move: a free place in its register, or whoever takes the result.
-    let hit_ce = if skids { b.wire("hit_room", 1) } else { (!hit_valid | out_ready).unstaged().named("hit_ce") };
+    let hit_room = if skids { b.wire("hit_room", 1) } else { (!hit_valid | out_ready).unstaged().named("hit_ce") };
+    // Before a queue nothing ever stops.
+    let hit_ce = if queues { b.lit(1, 1) } else { hit_room };
     // Where two registers stand in the way of ready, it is decided a clock before: what finds both places of the waiting results empty finds
     // the output pipeline moving a clock later.
     let decided = (d.latency.handshake > 1).then(|| b.loop_reg("leaves", 1, true));
-    let leaves = decided.unwrap_or_else(|| (back.valid & back.get("done") & hit_ce).named("leaves"));
+    let leaves = decided.unwrap_or_else(|| (back.valid & back.get("done") & hit_room).named("leaves"));
     let is_free = (!back.valid | leaves).named("is_free");
 
     b.section("set up", "The setup pipeline holds while its ray finds no free slot.");
     let setup_valid = b.wire("setup_valid", 1);
-    let setup_ce = if skids { b.wire("setup_room", 1) } else { (!setup_valid | is_free).unstaged().named("setup_ce") };
+    let setup_room =
+        if skids { b.wire("setup_room", 1) } else { (!setup_valid | is_free).unstaged().named("setup_ce") };
+    let setup_ce = if queues { b.lit(1, 1) } else { setup_room };
+    let set_out = if queues { (in_valid & setup_room).named("sets_out") } else { in_valid };
     let module = (path.setup)(d);
     let mut ins = vec![("u", u), ("v", v), ("du", du), ("dv", dv), ("ce", setup_ce)];
     ins.extend(lod.map(|lod| ("lod", lod)));
@@ -84,14 +96,16 @@ pub fn traverse(d: &Design) -> Traverse {
         .map(|(x, n)| x.restage(0).named(&format!("{}_{n}", if skids { "set" } else { "new" })))
         .collect();
     let track = stream_delay("setup_delay", clocks_setup, d.traverse.tag_bits);
-    let ins = [("in_valid", in_valid), ("in_data", in_tag), ("ce", setup_ce)];
+    let ins = [("in_valid", set_out), ("in_data", in_tag), ("ce", setup_ce)];
     let o_track = b.inst(&track, "u_setup_delay", &[("W", s.tag.clone())], &ins);
     let (mut is_set, mut new_tag, mut outs) = (o_track[0].restage(0), o_track[1].restage(0), outs);
     if skids {
         let words: Vec<Sig<'_>> = outs.iter().copied().chain([new_tag.named("set_tag")]).collect();
-        let ports = Skid { unit: "u_setup_skid", valid: is_set.named("is_set"), room: setup_ce, take: is_free };
+        let valid = is_set.named("is_set");
+        let between =
+            Between { name: "setup", valid, room: setup_room, take: is_free, sets_out: queues.then_some(set_out) };
         let new: Vec<String> = names.iter().map(|n| format!("new_{n}")).chain(["new_tag".into()]).collect();
-        (is_set, outs) = skid(&b, &ports, &words, &new);
+        (is_set, outs) = between.pass(&b, &words, &new);
         new_tag = outs.pop().expect("the tag was put in last");
     }
     let setup = |name: &str| {
@@ -100,7 +114,7 @@ pub fn traverse(d: &Design) -> Traverse {
     };
     b.connect(setup_valid, is_set.named("setup_tracked"));
     let new_tag = new_tag.named("new_tag");
-    b.drive(o_in_ready, setup_ce, None);
+    b.drive(o_in_ready, setup_room, None);
     let admits = (setup_valid & is_free).named("admits");
 
     b.section("slot", "The new ray, or the one that comes back.");
@@ -116,9 +130,21 @@ pub fn traverse(d: &Design) -> Traverse {
 
     let next = (path.iteration)(&b, &s, d, &ray, &load);
     let mut loops = back.pairs(&next);
-    let leaving = || (next.valid & next.get("done") & hit_ce & !hit_valid).named("leaves_next");
-    loops.extend(decided.map(|r| (r, leaving())));
+    // A queue has counted the ray that leaves now only in the next clock.
+    let leaving = decided.map(|r| {
+        let hit_moves = if queues {
+            let now = b.wire("leaving_now", 1);
+            b.connect(now, r);
+            hit_room & !now
+        } else {
+            hit_room & !hit_valid
+        };
+        (r, (next.valid & next.get("done") & hit_moves).named("leaves_next"))
+    });
+    loops.extend(leaving);
     let slots = b.close(&loops);
+    // Delayed, the decision would meet another hit_room than it was made with.
+    assert!(leaving.is_none_or(|(_, v)| v.stage() == Some(slots - 1)), "who leaves is decided in the last slot");
 
     b.section("result", "The ray that leaves, from the state registers.");
     let hit = (path.hit)(d);
@@ -164,8 +190,9 @@ pub fn traverse(d: &Design) -> Traverse {
         let found = refined.into_iter().flatten();
         let words: Vec<Sig<'_>> = outs.iter().chain(&fractions).copied().chain(found).collect();
         let names: Vec<String> = WAITING.iter().take(words.len()).map(|n| format!("waiting_{n}")).collect();
-        let ports = Skid { unit: "u_hit_skid", valid: tracked, room: hit_ce, take: out_ready };
-        let (valid, mut all) = skid(&b, &ports, &words, &names);
+        let sets_out = queues.then_some(leaves);
+        let between = Between { name: "hit", valid: tracked, room: hit_room, take: out_ready, sets_out };
+        let (valid, mut all) = between.pass(&b, &words, &names);
         b.connect(hit_valid, valid.unstaged().named("hit_waits"));
         outs = all.drain(..outs.len()).collect();
         fractions = all.drain(..fractions.len()).collect();
@@ -223,32 +250,6 @@ const WAITING: [&str; 17] = [
     "bfv",
     "bt",
 ];
-
-/// A `stream_skid` between two pipelines.
-struct Skid<'b> {
-    /// Name of the instance.
-    unit: &'static str,
-    /// The pipeline before it offers words.
-    valid: Sig<'b>,
-    /// Wire that says whether it may move.
-    room: Sig<'b>,
-    /// The words are taken.
-    take: Sig<'b>,
-}
-
-/// Passes `words` on by a skid; returns whether they are there, and themselves under `names`.
-fn skid<'b>(b: &'b Builder, s: &Skid<'b>, words: &[Sig<'b>], names: &[String]) -> (Sig<'b>, Vec<Sig<'b>>) {
-    let name = s.unit.trim_start_matches("u_");
-    let o = b.inst(&stream_skid(), s.unit, &[], &[("in_valid", s.valid), ("out_ready", s.take)]);
-    b.connect(s.room, o[0].unstaged().named(&format!("{name}_ready")));
-    let [first, second, turn] =
-        [(2, "first"), (3, "second"), (4, "turn")].map(|(k, what)| o[k].named(&format!("{name}_{what}")));
-    let place = |(word, name): (&Sig<'b>, &String)| {
-        let ins = [("first_open", first), ("second_open", second), ("turn", turn), ("in_data", *word)];
-        b.inst(&word_skid(), &format!("{}_{name}", s.unit), &[("W", word.width())], &ins)[0].named(name)
-    };
-    (o[1], words.iter().zip(names).map(place).collect())
-}
 
 /// The load port of the pyramid.
 pub struct Load<'b> {
