@@ -8,7 +8,7 @@ use reliefrtl::config::{Config, Design};
 use reliefrtl::interp::{Lanes, elaborate};
 use reliefrtl::ir::{Binding, Module};
 use reliefrtl::project::{alone, alone_files};
-use reliefrtl::synth::{Target, measure};
+use reliefrtl::synth::{Placing, Target, measure};
 use reliefrtl::units::recip_table::recip_table_module;
 use reliefrtl::vectors::{Campaign, Level, Plan, Shard, VectorSet, set_files};
 use reliefrtl::verilog::{Style, print_module};
@@ -125,7 +125,7 @@ fn the_table_is_one_block_memory() {
         return;
     }
     for clocks in [2, 4, 9] {
-        let f = measure(&divider(clocks).1, &Target::Xilinx, &[], 300).unwrap();
+        let f = measure(&divider(clocks).1, &Target::Xilinx, &Placing { seeds: vec![], ..Placing::default() }).unwrap();
         assert_eq!((f.memories, f.multipliers), (1, 4), "{clocks} clocks");
     }
 }

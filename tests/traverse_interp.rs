@@ -114,14 +114,16 @@ fn other_latencies_and_full_load() {
 #[test]
 fn registers_between_units_change_no_result() {
     type Set = fn(&mut LatencyConfig, u32);
-    let keys: [(Set, u32); 7] = [
+    let keys: [(Set, u32); 8] = [
         (|l, n| l.decision = n, 5),
         (|l, n| l.node = n, 3),
         (|l, n| l.memory = n, 4),
         (|l, n| l.select = n, 1),
         (|l, n| l.setup = n, 1),
         (|l, n| l.hit = n, 2),
-        (|l, n| l.handshake = n, 2),
+        (|l, n| l.handshake = n, 3),
+        // The shortest line, and longer ones.
+        (|l, n| l.delay_line = if n > 0 { n + 2 } else { 0 }, 3),
     ];
     let mut all: Vec<LatencyConfig> = Vec::new();
     for (set, most) in keys {

@@ -5,7 +5,7 @@ use crate::catalogue;
 use crate::config::{Design, LatencyConfig};
 use crate::error::{Error, Result};
 use crate::project;
-use crate::synth::{Figures, Target, measure, measure_files};
+use crate::synth::{Figures, Placing, Target, measure, measure_files};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
@@ -20,6 +20,8 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
     let all: Vec<String> = catalogue::units(&d).into_iter().map(|m| m.name.clone()).collect();
     let names = if a.unit == ["all"] { all } else { a.unit.clone() };
     let target = target(a)?;
+    let placing =
+        Placing { seeds: a.seeds.clone(), freq: a.freq, timing_weight: a.timing_weight, copies: a.copies };
     let others = a.beside.iter().map(|other| foreign(other)).collect::<Result<Vec<_>>>()?;
     // One run at the configured latencies, or one at each latency asked for.
     let latencies: Vec<Option<u32>> =
@@ -45,7 +47,7 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
             d.check_divider()?;
             let unit = catalogue::find(&d, name)?;
             let bar = spinner(cli, format!("{name} at {latency:?} for {}", target.name()));
-            let figures = measure(&unit, &target, &a.seeds, a.freq)?;
+            let figures = measure(&unit, &target, &placing)?;
             bar.finish_and_clear();
             let mut value = serde_json::to_value(&figures).expect("plain data");
             value["design"] = design(&d);
@@ -55,7 +57,7 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
     }
     for (top, files) in others {
         let bar = spinner(cli, format!("{top} for {}", target.name()));
-        let figures = measure_files(&files, &top, &target, &a.seeds, a.freq)?;
+        let figures = measure_files(&files, &top, &target, &placing)?;
         bar.finish_and_clear();
         all.push(serde_json::to_value(&figures).expect("plain data"));
         done.push(figures);
@@ -133,9 +135,9 @@ fn rows(done: &[Figures]) -> String {
         let latency = f.latency.map_or("-".into(), |l| l.to_string());
         let area = f.area.map_or(String::new(), |a| format!("{a:.0}"));
         let depth = f.depth.map_or(String::new(), |d| d.to_string());
-        let counts = [f.luts, f.carries, f.multipliers, f.memories, f.flip_flops].map(|n| n.to_string());
+        let counts = [f.luts, f.carries, f.multipliers, f.memories, f.lut_memories, f.flip_flops].map(|n| n.to_string());
         [vec![f.unit.clone(), latency], counts.to_vec(), vec![depth, area, mhz, path]].concat()
     };
-    let head = ["unit", "L", "LUT", "carry", "mult", "mem", "FF", "depth", "area", "MHz", "critical path"];
+    let head = ["unit", "L", "LUT", "carry", "mult", "mem", "LUT mem", "FF", "depth", "area", "MHz", "critical path"];
     table(&head, &done.iter().map(line).collect::<Vec<_>>())
 }

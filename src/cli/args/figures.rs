@@ -164,6 +164,12 @@ pub struct SynthArgs {
     /// Clock that the placer is asked for, in MHz.
     #[arg(long, default_value_t = 300, value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub freq: u32,
+    /// How much the placer cares for time rather than for the length of wires; nextpnr's own is 10.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub timing_weight: Option<u32>,
+    /// How many of a unit stand beside each other.
+    #[arg(long, default_value_t = 1, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=16))]
+    pub copies: u32,
     /// Measures each unit at these latencies instead of the configured one.
     #[arg(long, value_delimiter = ',', value_name = "CLOCKS")]
     pub latency: Vec<u32>,

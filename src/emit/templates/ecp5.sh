@@ -8,6 +8,7 @@ mkdir -p pnr
 "${YOSYS:-yosys}" -q -s flow/ecp5.ys
 for seed in "${@:-1}"; do
   "${NEXTPNR:-nextpnr-ecp5}" --85k --speed 8 --package CABGA756 --freq {{ mhz }} --seed "$seed" \
+    --placer-heap-timingweight 60 \
     --json pnr/{{ top }}.json --lpf flow/{{ top }}.lpf --lpf-allow-unconstrained --timing-allow-fail \
     --report "pnr/{{ top }}-$seed.json" --textcfg "pnr/{{ top }}-$seed.config" -q
   echo "seed $seed: pnr/{{ top }}-$seed.json"

@@ -139,7 +139,7 @@ fn in_registers(d: &Design) -> Traverse {
         } else {
             hit_room & !hit_valid
         };
-        (r, (next.valid & next.get("done") & hit_moves).named("leaves_next"))
+        (r, (next.valid & next.get("done").named("ends") & hit_moves).named("leaves_next"))
     });
     loops.extend(leaving);
     let slots = b.close(&loops);
