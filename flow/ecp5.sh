@@ -8,6 +8,7 @@ mkdir -p pnr
 "${YOSYS:-yosys}" -q -s flow/ecp5.ys
 for seed in "${@:-1}"; do
   "${NEXTPNR:-nextpnr-ecp5}" --85k --speed 8 --package CABGA756 --freq 84 --seed "$seed" \
+    --placer-heap-timingweight 60 \
     --json pnr/traverse.json --lpf flow/traverse.lpf --lpf-allow-unconstrained --timing-allow-fail \
     --report "pnr/traverse-$seed.json" --textcfg "pnr/traverse-$seed.config" -q
   echo "seed $seed: pnr/traverse-$seed.json"

@@ -20,8 +20,7 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
     let all: Vec<String> = catalogue::units(&d).into_iter().map(|m| m.name.clone()).collect();
     let names = if a.unit == ["all"] { all } else { a.unit.clone() };
     let target = target(a)?;
-    let placing =
-        Placing { seeds: a.seeds.clone(), freq: a.freq, timing_weight: a.timing_weight, copies: a.copies };
+    let placing = Placing { seeds: a.seeds.clone(), freq: a.freq, timing_weight: a.timing_weight, copies: a.copies };
     let others = a.beside.iter().map(|other| foreign(other)).collect::<Result<Vec<_>>>()?;
     // One run at the configured latencies, or one at each latency asked for.
     let latencies: Vec<Option<u32>> =
@@ -135,7 +134,8 @@ fn rows(done: &[Figures]) -> String {
         let latency = f.latency.map_or("-".into(), |l| l.to_string());
         let area = f.area.map_or(String::new(), |a| format!("{a:.0}"));
         let depth = f.depth.map_or(String::new(), |d| d.to_string());
-        let counts = [f.luts, f.carries, f.multipliers, f.memories, f.lut_memories, f.flip_flops].map(|n| n.to_string());
+        let counts =
+            [f.luts, f.carries, f.multipliers, f.memories, f.lut_memories, f.flip_flops].map(|n| n.to_string());
         [vec![f.unit.clone(), latency], counts.to_vec(), vec![depth, area, mhz, path]].concat()
     };
     let head = ["unit", "L", "LUT", "carry", "mult", "mem", "LUT mem", "FF", "depth", "area", "MHz", "critical path"];

@@ -43,7 +43,9 @@ impl Config {
 
     fn line_problem(&self) -> Option<String> {
         let least = self.latency.delay_line;
-        (1..3).contains(&least).then(|| format!("latency.delay_line = {least} is too short for a memory: 0 (none) or 3 to 17 are legal"))
+        (1..3)
+            .contains(&least)
+            .then(|| format!("latency.delay_line = {least} is too short for a memory: 0 (none) or 3 to 17 are legal"))
     }
 
     /// A traversal in floating point is watertight by an argument about one choice of the format (`docs/datapath.md`).

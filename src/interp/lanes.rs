@@ -29,7 +29,11 @@ impl Lanes {
     }
     fn with(net: &Netlist, program: Program, lanes: usize) -> Self {
         let blocks = (0..lanes.div_ceil(BLOCK)).map(|_| program.block()).collect();
-        let mems = net.mems.iter().map(|m| Arc::new(vec![0; if m.own { m.depth * lanes.div_ceil(BLOCK) * BLOCK } else { m.depth }])).collect();
+        let mems = net
+            .mems
+            .iter()
+            .map(|m| Arc::new(vec![0; if m.own { m.depth * lanes.div_ceil(BLOCK) * BLOCK } else { m.depth }]))
+            .collect();
         Self { program, blocks, lanes, ports: net.mems.clone(), mems }
     }
     /// Number of lanes.

@@ -26,9 +26,8 @@ impl Flights {
             0 => ("s0_back_valid".into(), "s0_back_tag".into()),
             _ => (format!("s{k}_valid"), format!("s{k}_tag")),
         };
-        let mut setup: Vec<_> = (1..=t.setup)
-            .map(|k| (format!("u_setup_delay.s{k}_valid"), format!("u_setup_delay.s{k}_data")))
-            .collect();
+        let mut setup: Vec<_> =
+            (1..=t.setup).map(|k| (format!("u_setup_delay.s{k}_valid"), format!("u_setup_delay.s{k}_data"))).collect();
         let mut hit: Vec<_> =
             (1..=t.finish).map(|k| (format!("u_hit_valid.s{k}_valid"), format!("u_hit_tag.s{k}_data"))).collect();
         let between = match handshake {
@@ -42,7 +41,12 @@ impl Flights {
                 list.extend(["first", "second"].map(|k| (format!("{unit}.{k}_valid"), String::new())));
             }
         }
-        Self { between, decided: handshake > 1, last: t.slots - 1, parts: [setup, (0..t.slots).map(slot).collect(), hit] }
+        Self {
+            between,
+            decided: handshake > 1,
+            last: t.slots - 1,
+            parts: [setup, (0..t.slots).map(slot).collect(), hit],
+        }
     }
 
     /// Rays are counted whatever their tags: where something stands in the way of ready, that thing's own proof says that words stay with
@@ -54,9 +58,13 @@ impl Flights {
     /// Words of the template.
     pub(super) fn value(&self) -> minijinja::Value {
         let [setup, slots, hit] = [0, 1, 2].map(|k| self.parts[k].len());
+        // In the order in which rays pass; the loop's first register comes after its last. The places of skids are no part of a row.
+        let skid = if self.between == Between::Skids { 2 } else { 0 };
+        let rows: [Vec<usize>; 3] =
+            [(0..setup - skid).collect(), (1..slots).chain([0]).collect(), (0..hit - skid).collect()];
         minijinja::context! {
             queues => self.between == Between::Queues, decided => self.decided,
-            parts => [("setup", setup), ("loop", slots), ("hit", hit)],
+            rows => rows, parts => [("setup", setup), ("loop", slots), ("hit", hit)],
         }
     }
 
@@ -82,9 +90,7 @@ impl Flights {
             for (part, name) in self.parts.iter().zip(["setup", "loop", "hit"]) {
                 part.iter().enumerate().for_each(|(k, (valid, _))| tie(format!("{name}_{k}"), valid));
             }
-            if self.decided {
-                tie("leaves".into(), "s0_leaves");
-            }
+            tie("leaves".into(), "s0_leaves");
             let (unit, registers): (_, &[&str]) = match self.between {
                 Between::Queues => ("queue", &["taken", "held", "has_room", "has_set_out", "has_gone", "is_offered"]),
                 _ => ("skid", &["is_ready", "some_valid", "awake", "writes_second", "reads_second"]),

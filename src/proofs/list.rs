@@ -136,7 +136,7 @@ const ALL: &[Proof] = &[
         "words leave in the order in which they come, none lost and none twice, and an offered one stays, by induction"
     )
     .reaching(
-        Reach::Induction(3),
+        Reach::Induction(10),
         &[
             ("first_valid", "dut.first_valid"),
             ("second_valid", "dut.second_valid"),
@@ -154,7 +154,7 @@ const ALL: &[Proof] = &[
         "places are filled and read in turn, none that is taken is written, and an offered word stays, behind a pipeline of any length, by induction"
     )
     .reaching(
-        Reach::Induction(4),
+        Reach::Induction(24),
         &[
             ("taken", "dut.taken"),
             ("held", "dut.held"),

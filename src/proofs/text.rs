@@ -48,8 +48,9 @@ pub fn proof_files(d: &Design, units: &[Arc<Module>], t: &Traverse, prefix: &str
             _ => peeks(p),
         };
         let (mode, depth) = match p.reach {
+            // Each place says by itself how many rays follow, so the first clocks show what is wrong.
+            _ if counts => ("prove", 12),
             // Long enough for a ray that is lost or doubled to be missed at a door, should the induction fail.
-            _ if counts => ("prove", 2),
             _ if p.name == "traverse" => ("prove", flights.len() as u32 + 3),
             // Combinational units and constant inputs are proved for good at one depth.
             Reach::Latency => ("bmc", p.clocks(units) + 1),

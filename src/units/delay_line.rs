@@ -10,7 +10,9 @@ const MOST: u32 = 17;
 pub fn delay_line_module() -> Arc<Module> {
     let b = Builder::new("delay_line", file!(), "a word, delayed by CLOCKS clocks in a ring of words");
     b.note("CLOCKS - 1 words in a memory of look-up tables, read and written at one place, and a register: what CLOCKS registers in a row do.");
-    b.note("The place starts anywhere: no reset. It has an initial value, for simulators and for devices that load one.");
+    b.note(
+        "The place starts anywhere: no reset. It has an initial value, for simulators and for devices that load one.",
+    );
     let w = b.param("W", 8, "bits of the word");
     let clocks = b.param("CLOCKS", 4, "clocks from in_data to out_data");
     b.require(1, &w);

@@ -36,7 +36,9 @@ fn primitive(p: Prim, m: &Module, b: &Binding, inputs: &BTreeMap<usize, u64>) ->
             }
             vec![rem as u64, root as u64]
         }
-        Prim::Memory | Prim::Queue | Prim::Banks | Prim::RecipTable | Prim::DelayLine => unreachable!("a memory has state"),
+        Prim::Memory | Prim::Queue | Prim::Banks | Prim::RecipTable | Prim::DelayLine => {
+            unreachable!("a memory has state")
+        }
     }
 }
 

@@ -17,11 +17,8 @@ module fv_traverse (input wire clk);
 {%- for k in range(n) %}
   (* keep *) wire {{ name }}_{{ k }};
 {%- endfor %}
-  wire [7:0] in_{{ name }} = {% for k in range(n) %}{{ "" if loop.first else " + " }}{7'd0, {{ name }}_{{ k }}}{% endfor %};
 {%- endfor %}
-{%- if flights.decided %}
   (* keep *) wire leaves;
-{%- endif %}
 {%- for door in ["setup", "hit"] %}
 {%- if flights.queues %}
   (* keep *) wire [4:0] {{ door }}_taken, {{ door }}_held;
@@ -31,10 +28,30 @@ module fv_traverse (input wire clk);
   (* keep *) wire {{ door }}_is_ready, {{ door }}_some_valid, {{ door }}_awake, {{ door }}_writes_second, {{ door }}_reads_second;
 {%- endif %}
 {%- endfor %}
-  wire [7:0] inside = in_setup + in_loop + in_hit{% if flights.queues %} + setup_waits + hit_waits{% endif %};
-  reg [7:0] held;
+
+  // The slot that starts holds a ray: the one that stays, or the one that is offered.
+  wire keeps = (loop_0 && !leaves) || {{ "setup_is_offered" if flights.queues else "setup_some_valid" }};
   reg started, was_stalled;
   initial {started, was_stalled} = 0;
+
+  // How many rays are in a row of valid bits from place k to its end: one sum of two for each k, so that no solver has to add a whole row.
+{%- macro row(name, places, enters, moves) %}
+{%- for k in places %}
+  reg [7:0] from_{{ name }}_{{ k }};
+  always @(posedge clk) from_{{ name }}_{{ k }} <= rst ? 8'd0 : !({{ moves }}) ? from_{{ name }}_{{ k }} :
+    from_{{ name }}_{{ k }} + {7'd0, {{ enters if loop.first else name ~ "_" ~ places[loop.index0 - 1] }}} - {7'd0, {{ name }}_{{ places | last }}};
+  always @* if (started) assert (from_{{ name }}_{{ k }} == {7'd0, {{ name }}_{{ k }}}{% if not loop.last %} + from_{{ name }}_{{ places[loop.index0 + 1] }}{% endif %});
+{%- endfor %}
+  wire [7:0] in_{{ name }} = from_{{ name }}_{{ places | first }};
+{%- endmacro %}
+{{- row("setup", flights.rows[0], "(in_valid && in_ready)", "1'b1" if flights.queues else "setup_is_ready") }}
+{{- row("loop", flights.rows[1], "keeps", "1'b1") }}
+{{- row("hit", flights.rows[2], "leaves", "1'b1" if flights.queues else "hit_is_ready") }}
+{%- for door, n in flights.parts if door != "loop" and not flights.queues %}
+  wire [7:0] {{ door }}_waits = {7'd0, {{ door }}_{{ n - 2 }}} + {7'd0, {{ door }}_{{ n - 1 }}};
+{%- endfor %}
+  wire [7:0] inside = in_setup + in_loop + in_hit + setup_waits + hit_waits;
+  reg [7:0] held;
   always @(posedge clk) begin
     started <= 1;
     was_stalled <= out_valid && !out_ready && !rst;
@@ -48,9 +65,7 @@ module fv_traverse (input wire clk);
       assert (held == inside);
       if (was_stalled) assert (out_valid);
       // What makes it hold in every next clock.
-{%- if flights.decided %}
       if (leaves) assert (loop_0);
-{%- endif %}
 {%- for door, n in flights.parts if door != "loop" %}
 {%- if flights.queues %}
       assert ({3'd0, {{ door }}_taken} + {7'd0, {{ door }}_has_set_out} == in_{{ door }} + {3'd0, {{ door }}_held});

@@ -40,13 +40,7 @@ impl<'b> Between<'b> {
         (o[1], words.iter().zip(names).map(place).collect())
     }
 
-    fn queue(
-        &self,
-        b: &'b Builder,
-        sets_out: Sig<'b>,
-        words: &[Sig<'b>],
-        names: &[String],
-    ) -> (Sig<'b>, Vec<Sig<'b>>) {
+    fn queue(&self, b: &'b Builder, sets_out: Sig<'b>, words: &[Sig<'b>], names: &[String]) -> (Sig<'b>, Vec<Sig<'b>>) {
         let name = format!("{}_queue", self.name);
         let ins = [("sets_out", sets_out), ("in_valid", self.valid), ("out_ready", self.take)];
         let o = b.inst(&stream_queue(), &format!("u_{name}"), &[], &ins);
@@ -56,12 +50,7 @@ impl<'b> Between<'b> {
         let place = |(word, to): (&Sig<'b>, &String)| {
             let own = |p: &str| queue.params.iter().find(|q| q.name == p).expect("a queue has it").default;
             let params = [("ADDR_W", own("ADDR_W").into()), ("DATA_W", word.width()), ("DEPTH", own("DEPTH").into())];
-            let ins = [
-                ("write_en", self.valid),
-                ("write_addr", write),
-                ("write_data", *word),
-                ("read_addr", read),
-            ];
+            let ins = [("write_en", self.valid), ("write_addr", write), ("write_data", *word), ("read_addr", read)];
             b.inst(&queue, &format!("u_{name}_{to}"), &params, &ins)[0].restage(0).named(to)
         };
         (o[1], words.iter().zip(names).map(place).collect())

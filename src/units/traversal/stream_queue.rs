@@ -11,7 +11,8 @@ const PLACE_W: u32 = 4;
 
 /// Builds `stream_queue`: the counts.
 pub fn stream_queue() -> Arc<Module> {
-    let b = Builder::new("stream_queue", file!(), "the counts of 16 places for the words of a pipeline without an enable");
+    let b =
+        Builder::new("stream_queue", file!(), "the counts of 16 places for the words of a pipeline without an enable");
     b.note("Words leave in the order in which they come, one in three clocks at most; none is lost and none comes twice. Not ready in the first clock behind reset.");
     b.note("A word may set out while room is 1, in_valid is 1 when it arrives. From there on it stands in its place; its place is free again once it is taken.");
     b.clock();
@@ -41,9 +42,8 @@ pub fn stream_queue() -> Arc<Module> {
         (b.sig(count.id()) + b.sig(change.id())).named(&format!("{name}_next")).id()
     };
     let (taken_next, held_next) = (moved(taken, set_out, "taken"), moved(held, arrives, "held"));
-    let step = |place: Sig<'_>, by: Sig<'_>, name: &str| {
-        (b.sig(place.id()) + b.sig(by.zext(PLACE_W).id())).named(name).id()
-    };
+    let step =
+        |place: Sig<'_>, by: Sig<'_>, name: &str| (b.sig(place.id()) + b.sig(by.zext(PLACE_W).id())).named(name).id();
     let (write_next, read_next) = (step(write, arrives, "write_next"), step(read, went, "read_next"));
 
     b.section(

@@ -9,8 +9,8 @@ use super::datapath::Datapath;
 use super::loop_state::{Ray, Sizes, fields};
 use super::stream_delay::{stream_delay, valid_delay, word_delay};
 use crate::config::Design;
-use crate::units::delay_line::in_lines;
 use crate::ir::{Binding, Builder, Module, Sig};
+use crate::units::delay_line::in_lines;
 use std::sync::Arc;
 
 /// The traverse unit and what its schedule came out at.
