@@ -2,6 +2,7 @@
 use super::args::{CheckArgs, Cli, Engine};
 use super::output::spinner;
 use crate::error::{Error, Result};
+use crate::vectors::Level;
 use crate::project::{Checked, Scene, alone_files, check_tree, project};
 use std::path::PathBuf;
 
@@ -17,6 +18,12 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
         return Err(Error::input("check --wave records the interpreter: leave out --engine, or set it to interp"));
     }
     let campaign = a.campaign.campaign(alone.is_some())?;
+    if let Some((m, endless)) = alone.as_ref().zip(campaign.filter(|c| c.level == Level::Three)) {
+        return super::endless::run(cli, a, &c, m, endless);
+    }
+    if a.batches.is_some() {
+        return Err(Error::input("--batches ends --level 3: levels 1 and 2 end by themselves"));
+    }
     let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
     let dir: PathBuf = match &a.dir {
         Some(dir) => dir.clone(),

@@ -4,6 +4,7 @@ mod build;
 mod check;
 mod config;
 mod emit;
+mod endless;
 mod figures;
 mod fit;
 mod hard;

@@ -38,6 +38,11 @@ impl Kind {
 /// Input spaces up to this many bits are tried whole.
 pub(super) const SMALL: u32 = 16;
 
+/// True if a unit of inputs of so many bits together gets every input once.
+pub const fn exhaustive(bits: u32) -> bool {
+    bits <= SMALL
+}
+
 /// Rows of words for these columns.
 pub fn plan_rows(columns: &[Kind], plan: Plan) -> (Vec<Vec<u64>>, Counts) {
     if columns.iter().map(|k| k.width()).sum::<u32>() <= SMALL {

@@ -19,6 +19,10 @@ pub enum Level {
     #[value(name = "2")]
     #[serde(rename = "2")]
     Two,
+    /// No tables: weighted random rows, of one seed after the other, until somebody stops it.
+    #[value(name = "3")]
+    #[serde(rename = "3")]
+    Three,
 }
 
 /// One part of all rows, counted from 1: every `of`-th row, so that the parts are alike.
@@ -87,6 +91,7 @@ pub fn campaign_rows(columns: &[Kind], plan: Plan, c: Campaign) -> (Vec<Vec<u64>
 fn corners(kind: Kind, level: Level, columns: usize) -> Vec<u64> {
     let numbers = |e: &[u64], m: &[u64], f| signed_numbers(f, e, m);
     match (kind, columns, level) {
+        (_, _, Level::Three) => vec![],
         (Kind::Float(_), 1, Level::One) | (Kind::Float(_), 2, Level::Two) => table(kind),
         (Kind::Float(f), 1, Level::Two) => numbers(&(0..=f.exp_max()).collect::<Vec<_>>(), &fractions(f), f),
         (Kind::Float(f), 2, Level::One) => numbers(&few_exponents(f), &few_fractions(f), f),

@@ -5,7 +5,7 @@ mod levels;
 mod set;
 mod weights;
 
-pub use corners::{Kind, Plan, landmarks, plan_rows};
+pub use corners::{Kind, Plan, exhaustive, landmarks, plan_rows};
 pub use files::{Rows, read_csv, read_json, read_set, set_files};
 pub use levels::{Campaign, Level, Shard, campaign_rows};
 pub use set::{Column, Counts, VectorSet};

@@ -110,7 +110,8 @@ pub struct VectorsArgs {
 /// Which vectors of a unit of arithmetic: the usual choice of corners without these options.
 #[derive(Args, Debug)]
 pub struct CampaignArgs {
-    /// Crosses whole tables of corners, small (1) or large (2), before the random rows; of arithmetic (`--unit`).
+    /// Crosses whole tables of corners, small (1) or large (2), before the random rows; or random rows alone (3), which `check` goes on
+    /// with, seed after seed, until it is stopped. Of arithmetic (`--unit`).
     #[arg(long)]
     pub level: Option<Level>,
     /// Only the i-th of n equal parts of these rows: n calls together make the whole, and their counts add up.
@@ -158,6 +159,9 @@ pub struct CheckArgs {
     /// A tree that `build` wrote with the same configuration; without it a fresh one is made and thrown away.
     #[arg(long, value_name = "DIR", conflicts_with = "level")]
     pub dir: Option<PathBuf>,
+    /// Ends `--level 3` after so many batches of `vectors.arithmetic` rows instead of when it is stopped.
+    #[arg(long, value_name = "N", requires = "level", value_parser = clap::value_parser!(u32).range(1..))]
+    pub batches: Option<u32>,
     /// Spoils the vectors on purpose: the check must fail, each fault with its own exit code.
     #[arg(long)]
     pub canary: Option<Canary>,
