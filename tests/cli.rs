@@ -468,3 +468,30 @@ fn a_closed_pipe_ends_quietly() {
     assert_eq!(out.status.code(), Some(0));
     assert!(out.stderr.is_empty(), "{}", String::from_utf8_lossy(&out.stderr));
 }
+
+/// Level 3 goes from seed to seed, a part takes every n-th of them, and few inputs end it.
+#[test]
+fn random_rows_until_stopped() {
+    let dir = tempfile::tempdir().unwrap();
+    let lines = |more: &[&str]| -> Vec<String> {
+        let line = [&["check", "--unit", "fp_lt", "--level", "3", "--set", "vectors.arithmetic=50"][..], more].concat();
+        let out = Command::new(env!("CARGO_BIN_EXE_reliefrtl")).args(line).current_dir(dir.path()).output().unwrap();
+        assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));
+        String::from_utf8_lossy(&out.stdout).lines().map(str::to_string).collect()
+    };
+    let whole = lines(&["--batches", "4"]);
+    assert_eq!(whole.len(), 4);
+    assert!(whole[3].ends_with("seed 4: 0 of 50 mismatched; 0 of 200 so far"), "{whole:?}");
+    let part = lines(&["--batches", "2", "--shard", "2/3"]);
+    assert!(part[0].contains("seed 2:") && part[1].contains("seed 5:"), "{part:?}");
+    let few = lines(&["--set", "format.exp=4", "--set", "format.man=3"]);
+    assert!(few.len() == 2 && few[0].contains("0 of 65536") && few[1].contains("all inputs"), "{few:?}");
+    for (line, says) in [
+        (["--level", "1", "--batches", "2"], "--batches ends --level 3"),
+        (["--level", "3", "--canary", "flip"], "no --wave and no --canary"),
+    ] {
+        let line = [&["check", "--unit", "fp_lt"][..], &line].concat();
+        let out = Command::new(env!("CARGO_BIN_EXE_reliefrtl")).args(line).current_dir(dir.path()).output().unwrap();
+        assert!(out.status.code() == Some(2) && String::from_utf8_lossy(&out.stderr).contains(says));
+    }
+}

@@ -2,8 +2,8 @@
 use super::args::{CheckArgs, Cli, Engine};
 use super::output::spinner;
 use crate::error::{Error, Result};
-use crate::vectors::Level;
 use crate::project::{Checked, Scene, alone_files, check_tree, project};
+use crate::vectors::Level;
 use std::path::PathBuf;
 
 /// Runs `check`.

@@ -34,7 +34,10 @@ pub fn run(cli: &Cli, a: &CheckArgs, c: &Config, m: &Arc<Module>, campaign: Camp
         let batch: usize = done.map_err(told)?.iter().map(|x| x.rows).sum();
         rows += batch;
         if cli.json {
-            println!("{}", serde_json::json!({"unit": m.name, "seed": seed, "checked": batch, "mismatched": 0, "total": rows}));
+            println!(
+                "{}",
+                serde_json::json!({"unit": m.name, "seed": seed, "checked": batch, "mismatched": 0, "total": rows})
+            );
         } else {
             println!("{:<16} seed {seed}: 0 of {batch} mismatched; 0 of {rows} so far", m.name);
         }
