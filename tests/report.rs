@@ -24,7 +24,7 @@ fn synth(dir: &Path, c: &Config) -> PathBuf {
     let file = dir.join("synth.json");
     let design =
         serde_json::json!({"exp": 7, "man": 16, "traverse": c.traverse, "mode": c.mode, "datapath": c.datapath});
-    let unit = serde_json::json!([{"unit": "traverse", "target": "ecp5", "luts": 12345, "multipliers": 17, "clock": {"median": 84.5}, "design": design}]);
+    let unit = serde_json::json!([{"unit": "traverse", "target": "ecp5", "luts": 12345, "multipliers": 17, "clock": {"median": 84.5}, "design": design}, {"unit": "hf_add", "target": "ecp5", "luts": 437, "multipliers": 0, "clock": null}]);
     std::fs::write(&file, unit.to_string()).unwrap();
     file
 }
@@ -81,7 +81,19 @@ fn page_json_and_csv_hold_the_same_numbers_and_a_resumed_run_the_same_bytes() {
     }
     let html = text(&first, "report.html");
     let mut numbers = 0;
-    for id in ["worst", "pareto", "series", "steps", "histogram", "matrix", "maps", "bilinear", "published", "claims"] {
+    for id in [
+        "worst",
+        "pareto",
+        "series",
+        "steps",
+        "histogram",
+        "matrix",
+        "maps",
+        "units",
+        "bilinear",
+        "published",
+        "claims",
+    ] {
         // The page leaves no column with a number out, so that all of a table's numbers stand there in the order of the JSON.
         let values = json[id].as_array().unwrap().iter().flat_map(|row| row.as_object().unwrap().values());
         let expected: Vec<String> = values.filter(|v| v.is_number()).map(plain).collect();
@@ -175,7 +187,7 @@ fn the_configured_design_leads_the_page_unless_it_is_a_usual_one() {
 fn a_file_that_synth_did_not_write_is_refused() {
     let (dir, c) = (tempfile::tempdir().unwrap(), Config::default());
     let file = dir.path().join("synth.json");
-    for (text, told) in [("[]", "has no clock of a traverse unit"), ("{}", "is no file of `synth`")] {
+    for (text, told) in [("[]", "has no figures of a unit"), ("{}", "is no file of `synth`")] {
         std::fs::write(&file, text).unwrap();
         let refused = Plan::new(&c, &Selection { synth: vec![file.clone()], ..tiny() }).err().unwrap().to_string();
         assert!(refused.contains(told), "{refused}");

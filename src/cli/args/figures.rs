@@ -59,7 +59,7 @@ pub struct ReportArgs {
     /// Modes that are compared, on one format of each datapath.
     #[arg(long, value_name = "SET")]
     pub modes: Option<ModeSet>,
-    /// Areas and clocks of traverse units, as `synth --unit traverse --out FILE.json` wrote them, for cells times clock.
+    /// Areas and clocks as `synth --out FILE.json` wrote them: a table of the units, and cells times clock of whole traverse units.
     #[arg(long, value_delimiter = ',', value_name = "FILE.json,...")]
     pub synth: Vec<PathBuf>,
     /// Every width and every mode, not a selection.

@@ -13,6 +13,7 @@ pub(in crate::report) mod stats;
 mod store;
 mod svg;
 mod table;
+mod units;
 mod write;
 
 pub use cell::{Cell, CellSpec, Witness};

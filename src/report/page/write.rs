@@ -74,6 +74,7 @@ pub fn files(plan: &Plan, cells: &[Cell], again: &str) -> Result<Output> {
         claims.clone(),
         inventory::not_legal(&plan.not_legal),
         inventory::maps(plan),
+        super::units::units(plan),
         bilinear::table(plan)?,
         inventory::cells(cells),
     ];

@@ -9,7 +9,7 @@ pub use design::{BEST, DesignSpec, mode_label};
 pub use headline::Headline;
 pub use select::{Extent, ModeSet, Selection};
 pub use site::{MapSpec, Site};
-pub use synthesized::Synthesized;
+pub use synthesized::{Synthesized, UnitFigures};
 
 use crate::config::{Config, DatapathKind, MapConfig, MapKind, View};
 use crate::error::Result;
@@ -67,8 +67,10 @@ pub struct Plan {
     pub strides: [u32; 3],
     /// Refused designs, once a map size.
     pub not_legal: Vec<NotLegal>,
-    /// What is known of areas and clocks.
+    /// What is known of areas and clocks of traverse units.
     pub synthesized: Vec<Synthesized>,
+    /// What is known of those of all units.
+    pub units: Vec<UnitFigures>,
     /// The measurements.
     pub cells: Vec<Job>,
 }
@@ -98,10 +100,12 @@ impl Plan {
         let headlines = headline::headlines(&c, &designs);
         let strides = if tiny { [64, 48, 16] } else { [8, 7, 2] };
         let (cells, not_legal) = (Vec::new(), Vec::new());
-        let synthesized: Vec<Vec<Synthesized>> =
-            selection.synth.iter().map(|file| Synthesized::load(file)).collect::<Result<_>>()?;
-        let (selection, synthesized) = (selection.clone(), synthesized.concat());
-        let mut plan = Self { config: c, selection, sites, designs, headlines, strides, not_legal, synthesized, cells };
+        let units: Vec<Vec<UnitFigures>> =
+            selection.synth.iter().map(|file| synthesized::load(file)).collect::<Result<_>>()?;
+        let (selection, units) = (selection.clone(), units.concat());
+        let synthesized = units.iter().filter_map(Synthesized::of).collect();
+        let mut plan =
+            Self { config: c, selection, sites, designs, headlines, strides, not_legal, synthesized, units, cells };
         plan.fill()?;
         Ok(plan)
     }

@@ -51,7 +51,7 @@ pub struct Selection {
     pub fractions: Vec<u32>,
     /// Modes.
     pub modes: Option<ModeSet>,
-    /// Files of `synth` with areas and clocks of traverse units.
+    /// Files of `synth` with areas and clocks.
     pub synth: Vec<PathBuf>,
 }
 

@@ -1,4 +1,4 @@
-//! What `synth` measured of whole traverse units, taken from its file: a design's area and clock.
+//! What `synth` measured, taken from its file: figures of every unit, and of whole traverse units a design's area and clock.
 use super::design::DesignSpec;
 use super::select::configured;
 use crate::config::{Config, DatapathConfig, ModeConfig, TraverseConfig};
@@ -23,22 +23,55 @@ pub struct Synthesized {
     pub target: String,
 }
 
-#[derive(Deserialize)]
-struct Entry {
-    unit: String,
-    target: String,
-    luts: u64,
-    multipliers: u64,
-    clock: Option<Clock>,
-    design: Design,
+/// What was measured of one unit at one latency.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+pub struct UnitFigures {
+    /// Unit, or somebody else's module.
+    pub unit: String,
+    /// Clocks from operand to result; none for a handshaked unit.
+    #[serde(default)]
+    pub latency: Option<u32>,
+    /// What it was mapped to.
+    pub target: String,
+    /// Look-up tables.
+    pub luts: u64,
+    /// Carry cells.
+    #[serde(default)]
+    pub carries: u64,
+    /// Multiplier blocks.
+    pub multipliers: u64,
+    /// Block memories.
+    #[serde(default)]
+    pub memories: u64,
+    /// Flip-flops, the ranks around the unit included.
+    #[serde(default)]
+    pub flip_flops: u64,
+    /// Clock, where it was placed and routed.
+    pub clock: Option<Clock>,
+    #[serde(default)]
+    design: Option<Design>,
 }
 
-#[derive(Deserialize)]
-struct Clock {
-    median: f64,
+/// The clock of a placed and routed unit.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+pub struct Clock {
+    /// MHz, the median of the placer's seeds.
+    pub median: f64,
+    /// The slowest path.
+    #[serde(default)]
+    pub critical: Ends,
 }
 
-#[derive(Deserialize)]
+/// The two ends of a path, in names of the emitted text.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
+pub struct Ends {
+    /// Where it begins.
+    pub from: String,
+    /// Where it ends.
+    pub to: String,
+}
+
+#[derive(Clone, Debug, PartialEq, Deserialize)]
 struct Design {
     exp: u32,
     man: u32,
@@ -47,31 +80,33 @@ struct Design {
     datapath: DatapathConfig,
 }
 
-impl Synthesized {
-    /// The traverse units of a file that `synth` wrote.
-    ///
-    /// # Errors
-    /// A file that can't be read, is no such file, or holds no clock of a traverse unit.
-    pub fn load(path: &Path) -> Result<Vec<Self>> {
-        let text = std::fs::read_to_string(path).map_err(|e| Error::file("read", path, e))?;
-        let wrong = |e: serde_json::Error| Error::input(format!("{} is no file of `synth`: {e}", path.display()));
-        let all: Vec<Entry> = serde_json::from_str(&text).map_err(wrong)?;
-        let found: Vec<Self> = all.into_iter().filter(|e| e.unit == "traverse").filter_map(Self::of).collect();
-        if found.is_empty() {
-            let name = path.display();
-            return Err(Error::input(format!(
-                "{name} has no clock of a traverse unit: `synth --unit traverse` measures it"
-            )));
-        }
-        Ok(found)
+/// The units of a file that `synth` wrote.
+///
+/// # Errors
+/// A file that can't be read, is no such file, or holds no unit.
+pub fn load(path: &Path) -> Result<Vec<UnitFigures>> {
+    let text = std::fs::read_to_string(path).map_err(|e| Error::file("read", path, e))?;
+    let wrong = |e: serde_json::Error| Error::input(format!("{} is no file of `synth`: {e}", path.display()));
+    let all: Vec<UnitFigures> = serde_json::from_str(&text).map_err(wrong)?;
+    if all.is_empty() {
+        let name = path.display();
+        return Err(Error::input(format!("{name} has no figures of a unit: `synth` measures them")));
     }
+    Ok(all)
+}
 
-    fn of(e: Entry) -> Option<Self> {
+impl Synthesized {
+    /// The design of a traverse unit that was placed and routed.
+    pub fn of(e: &UnitFigures) -> Option<Self> {
+        let (design, clock) = (e.design.as_ref()?, e.clock.as_ref()?);
+        if e.unit != "traverse" {
+            return None;
+        }
         let mut c = Config::default();
-        (c.format.exp, c.format.man) = (e.design.exp, e.design.man);
-        (c.traverse, c.mode, c.datapath) = (e.design.traverse, e.design.mode, e.design.datapath);
-        let (design, levels, mhz) = (configured(&c), c.traverse.levels, e.clock?.median);
-        Some(Self { design, levels, luts: e.luts, multipliers: e.multipliers, mhz, target: e.target })
+        (c.format.exp, c.format.man) = (design.exp, design.man);
+        (c.traverse, c.mode, c.datapath) = (design.traverse, design.mode, design.datapath);
+        let (design, levels, mhz) = (configured(&c), c.traverse.levels, clock.median);
+        Some(Self { design, levels, luts: e.luts, multipliers: e.multipliers, mhz, target: e.target.clone() })
     }
 
     /// True if this is the design on maps of this size; the step limit is a counter's compare value, and no matter of size.
