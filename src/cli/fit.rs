@@ -4,12 +4,9 @@ use super::output::{spinner, table};
 use crate::config::{Config, View};
 use crate::error::{Error, Result};
 use crate::project::Scene;
-use crate::report::{Budget, Fit, Limits, Trial, Truth, fit};
+use crate::report::{Budget, Fit, Limits, SETS, Trial, Truth, fit_checked};
 use crate::scene::ViewRay;
 use serde_json::json;
-
-/// Sets of rays that share none: one to search with, the others to check with, each until a design breaks its budget on it.
-const SETS: usize = 4;
 
 /// Runs `fit`.
 pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
@@ -43,43 +40,27 @@ pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
         let rays = sets.iter().flat_map(|set| rays(&all, a.rays, *set)).collect();
         Truth::new(c.traverse.levels, c.traverse.height_bits, scene.texels.clone(), rays)
     };
-    let mut seen = truth(&[0])?;
+    let seen = truth(&[0])?;
     if seen.rays.is_empty() {
         return Err(Error::NothingRan("no ray of the views meets the map".into()));
     }
     enough(budget, seen.rays.len(), a.rays * views.len())?;
     let bar = spinner(cli, "fitting");
     let limits = Limits { resample: a.allow_resample };
-    let mut broken: Option<(String, String)> = None;
-    for fresh in 1..SETS {
-        let mut found = fit(&c.design(), &seen, budget, limits, &|what| bar.set_message(what.to_string()))?;
-        let check = Trial::run(&found.chosen.design, &truth(&[fresh])?)?;
-        if let Some((design, figure)) = &broken {
-            found.reasons.push(format!("fresh rays broke the budget of {design} ({figure}): searched again with them"));
-        }
-        if check.keeps(budget) {
-            bar.finish_and_clear();
-            if let Some(path) = &a.out {
-                let text = configuration(&c, &found, a, &views)?.to_commented_toml();
-                crate::files::write_atomic(path, text.as_bytes())?;
-            }
-            let alone = |k: usize| {
-                let own = rays(&all[k..=k], a.rays, fresh);
-                let truth = Truth::new(c.traverse.levels, c.traverse.height_bits, scene.texels.clone(), own)?;
-                Ok((views[k], Trial::run(&found.chosen.design, &truth)?))
-            };
-            let by_view = (0..views.len()).map(alone).collect::<Result<Vec<_>>>()?;
-            return print(cli, &found, &check, budget, &by_view);
-        }
-        broken = Some((found.chosen.name(), check.figure(budget)));
-        seen = truth(&(0..=fresh).collect::<Vec<_>>())?;
-    }
+    let found = fit_checked(&c.design(), seen, &truth, budget, limits, &|what| bar.set_message(what.to_string()));
     bar.finish_and_clear();
-    let figure = broken.map_or(String::new(), |b| b.1);
-    Err(Error::mismatch(format!(
-        "fresh rays break the budget of every design that the search found, {} times over: {figure}; ask for a tighter one, or for more --rays",
-        SETS - 1
-    )))
+    let found = found?;
+    if let Some(path) = &a.out {
+        let text = configuration(&c, &found.fit, a, &views)?.to_commented_toml();
+        crate::files::write_atomic(path, text.as_bytes())?;
+    }
+    let alone = |k: usize| {
+        let own = rays(&all[k..=k], a.rays, found.set);
+        let truth = Truth::new(c.traverse.levels, c.traverse.height_bits, scene.texels.clone(), own)?;
+        Ok((views[k], Trial::run(&found.fit.chosen.design, &truth)?))
+    };
+    let by_view = (0..views.len()).map(alone).collect::<Result<Vec<_>>>()?;
+    print(cli, &found.fit, &found.check, budget, &by_view)
 }
 
 /// Whether so many rays can show that a budget is kept: none wrong of N says less than 3 in N.

@@ -11,6 +11,6 @@ mod steps;
 pub use accuracy::{Accuracy, WrongTexel, accuracy, exact_ray};
 pub use bilinear::{Bilinear, bilinear};
 pub use cost::Cost;
-pub use fit::{Budget, Fit, Limits, Rejected, Trial, Truth, fit};
+pub use fit::{Budget, Checked, Fit, Limits, Rejected, SETS, Trial, Truth, fit, fit_checked};
 pub use page::stats::Spread;
 pub use steps::{PUBLISHED, Published, ROWS, Steps, TRIM_ROWS, steps};

@@ -1,0 +1,26 @@
+//! `build`: what it says and writes.
+use super::run;
+
+#[test]
+fn build_says_what_it_did() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = run(
+        dir.path(),
+        &["build", "--set", "vectors.arithmetic=100", "--set", "vectors.rays=20", "--set", "view.stride=16"],
+    );
+    assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));
+    let text = String::from_utf8_lossy(&out.stdout).into_owned();
+    for part in ["a loop of 8 slots", "traverse         0 of 60 mismatched", "oblique", "iverilog -g2005"] {
+        assert!(text.contains(part), "{part} is missing in:\n{text}");
+    }
+    for file in [
+        "rtl/traverse.v",
+        "rtl/filelist.f",
+        "testbench/tb_traverse.v",
+        "golden/fp_add/vectors.json",
+        "manifest.json",
+        "preview.png",
+    ] {
+        assert!(dir.path().join("out").join(file).is_file(), "{file}");
+    }
+}

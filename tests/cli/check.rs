@@ -1,0 +1,144 @@
+//! `check`: what a mismatch, an edited tree and a changed row are told as.
+use super::{run, said};
+
+#[test]
+fn the_first_mismatch_is_a_waveform() {
+    let small = ["--set", "vectors.arithmetic=100", "--set", "vectors.rays=20", "--set", "view.stride=16"];
+    for (unit, output, told) in
+        [("fp_add", "result", "output result (stage 2): expected hex"), ("traverse", "out_valid", "output out_i")]
+    {
+        let dir = tempfile::tempdir().unwrap();
+        let args = ["check", "--unit", unit, "--canary", "flip", "--wave", "w.vcd"];
+        let out = run(dir.path(), &[&args[..], &small[..]].concat());
+        let text = String::from_utf8_lossy(&out.stderr).into_owned();
+        assert_eq!(out.status.code(), Some(1), "{text}");
+        assert!(text.contains(told), "{text}");
+        let wave = wellen::simple::read(dir.path().join("w.vcd")).unwrap();
+        assert!(wave.time_table().len() > 8, "{unit}: {} changes", wave.time_table().len());
+        let names: Vec<String> = wave.hierarchy().iter_vars().map(|v| v.full_name(wave.hierarchy())).collect();
+        assert!(names.contains(&format!("{unit}.{output}")), "{names:?}");
+    }
+    let dir = tempfile::tempdir().unwrap();
+    let out = run(dir.path(), &["check", "--engine", "icarus", "--wave", "w.vcd"]);
+    assert_eq!(out.status.code(), Some(2));
+}
+
+#[test]
+fn a_tree_that_was_edited_is_not_checked_by_the_interpreter() {
+    let dir = tempfile::tempdir().unwrap();
+    assert_eq!(said(dir.path(), &[&["build"][..], &SMALL].concat()).0, Some(0));
+    let file = dir.path().join("out/rtl/level_up.v");
+    let text = std::fs::read_to_string(&file).unwrap();
+    let check = [&["check", "--dir", "out", "--unit", "level_up"][..], &SMALL].concat();
+    assert_eq!(said(dir.path(), &check).0, Some(0));
+    std::fs::write(&file, text.replacen(" & ", " | ", 1)).unwrap();
+    let (code, told) = said(dir.path(), &check);
+    assert_eq!(code, Some(2), "{told}");
+    assert!(told.contains("level_up.v is not what this configuration emits"), "{told}");
+}
+
+/// A simulator would run the tree's text and say nothing of the latency that was asked for.
+#[test]
+fn a_tree_of_other_latencies_is_not_checked_by_a_simulator() {
+    let dir = tempfile::tempdir().unwrap();
+    assert_eq!(said(dir.path(), &[&["build"][..], &SMALL, &["--set", "latency.mul=2"]].concat()).0, Some(0));
+    let check = ["check", "--dir", "out", "--unit", "fp_mul", "--engine", "icarus", "--set", "latency.mul=3"];
+    let (code, told) = said(dir.path(), &[&check[..], &SMALL].concat());
+    assert_eq!(code, Some(2), "{told}");
+    assert!(told.contains("out was emitted with latency.mul = 2, and 3 is asked for"), "{told}");
+    // Nor would either engine say that it is another mode.
+    for engine in ["interp", "icarus"] {
+        let check =
+            ["check", "--dir", "out", "--engine", engine, "--set", "latency.mul=2", "--set", "mode.levels_down=3"];
+        let (code, told) = said(dir.path(), &[&check[..], &SMALL].concat());
+        assert_eq!(code, Some(2), "{told}");
+        assert!(told.contains("out was emitted with mode.levels_down = 2, and 3 is asked for"), "{told}");
+    }
+}
+
+#[test]
+fn exports_that_differ_from_the_hex_files_are_refused() {
+    let dir = tempfile::tempdir().unwrap();
+    assert_eq!(said(dir.path(), &[&["build"][..], &SMALL].concat()).0, Some(0));
+    let check = [&["check", "--dir", "out", "--unit", "lzc"][..], &SMALL].concat();
+    assert_eq!(said(dir.path(), &check).0, Some(0));
+    for (name, from, to) in [("vectors.csv", "\n2,6\n", "\n2,5\n"), ("rows.json", "\"bits\":\"2\"", "\"bits\":\"3\"")] {
+        let file = dir.path().join("out/golden/lzc").join(name);
+        let text = std::fs::read_to_string(&file).unwrap();
+        assert!(text.contains(from), "{name}: {text}");
+        std::fs::write(&file, text.replacen(from, to, 1)).unwrap();
+        let (code, told) = said(dir.path(), &check);
+        assert_eq!(code, Some(2), "{told}");
+        assert!(told.contains(&format!("{name} and the hex files differ in row 2")), "{told}");
+        std::fs::write(&file, text).unwrap();
+    }
+}
+
+/// The interpreter knows its own iterations; a simulator's come from the bench, whatever was done to the text.
+#[test]
+fn a_simulator_names_the_first_wrong_iteration() {
+    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
+        return;
+    }
+    let dir = tempfile::tempdir().unwrap();
+    // What is spoiled may well go round for ever.
+    let small = [&SMALL[..], &["--set", "traverse.step_limit=100"]].concat();
+    assert_eq!(said(dir.path(), &[&["build"][..], &small].concat()).0, Some(0));
+    let file = dir.path().join("out/rtl/multi_level_down.v");
+    let text = std::fs::read_to_string(&file).unwrap();
+    let right = "y_child = y_before ? y_low : y_behind";
+    assert!(text.contains(right), "{text}");
+    std::fs::write(&file, text.replace(right, "y_child = (y_hit[2:0] == 3'd5) ? y_low : y_behind")).unwrap();
+    for engine in ["icarus", "verilator"] {
+        let args = ["check", "--dir", "out", "--unit", "traverse", "--engine", engine];
+        let (code, told) = said(dir.path(), &[&args[..], &small].concat());
+        assert_eq!(code, Some(1), "{told}");
+        assert!(told.contains("first wrong iteration: "), "{told}");
+        assert!(told.contains(", y where it enters the loop: expected "), "{told}");
+        assert!(told.contains("should have decided Descend"), "{told}");
+    }
+    // A wrong expected row is no fault of any iteration.
+    let args = ["check", "--unit", "traverse", "--canary", "flip", "--engine", "icarus"];
+    let (code, told) = said(dir.path(), &[&args[..], &small].concat());
+    assert_eq!(code, Some(1), "{told}");
+    assert!(told.contains("iterations are right: the fault is in what follows the loop"), "{told}");
+}
+
+#[test]
+fn a_simulators_mismatch_is_told_as_the_interpreters() {
+    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
+        return;
+    }
+    let dir = tempfile::tempdir().unwrap();
+    let args = [&["check", "--unit", "fp_add", "--canary", "flip", "--engine"][..], &["icarus"], &SMALL].concat();
+    let (code, icarus) = said(dir.path(), &args);
+    let interp =
+        said(dir.path(), &args.iter().map(|a| if *a == "icarus" { "interp" } else { *a }).collect::<Vec<_>>()).1;
+    assert_eq!(code, Some(1), "{icarus}");
+    assert!(icarus.contains("(stage 2): expected hex") && icarus.contains("(a hex "), "{icarus}");
+    assert_eq!(icarus.replace("icarus", "interp"), interp);
+}
+
+#[test]
+fn a_row_that_was_changed_is_told_from_a_wrong_unit() {
+    let dir = tempfile::tempdir().unwrap();
+    assert_eq!(said(dir.path(), &[&["build"][..], &SMALL].concat()).0, Some(0));
+    let file = dir.path().join("out/golden/fp_add/expected.hex");
+    let text = std::fs::read_to_string(&file).unwrap();
+    let last = text.lines().last().unwrap();
+    let other = if last.ends_with('0') { '1' } else { '0' };
+    std::fs::write(&file, format!("{}{other}\n", text.trim_end().strip_suffix(|_: char| true).unwrap())).unwrap();
+    let args = ["check", "--dir", "out", "--unit", "fp_add"];
+    let (code, told) = said(dir.path(), &[&args[..], &SMALL].concat());
+    assert_eq!(code, Some(1), "{told}");
+    let (code, json) = said(dir.path(), &[&args[..], &SMALL, &["--json"]].concat());
+    let json: serde_json::Value = serde_json::from_str(json.trim()).unwrap();
+    assert_eq!((code, &json["exit_code"]), (Some(1), &1.into()));
+    let first = &json["first"];
+    assert_eq!((&first["unit"], &first["output"], &first["stage"]), (&"fp_add".into(), &"result".into(), &2.into()));
+    assert_ne!(first["expected"], first["got"]);
+    assert!(
+        told.contains("fp_add: 1 of ") && told.contains("does not hold the rows that vectors.json describes"),
+        "{told}"
+    );
+}

@@ -1,0 +1,68 @@
+//! `emit`: arithmetic alone, at every choice and format.
+use super::{run, said};
+
+#[test]
+fn arithmetic_stands_alone_with_every_choice() {
+    let dir = tempfile::tempdir().unwrap();
+    let ask = |args: &[&str]| {
+        let out = run(dir.path(), args);
+        let text = String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
+        (out.status.code(), text)
+    };
+    let (code, text) = ask(&["build", "--set", "format.rounding=up"]);
+    assert_eq!(code, Some(2));
+    assert!(text.contains("a traversal needs \"nearest-even\""), "{text}");
+    for unit in ["fp_add", "fp_div", "fp_sqrt", "fp_add3", "fp_compare"] {
+        let choice = ["--set", "format.rounding=down", "--set", "format.subnormals=gradual", "--set", "format.exp=8"];
+        for part in ["emit", "vectors"] {
+            let (code, text) = ask(&[&[part, "--unit", unit, "--out", unit], &choice[..]].concat());
+            assert_eq!(code, Some(0), "{text}");
+        }
+        let verilog = std::fs::read_to_string(dir.path().join(format!("{unit}/rtl/{unit}.v"))).unwrap();
+        let told = verilog.replace("\n//            ", " ");
+        assert!(
+            told.contains("float 8/16 down gradual") && told.contains("rounded toward minus infinity"),
+            "{verilog}"
+        );
+        let manifest = std::fs::read_to_string(dir.path().join(format!("{unit}/manifest.json"))).unwrap();
+        assert!(manifest.contains(&format!("\"name\": \"{unit}\"")));
+        let (code, text) = ask(&[&["check", "--unit", unit, "--dir", unit], &choice[..]].concat());
+        assert_eq!(code, Some(0), "{text}");
+        assert!(text.contains("0 of 2000 mismatched"), "{text}");
+        let (code, text) = ask(&[&["check", "--unit", unit, "--canary", "flip"], &choice[..]].concat());
+        assert_eq!(code, Some(1), "{text}");
+    }
+    let (code, text) = ask(&["list"]);
+    assert_eq!(code, Some(0));
+    let (given, more) = text.split_once("available").expect("list says what could be emitted");
+    assert!(!given.contains("fp_sqrt") && more.contains("fp_sqrt"), "{text}");
+    let (_, text) = ask(&["list", "--set", "emit.units=fp_sqrt,fp_add3"]);
+    let (given, more) = text.split_once("available").expect("list says what could be emitted");
+    assert!(given.contains("fp_sqrt") && !more.contains("fp_add3") && more.contains("fp_recip"), "{text}");
+    refused(&["emit", "--set", "emit.units=fp_squirt"], "did you mean \"fp_sqrt\"?");
+}
+
+#[test]
+fn arithmetic_stands_alone_at_formats_that_no_map_fits() {
+    let dir = tempfile::tempdir().unwrap();
+    let format = ["--set", "format.exp=4", "--set", "format.man=3"];
+    let (code, text) = said(dir.path(), &[&["emit", "--unit", "fp_add"][..], &format].concat());
+    assert_eq!(code, Some(0), "{text}");
+    let emitted = std::fs::read_to_string(dir.path().join("out/rtl/fp_add.v")).unwrap();
+    assert!(emitted.contains("EXP_W = 4") && emitted.contains("MAN_W = 3"), "{emitted}");
+    assert_eq!(said(dir.path(), &[&["emit"][..], &format].concat()).0, Some(2));
+    // All pairs of 8-bit operands, as files and replayed.
+    assert_eq!(said(dir.path(), &[&["vectors", "--unit", "fp_add"][..], &format].concat()).0, Some(0));
+    let rows = std::fs::read_to_string(dir.path().join("out/golden/fp_add/vectors.csv")).unwrap();
+    assert_eq!(rows.lines().count(), 1 + (1 << 16));
+    let (code, text) = said(dir.path(), &[&["check", "--unit", "fp_add"][..], &format].concat());
+    assert_eq!(code, Some(0), "{text}");
+    assert!(text.contains("0 of 65536 vectors mismatched"), "{text}");
+    assert_eq!(said(dir.path(), &[&["check", "--unit", "level_up"][..], &format].concat()).0, Some(2));
+    // What holds between keys is a sentence, never a panic of the units.
+    let wide = ["format.exp=8", "format.man=23", "traverse.levels=12", "traverse.tile_bits=8", "traverse.frac_bits=16"];
+    let sets: Vec<&str> = wide.iter().flat_map(|s| ["--set", s]).collect();
+    let (code, text) = said(dir.path(), &[&["list"][..], &sets].concat());
+    assert_eq!(code, Some(2), "{text}");
+    assert!(text.contains("traverse.frac_bits = 16 is too large"), "{text}");
+}

@@ -1,0 +1,32 @@
+//! The command line as a user meets it: sentences, exit codes, nothing half-written, equal bytes from the engines. A file a verb.
+mod build;
+mod check;
+mod emit;
+mod input;
+mod levels;
+mod steps;
+mod trace;
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn run(dir: &Path, args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_reliefrtl")).args(args).current_dir(dir).output().unwrap()
+}
+
+const SMALL: [&str; 6] = ["--set", "vectors.arithmetic=100", "--set", "vectors.rays=20", "--set", "view.stride=16"];
+
+/// Runs and returns exit code and both outputs.
+fn said(dir: &Path, args: &[&str]) -> (Option<i32>, String) {
+    let out = run(dir, args);
+    (out.status.code(), String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr))
+}
+
+/// The engines that are there.
+fn engines() -> Vec<&'static str> {
+    let mut engines = vec!["golden", "interp"];
+    if !std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
+        engines.extend(["icarus", "verilator"]);
+    }
+    engines
+}
