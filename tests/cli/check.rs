@@ -1,5 +1,5 @@
 //! `check`: what a mismatch, an edited tree and a changed row are told as.
-use super::{run, said};
+use super::{SMALL, run, said};
 
 #[test]
 fn the_first_mismatch_is_a_waveform() {

@@ -1,5 +1,5 @@
 //! `emit`: arithmetic alone, at every choice and format.
-use super::{run, said};
+use super::{refused, run, said};
 
 #[test]
 fn arithmetic_stands_alone_with_every_choice() {

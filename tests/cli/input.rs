@@ -1,18 +1,6 @@
 //! Bad input: one sentence, exit code 2, nothing left behind.
-use super::{run, said};
+use super::{refused, said};
 use std::process::Command;
-
-fn refused(args: &[&str], sentence: &str) {
-    let dir = tempfile::tempdir().unwrap();
-    std::fs::write(dir.path().join("broken.png"), b"\x89PNG\r\n\x1a\nnot a png").unwrap();
-    std::fs::write(dir.path().join("miss.csv"), "u,v,du\n0,0,0\n").unwrap();
-    std::fs::write(dir.path().join("let.csv"), "u,v,du,dv\n0,x,0,0\n").unwrap();
-    let out = run(dir.path(), args);
-    let text = String::from_utf8_lossy(&out.stderr).into_owned();
-    assert_eq!(out.status.code(), Some(2), "{args:?}: {text}");
-    assert!(text.contains(sentence), "{args:?}: {text}");
-    assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 3, "{args:?} left files behind");
-}
 
 #[test]
 fn bad_input_gets_one_sentence() {

@@ -1,5 +1,5 @@
 //! `vectors` and `check` at levels 1 to 3, in parts and until stopped.
-use super::said;
+use super::{refused, said};
 use std::process::Command;
 
 /// Parts of a campaign are written and replayed one by one; their counts add up.
