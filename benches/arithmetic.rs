@@ -87,7 +87,9 @@ fn measure(o: &Operation, rows: usize) {
         let some = part(&set, 0, rows);
         let tree = tempfile::tempdir().expect("a directory");
         let vectors = set_files(&some).into_iter().map(|(name, text)| (format!("golden/{unit}/{name}"), text));
-        for (path, text) in alone_text(&c, &m).expect("legal parameters").into_iter().chain(vectors) {
+        for (path, text) in
+            alone_text(&c, std::slice::from_ref(&m)).expect("legal parameters").into_iter().chain(vectors)
+        {
             let place = tree.path().join(path);
             std::fs::create_dir_all(place.parent().expect("a folder")).expect("a folder");
             std::fs::write(place, text).expect("a file");

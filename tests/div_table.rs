@@ -212,7 +212,7 @@ fn replay(
     if no_tools() {
         return set.stimulus.len();
     }
-    let mut files = alone_files(c, &m, None).unwrap();
+    let mut files = alone_files(c, std::slice::from_ref(&m), None).unwrap();
     files.extend(set_files(&set).into_iter().map(|(n, t)| (format!("here/{n}"), t)));
     let dir = tempfile::tempdir().unwrap();
     for (path, text) in &files {

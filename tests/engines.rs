@@ -35,10 +35,10 @@ fn tree() -> (Config, TempDir) {
 
 fn all_units(sim: Simulator) {
     let (c, dir) = tree();
-    let done = check_tree(&c, dir.path(), Some(sim), None, None, None, &|_| ()).unwrap();
+    let done = check_tree(&c, dir.path(), Some(sim), &[], None, None, &|_| ()).unwrap();
     assert_eq!(done.len(), 24);
     assert!(done.iter().all(|x| x.rows > 0));
-    let interp = check_tree(&c, dir.path(), None, Some("traverse"), None, None, &|_| ()).unwrap();
+    let interp = check_tree(&c, dir.path(), None, &["traverse".into()], None, None, &|_| ()).unwrap();
     let busy = |note: &str| note.split(';').next().unwrap().to_string();
     let (here, there) = (busy(&done[23].note), busy(&interp[0].note));
     assert_eq!(here, there, "slots busy in {} and in the interpreter", sim.name());
@@ -163,7 +163,7 @@ fn canaries_are_noticed() {
     for sim in engines {
         for (canary, code) in [(Canary::Flip, 1), (Canary::Drop, 6), (Canary::Extra, 7), (Canary::Empty, 5)] {
             for unit in ["fp_lt", "traverse"] {
-                let e = check_tree(&c, dir.path(), sim, Some(unit), Some(canary), None, &|_| ()).unwrap_err();
+                let e = check_tree(&c, dir.path(), sim, &[unit.to_string()], Some(canary), None, &|_| ()).unwrap_err();
                 assert_eq!(e.exit_code(), code, "{sim:?} {canary:?} {unit}: {e}");
             }
         }

@@ -62,7 +62,7 @@ fn replay(sim: Simulator, c: &Config, unit: &str, over: &Binding, rows: Rows) ->
             campaign_set(&c.design(), &m, over, Plan { rows: 2000, seed: 5 }, campaign)
         }
     };
-    let mut files = alone_files(c, &m, None).unwrap();
+    let mut files = alone_files(c, std::slice::from_ref(&m), None).unwrap();
     files.extend(set_files(&set).into_iter().map(|(n, t)| (format!("here/{n}"), t)));
     let dir = tempfile::tempdir().unwrap();
     for (path, text) in &files {

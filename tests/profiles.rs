@@ -92,11 +92,20 @@ fn a_clock_picks_latencies_and_says_how_sure_it_is() {
     let fast = ok(dir.path(), &["config", "--print", "--clock", "100", "--set", "latency.add=6"]);
     assert!(slow.contains("add = 1") && slow.contains("clock_mhz = 40"), "{slow}");
     assert!(fast.contains("add = 6") && fast.contains("clock_mhz = 100"), "{fast}");
-    assert!(fast.contains("other devices and formats were not measured"), "{fast}");
+    assert!(fast.contains("other devices were not measured"), "{fast}");
+    let slowed = ok(dir.path(), &["config", "--print", "--clock", "100", "--set", "latency.add=1"]);
+    assert!(slowed.contains("fp_add in 1 clocks, reached 74 MHz") && slowed.contains("less than 100"), "{slowed}");
+    let alone = ok(dir.path(), &["emit", "--unit", "fp_add", "--clock", "200", "--set", "format.exp=8"]);
+    assert!(
+        alone.contains("fp_add in 5 clocks alone reached 221 MHz") && alone.contains("nor was this format"),
+        "{alone}"
+    );
     for (line, words) in [
-        (&["config", "--print", "--clock", "900"][..], "--clock 900 needs latency."),
+        (&["config", "--print", "--clock", "900"][..], "at most --clock 170 is legal"),
         (&["config", "--print", "--clock", "90", "--profile", "fast"], "cannot be used with"),
         (&["config", "--print", "--profile", "quick"], "published"),
+        (&["config", "--print", "--clock", "90", "--set", "emit.clock_mhz=50"], "ask for two clocks"),
+        (&["emit", "--unit", "fp_add3", "--clock", "290"], "needs fp_add3 at 290 MHz"),
     ] {
         let out = reliefrtl(dir.path(), line);
         let said = String::from_utf8_lossy(&out.stderr).into_owned();

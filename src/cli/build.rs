@@ -25,7 +25,7 @@ pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
     dir.add("preview.png", &picture)?;
     dir.commit()?;
     bar.set_message("checking every vector in the interpreter");
-    let checked = check_tree(&c, &a.out, None, None, None, None, &|_| ())?;
+    let checked = check_tree(&c, &a.out, None, &[], None, None, &|_| ())?;
     let mut views = Vec::new();
     for view in &c.view.names {
         bar.set_message(format!("tracing the {view} view"));
@@ -99,26 +99,23 @@ pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
 
 /// Runs `vectors`.
 pub fn vectors(cli: &Cli, a: &VectorsArgs) -> Result<()> {
-    let (c, alone) = super::config::load_for(cli, a.unit.as_deref())?;
-    let campaign = a.campaign.campaign(alone.is_some())?;
+    let (c, alone) = super::config::load_for(cli, &a.unit)?;
+    let campaign = a.campaign.campaign(!alone.is_empty())?;
     let bar = spinner(cli, "computing vectors");
-    let files = match (&alone, &a.unit) {
-        (Some(m), _) => project::alone_vectors(&c, m, campaign),
-        (None, unit) => {
-            let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
-            let mut files = project::vectors(&c, &scene)?;
-            if let Some(name) = unit {
-                let m = crate::catalogue::find(&c.design(), name)?;
-                files.retain(|f, _| f.starts_with(&format!("golden/{}/", m.name)));
-            }
-            files
-        }
+    let own: Vec<String> = a.unit.iter().map(|name| format!("golden/{name}/")).collect();
+    let files = if alone.is_empty() {
+        let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
+        let mut files = project::vectors(&c, &scene)?;
+        files.retain(|f, _| own.is_empty() || own.iter().any(|dir| f.starts_with(dir)));
+        files
+    } else {
+        alone.iter().flat_map(|m| project::alone_vectors(&c, m, campaign)).collect()
     };
     if files.is_empty() {
-        return Err(Error::NothingRan("this unit has no vectors of its own".into()));
+        return Err(Error::NothingRan("the chosen unit has no vectors of its own".into()));
     }
-    let own = a.unit.as_ref().map_or("golden/".into(), |name| format!("golden/{name}/"));
-    let part = Part { config: c.hash(), replaces: &[&own], alone_in: &[] };
+    let own: Vec<&str> = if own.is_empty() { vec!["golden/"] } else { own.iter().map(String::as_str).collect() };
+    let part = Part { config: c.hash(), replaces: &own, alone_in: &[] };
     super::output::write_part(&a.out, &files, part)?;
     bar.finish_and_clear();
     if cli.json {

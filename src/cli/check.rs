@@ -8,7 +8,7 @@ use std::path::PathBuf;
 
 /// Runs `check`.
 pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
-    let (c, alone) = super::config::load_for(cli, a.unit.as_deref())?;
+    let (c, alone) = super::config::load_for(cli, &a.unit)?;
     if a.engine == Engine::Golden {
         return Err(Error::input(
             "check --engine golden would compare the golden model with itself: use interp, icarus or verilator",
@@ -17,8 +17,9 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
     if a.wave.is_some() && a.engine != Engine::Interp {
         return Err(Error::input("check --wave records the interpreter: leave out --engine, or set it to interp"));
     }
-    let campaign = a.campaign.campaign(alone.is_some())?;
-    if let Some((m, endless)) = alone.as_ref().zip(campaign.filter(|c| c.level == Level::Three)) {
+    let campaign = a.campaign.campaign(!alone.is_empty())?;
+    if let Some(endless) = campaign.filter(|c| c.level == Level::Three) {
+        let [m] = &alone[..] else { return Err(Error::input("--level 3 goes on until it is stopped: name one unit")) };
         return super::endless::run(cli, a, &c, m, endless);
     }
     if a.batches.is_some() {
@@ -29,9 +30,9 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
         Some(dir) => dir.clone(),
         None => {
             let tree = work.path().join("tree");
-            let files = match &alone {
-                Some(m) => alone_files(&c, m, campaign)?,
-                None => project(&c, &Scene::new(&c, None, false)?)?.files,
+            let files = match &alone[..] {
+                [] => project(&c, &Scene::new(&c, None, false)?)?.files,
+                units => alone_files(&c, units, campaign)?,
             };
             super::output::write_tree(&tree, &files)?;
             tree
@@ -39,7 +40,7 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
     };
     let bar = spinner(cli, "checking");
     let seen = |x: &Checked| bar.set_message(format!("{} done", x.unit));
-    let done = check_tree(&c, &dir, a.engine.simulator(), a.unit.as_deref(), a.canary, a.wave.as_deref(), &seen);
+    let done = check_tree(&c, &dir, a.engine.simulator(), &a.unit, a.canary, a.wave.as_deref(), &seen);
     bar.finish_and_clear();
     let done = done?;
     print(cli, &done);

@@ -10,20 +10,23 @@ use std::sync::Arc;
 
 /// Runs `emit`.
 pub fn run(cli: &Cli, a: &EmitArgs) -> Result<()> {
-    let (c, alone) = super::config::load_for(cli, a.unit.as_deref())?;
-    let (count, files) = match (&alone, &a.unit) {
-        (Some(m), _) => (emit::modules(std::slice::from_ref(m))?.len(), alone_text(&c, m)?),
-        (None, None) => {
+    let (c, alone) = super::config::load_for(cli, &a.unit)?;
+    let (count, files) = match (&alone[..], &a.unit[..]) {
+        ([], []) => {
             let p = project::text(&c)?;
             (p.modules.len(), p.files)
         }
-        (None, Some(name)) => one(&c, &crate::catalogue::find(&c.design(), name)?)?,
+        ([], names) => {
+            let d = c.design();
+            some(&c, &names.iter().map(|name| crate::catalogue::find(&d, name)).collect::<Result<Vec<_>>>()?)?
+        }
+        (units, _) => (emit::modules(units)?.len(), alone_text(&c, units)?),
     };
-    // A unit alone has a manifest and a list of files of its own: no other Verilog may stand beside it.
+    // Units alone have a manifest and a list of files of its own: no other Verilog may stand beside it.
     let places = ["rtl/", "testbench/", "flow/", "manifest.json"];
-    let part = match a.unit {
-        None => Part { config: c.hash(), replaces: &places, alone_in: &[] },
-        Some(_) => Part { config: c.hash(), replaces: &[], alone_in: &places },
+    let part = match a.unit.is_empty() {
+        true => Part { config: c.hash(), replaces: &places, alone_in: &[] },
+        false => Part { config: c.hash(), replaces: &[], alone_in: &places },
     };
     super::output::write_part(&a.out, &files, part)?;
     if cli.json {
@@ -35,18 +38,17 @@ pub fn run(cli: &Cli, a: &EmitArgs) -> Result<()> {
     Ok(())
 }
 
-/// Number of modules of a unit of the traversal, and their files.
-fn one(c: &Config, top: &Arc<Module>) -> Result<(usize, Files)> {
-    let modules = emit::modules(std::slice::from_ref(top))?;
+/// Number of modules of units of the traversal, and their files.
+fn some(c: &Config, tops: &[Arc<Module>]) -> Result<(usize, Files)> {
+    let modules = emit::modules(tops)?;
     let mut files = emit::rtl(c, &modules);
     let manifest = emit::manifest(c, &modules, &files);
     files.insert("manifest.json".into(), serde_json::to_string_pretty(&manifest).expect("plain data") + "\n");
-    files.extend(emit::flow(c, top, &files));
+    files.extend(emit::flow(c, tops, &files));
     let mut whole = project::text(c)?.files;
     whole.retain(|path, _| {
-        let name = &top.name;
-        [format!("testbench/tb_{name}.v"), format!("testbench/tb_{name}_top.v"), "testbench/verilator_main.cpp".into()]
-            .contains(path)
+        let bench = |top: &Arc<Module>| ["", "_top"].map(|end| format!("testbench/tb_{}{end}.v", top.name));
+        path == "testbench/verilator_main.cpp" || tops.iter().any(|top| bench(top).contains(path))
     });
     files.extend(whole);
     Ok((modules.len(), files))

@@ -22,11 +22,11 @@ pub fn run(cli: &Cli, a: &CheckArgs, c: &Config, m: &Arc<Module>, campaign: Camp
     for seed in seeds.take(a.batches.map_or(usize::MAX, |n| n as usize)) {
         let mut c = c.clone();
         c.vectors.seed = seed;
-        let files = alone_files(&c, m, Some(whole))?;
+        let files = alone_files(&c, std::slice::from_ref(m), Some(whole))?;
         let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
         let dir = work.path().join("tree");
         super::output::write_tree(&dir, &files)?;
-        let done = check_tree(&c, &dir, a.engine.simulator(), Some(&m.name), None, None, &|_| ());
+        let done = check_tree(&c, &dir, a.engine.simulator(), std::slice::from_ref(&m.name), None, None, &|_| ());
         let told = |e| match e {
             Error::Mismatch(f) => Error::Mismatch(f.and(format!("; of vectors.seed = {seed}"))),
             e => e,

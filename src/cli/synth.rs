@@ -2,20 +2,15 @@
 use super::args::{Cli, SynthArgs, SynthTarget};
 use super::output::{spinner, table};
 use crate::catalogue;
-use crate::config::{Design, LatencyConfig};
+use crate::config::{Config, Design, LATENCY_KEYS, latency_key};
 use crate::error::{Error, Result};
-use crate::project;
 use crate::synth::{Figures, Placing, Target, measure, measure_files};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 
 /// Runs `synth`.
 pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
-    let c = super::config::load_ranges(cli)?;
-    c.design().check_divider()?;
-    if !a.unit.iter().all(|name| project::alone(&c, name).is_some()) {
-        c.validate()?;
-    }
+    let c = super::config::load_for(cli, &a.unit)?.0;
     let d = c.design();
     let all: Vec<String> = catalogue::units(&d).into_iter().map(|m| m.name.clone()).collect();
     let names = if a.unit == ["all"] { all } else { a.unit.clone() };
@@ -29,23 +24,11 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
     let mut all: Vec<Value> = Vec::new();
     for name in &names {
         for latency in &latencies {
-            let mut d = d;
-            if let Some(l) = *latency {
-                d.latency = LatencyConfig {
-                    add: l,
-                    mul: l,
-                    div: l,
-                    compare: l,
-                    from_int: l,
-                    to_int: l,
-                    sqrt: l,
-                    add3: l,
-                    ..d.latency
-                };
-            }
+            let d = latency.map_or(Ok(d), |clocks| at_latency(&c, name, clocks))?;
             d.check_divider()?;
             let unit = catalogue::find(&d, name)?;
-            let bar = spinner(cli, format!("{name} at {latency:?} for {}", target.name()));
+            let clocks = latency.map_or(String::new(), |l| format!(" in {l} clocks"));
+            let bar = spinner(cli, format!("{name}{clocks} for {}", target.name()));
             let figures = measure(&unit, &target, &placing)?;
             bar.finish_and_clear();
             let mut value = serde_json::to_value(&figures).expect("plain data");
@@ -72,6 +55,20 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
         print!("{}", rows(&done));
     }
     Ok(())
+}
+
+/// The design with the latency of a unit of arithmetic, or with that of all of them.
+fn at_latency(c: &Config, name: &str, clocks: u32) -> Result<Design> {
+    let keys = match latency_key(name) {
+        Some(key) => vec![key],
+        None if catalogue::find(&c.design(), name)?.latency == Some(0) => {
+            return Err(Error::input(format!("{name} has no registers: leave out --latency {clocks}")));
+        }
+        None => LATENCY_KEYS.to_vec(),
+    };
+    let mut c = c.clone();
+    keys.iter().try_for_each(|key| c.apply_set(&format!("latency.{key}={clocks}")))?;
+    Ok(c.design())
 }
 
 /// Files by name.
@@ -107,12 +104,13 @@ fn design(d: &Design) -> Value {
 }
 
 fn target(a: &SynthArgs) -> Result<Target> {
-    let missing = || Error::input("--target liberty needs --liberty FILE.lib");
-    Ok(match a.target {
-        SynthTarget::Ecp5 => Target::Ecp5,
-        SynthTarget::Ice40 => Target::Ice40,
-        SynthTarget::Xilinx => Target::Xilinx,
-        SynthTarget::Liberty => Target::Liberty(PathBuf::from(a.liberty.as_ref().ok_or_else(missing)?)),
+    Ok(match (a.target, &a.liberty) {
+        (None | Some(SynthTarget::Liberty), Some(file)) => Target::Liberty(file.clone()),
+        (Some(SynthTarget::Liberty), None) => return Err(Error::input("--target liberty needs --liberty FILE.lib")),
+        (Some(_), Some(_)) => return Err(Error::input("--liberty names cells of its own: leave out --target")),
+        (None | Some(SynthTarget::Ecp5), None) => Target::Ecp5,
+        (Some(SynthTarget::Ice40), None) => Target::Ice40,
+        (Some(SynthTarget::Xilinx), None) => Target::Xilinx,
     })
 }
 

@@ -1,126 +1,328 @@
-//! Latencies for a clock, from a table of measurements.
+//! Latencies for a clock, from a table of measurements, and what those of a configuration are good for.
 //!
 //! The clocks are those of units alone on an ECP5 (85k, speed grade 8) at 1/7/16: medians of three seeds, `docs/clocks.md` has the commands. A
-//! traversal around them is slower, by the share that the profiles came out at when they were placed and routed whole.
-use super::{DatapathKind, Divider, LatencyConfig, Profile};
+//! traversal around them is slower, by the share that those came out at which were placed and routed whole.
+use super::{DatapathKind, Design, Divider, LatencyConfig, Profile};
 use crate::error::{Error, Result};
+use crate::format::FloatFormat;
 
-/// Clocks of one kind of unit: latency and MHz, the slowest first.
+/// Clocks of one unit: latency and MHz, the slowest first.
 struct Curve {
+    unit: &'static str,
+    /// Its key in the table `latency`.
     key: &'static str,
     points: &'static [(u32, u32)],
-    set: fn(&mut LatencyConfig, u32),
 }
 
-/// Every kind of unit; of two that share a key, the slower one.
-const CURVES: [Curve; 8] = [
-    Curve { key: "add", points: &[(1, 74), (2, 125), (3, 162), (4, 195), (5, 236), (6, 256)], set: |l, n| l.add = n },
-    Curve { key: "mul", points: &[(1, 100), (2, 176), (3, 177)], set: |l, n| l.mul = n },
-    Curve {
-        key: "div",
-        points: &[(2, 34), (4, 54), (6, 82), (8, 108), (10, 114), (14, 152), (20, 195)],
-        set: |l, n| l.div = n,
-    },
-    Curve { key: "compare", points: &[(1, 204), (2, 256)], set: |l, n| l.compare = n },
-    Curve { key: "from_int", points: &[(1, 134), (2, 137), (3, 193), (5, 258)], set: |l, n| l.from_int = n },
-    Curve { key: "to_int", points: &[(1, 117), (2, 192), (3, 213), (4, 232), (5, 268)], set: |l, n| l.to_int = n },
-    Curve { key: "sqrt", points: &[(2, 41), (4, 60), (6, 91), (8, 110), (12, 162), (20, 270)], set: |l, n| l.sqrt = n },
-    Curve { key: "add3", points: &[(2, 62), (3, 82), (4, 98), (6, 118), (8, 160), (12, 173)], set: |l, n| l.add3 = n },
+const fn curve(unit: &'static str, key: &'static str, points: &'static [(u32, u32)]) -> Curve {
+    Curve { unit, key, points }
+}
+
+/// Every unit of arithmetic; a latency that a smaller one beats is left out.
+const CURVES: [Curve; 12] = [
+    curve("fp_add", "add", &[(1, 74), (2, 125), (3, 162), (4, 197), (5, 221), (6, 256), (8, 296)]),
+    curve("fp_mul", "mul", &[(1, 100), (2, 176), (4, 183), (5, 184)]),
+    curve("fp_div", "div", &[(2, 34), (4, 68), (6, 82), (8, 108), (10, 114), (14, 153), (20, 262)]),
+    curve("fp_lt", "compare", &[(1, 224), (2, 256)]),
+    curve("fp_from_int", "from_int", &[(1, 134), (2, 137), (3, 193), (5, 258)]),
+    curve("fp_to_int", "to_int", &[(1, 119), (2, 201), (3, 213), (4, 259), (5, 270)]),
+    curve("fp_to_fixed", "to_int", &[(1, 117), (2, 192), (3, 217), (4, 232), (5, 268)]),
+    curve("fp_from_fixed", "from_int", &[(1, 74), (2, 109), (3, 145), (4, 146), (5, 187)]),
+    curve("fp_recip", "div", &[(2, 35), (3, 49), (4, 54), (6, 83), (8, 109), (12, 154), (20, 195)]),
+    curve("fp_compare", "compare", &[(1, 204), (2, 270)]),
+    curve("fp_sqrt", "sqrt", &[(2, 41), (3, 58), (4, 60), (6, 91), (8, 110), (12, 162), (20, 270)]),
+    curve("fp_add3", "add3", &[(2, 62), (3, 82), (4, 98), (6, 118), (8, 160), (12, 173)]),
 ];
 
-/// A whole traversal runs at this share of the clock of its slowest unit alone or better, in percent: of those that were placed and routed, the
-/// lowest came out at 63 % (a former `fast`), `published` at 89 %, `fast` at 96 % (`docs/clocks.md`, "The whole traversal").
-const WHOLE: u32 = 63;
+/// `fp_div` by table.
+const BY_TABLE: Curve =
+    curve("fp_div", "div", &[(2, 42), (3, 75), (4, 106), (5, 125), (6, 146), (7, 148), (8, 177), (13, 182)]);
 
-/// Latencies chosen for a clock, and how sure the choice is.
+/// Units of a watertight traversal whose clock its own depends on.
+const TRAVERSAL: [&str; 7] = ["fp_add", "fp_mul", "fp_div", "fp_lt", "fp_from_int", "fp_to_int", "fp_to_fixed"];
+
+/// What stands between the units of a watertight traversal, which needs no table: each step was seen to be needed by the profile that has it.
+#[derive(Clone, Copy)]
+struct Tier {
+    /// The highest clock that it is taken for, in MHz.
+    to: u32,
+    /// Whose registers stand between the units; without one, the default's.
+    profile: Option<Profile>,
+    /// Around it a whole traversal runs at this share of the clock of its slowest unit alone or better, in percent.
+    share: u32,
+}
+
+/// Slowest first. The shares are those of choices that were placed and routed whole (`docs/clocks.md`, "Latencies for a clock"), rounded down.
+const TIERS: [Tier; 4] = [
+    Tier { to: 50, profile: None, share: 60 },
+    Tier { to: 80, profile: Some(Profile::Published), share: 80 },
+    Tier { to: 105, profile: Some(Profile::Balanced), share: 75 },
+    Tier { to: 130, profile: Some(Profile::Fast), share: 90 },
+];
+
+/// A whole traversal, placed and routed: MHz, of three seeds the median.
+struct Placed {
+    kind: DatapathKind,
+    profile: Profile,
+    mhz: u32,
+}
+
+/// The profiles (`docs/clocks.md`, "The whole traversal"), each datapath's slowest first.
+const PLACED: [Placed; 3] = [
+    Placed { kind: DatapathKind::Watertight, profile: Profile::Published, mhz: 89 },
+    Placed { kind: DatapathKind::Watertight, profile: Profile::Balanced, mhz: 108 },
+    Placed { kind: DatapathKind::Watertight, profile: Profile::Fast, mhz: 170 },
+];
+
+/// What a clock is asked of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scope<'a> {
+    /// A whole traversal.
+    Traversal,
+    /// Units of arithmetic by themselves.
+    Alone(&'a [String]),
+}
+
+/// Latencies chosen for a clock.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Choice {
     /// The latencies.
     pub latency: LatencyConfig,
-    /// Key of the unit with the lowest clock, and its MHz alone.
-    pub slowest: (&'static str, u32),
-    /// MHz that each unit alone had to reach.
-    pub asked: u32,
+    /// Percent of the slowest unit's clock that is to be expected.
+    share: u32,
+    /// A profile that was placed and routed as it stands, and its MHz.
+    placed: Option<(Profile, u32)>,
+}
+
+/// The smallest latencies that reach `mhz` with the margin that a whole traversal needs; a unit alone needs none.
+///
+/// # Errors
+/// [`Error::Input`] if nothing that was measured reaches it.
+pub fn for_clock(mhz: u32, d: &Design, scope: Scope) -> Result<Choice> {
+    let Scope::Alone(units) = scope else { return for_traversal(mhz, d) };
+    let mut latency = d.latency;
+    for name in units {
+        if let Some(c) = curve_of(name, &latency) {
+            *field(&mut latency, c.key) = 0;
+        }
+    }
+    for name in units {
+        let c = curve_of(name, &latency).ok_or_else(|| {
+            Error::input(format!(
+                "--clock {mhz}: no clock of {name} was measured; leave out --clock, and set latency.*"
+            ))
+        })?;
+        pick(&mut latency, c, mhz, mhz)?;
+    }
+    Ok(Choice { latency, share: 100, placed: None })
+}
+
+fn for_traversal(mhz: u32, d: &Design) -> Result<Choice> {
+    let kind = d.datapath.kind;
+    let tier = (kind == DatapathKind::Watertight).then(|| TIERS.iter().find(|t| mhz <= t.to)).flatten();
+    let Some(tier) = tier else {
+        let placed = PLACED.iter().filter(|p| p.kind == kind);
+        let best = placed.clone().map(|p| p.mhz).max().unwrap_or_default();
+        let fits = placed.clone().find(|p| p.mhz >= mhz).ok_or_else(|| {
+            Error::input(format!(
+                "--clock {mhz} is more than any whole traversal with datapath.kind = {} reached: at most --clock {best} is legal",
+                kind.word()
+            ))
+        })?;
+        let latency = fits.profile.latency_for(d);
+        return Ok(Choice { latency, share: 100, placed: Some((fits.profile, fits.mhz)) });
+    };
+    let mut latency = tier.profile.map_or(LatencyConfig::default(), |p| p.latency(kind));
+    latency.divider = d.latency.divider;
+    for key in LATENCY_KEYS {
+        *field(&mut latency, key) = 0;
+    }
+    for c in TRAVERSAL.iter().filter_map(|name| curve_of(name, &d.latency)) {
+        pick(&mut latency, c, (mhz * 100).div_ceil(tier.share), mhz)?;
+    }
+    // Units that no traversal has are emitted beside it only where they are named: they follow the same clock, as far as they can.
+    for c in CURVES.iter().filter(|c| ["fp_sqrt", "fp_add3"].contains(&c.unit)) {
+        let most = c.points.iter().map(|p| p.1).max().unwrap_or_default();
+        pick(&mut latency, c, mhz.min(most), mhz)?;
+    }
+    Ok(Choice { latency, share: tier.share, placed: None })
+}
+
+/// Raises the latency of a curve's unit until it reaches `asked`.
+fn pick(latency: &mut LatencyConfig, c: &Curve, asked: u32, mhz: u32) -> Result<()> {
+    let best = c.points.iter().map(|p| p.1).max().unwrap_or_default();
+    let (clocks, _) = c.points.iter().find(|p| p.1 >= asked).ok_or_else(|| {
+        Error::input(format!(
+            "--clock {mhz} needs {} at {asked} MHz, and the fastest that was measured is {best} (latency.{})",
+            c.unit, c.key
+        ))
+    })?;
+    let now = field(latency, c.key);
+    *now = (*now).max(*clocks);
+    Ok(())
 }
 
 impl Choice {
-    /// One sentence: what was chosen, from what, and what it does not know.
-    pub fn certainty(&self, mhz: u32) -> String {
-        let (key, alone) = self.slowest;
-        format!(
-            "latencies for {mhz} MHz: every unit alone reached {} MHz or more (the slowest: {key}, {alone}) on an ECP5, speed grade 8, at 1/7/16, median of 3 seeds, single seeds differ by up to 8 %; whole traversals came out at {WHOLE} to 96 % of that, so expect {} MHz or more; other devices and formats were not measured",
-            self.asked,
-            alone * WHOLE / 100
-        )
-    }
-}
-
-/// The smallest latencies whose units alone reach `mhz` with the margin that a whole traversal needs.
-///
-/// # Errors
-/// [`Error::Input`] if a unit does not reach it at any latency that was measured.
-pub fn for_clock(mhz: u32, kind: DatapathKind) -> Result<Choice> {
-    let asked = (mhz * 100).div_ceil(WHOLE);
-    // What stands between the units needs no table: each step was seen to be needed by the profile that has it.
-    let profile = match mhz {
-        0..=50 => None,
-        51..=80 => Some(Profile::Published),
-        81..=90 => Some(Profile::Balanced),
-        _ => Some(Profile::Fast),
-    };
-    let mut latency = profile.map_or(LatencyConfig::default(), |p| p.latency(kind));
-    latency.divider = Divider::Rows;
-    let mut slowest = ("", u32::MAX);
-    for c in &CURVES {
-        let Some((clocks, alone)) = c.points.iter().find(|p| p.1 >= asked) else {
-            let best = c.points.iter().map(|p| p.1).max().unwrap_or_default();
-            return Err(Error::input(format!(
-                "--clock {mhz} needs latency.{} at {asked} MHz alone, and the fastest that was measured is {best}: at most --clock {} is legal",
-                c.key,
-                fastest()
-            )));
+    /// One sentence about the latencies that a design ended up with, which `--set` may have changed since: what they were measured at, and what
+    /// is not known.
+    pub fn certainty(&self, mhz: u32, d: &Design, scope: Scope) -> String {
+        const SEEDS: &str = "on an ECP5, speed grade 8, at 1/7/16, median of 3 seeds, single seeds differ by up to 8 %";
+        let mut said = match self.placed {
+            Some((profile, _)) if self.latency != d.latency => format!(
+                "latencies for {mhz} MHz: those of profile {}, and with the changes to them nothing was placed and routed, so nothing is promised",
+                profile.word()
+            ),
+            Some((profile, whole)) => format!(
+                "latencies for {mhz} MHz: those of profile {}, which was placed and routed whole at {whole} MHz on an ECP5, speed grade 8, median of 3 seeds, of which single ones were up to 11 % slower",
+                profile.word()
+            ),
+            None => {
+                let names: Vec<&str> = match scope {
+                    Scope::Traversal => TRAVERSAL.to_vec(),
+                    Scope::Alone(units) => units.iter().map(String::as_str).collect(),
+                };
+                let alone = |name: &&str| {
+                    let c = curve_of(name, &d.latency)?;
+                    let clocks = *field(&mut d.latency.clone(), c.key);
+                    let reached = c.points.iter().rev().find(|p| p.0 <= clocks).map(|p| p.1);
+                    Some((c.unit, clocks, reached))
+                };
+                let all: Vec<_> = names.iter().filter_map(alone).collect();
+                match all.iter().min_by_key(|u| u.2) {
+                    None => format!("latencies for {mhz} MHz: nothing of this was measured, so nothing is promised"),
+                    Some((unit, clocks, None)) => format!(
+                        "latencies for {mhz} MHz: {unit} in {clocks} clocks was not measured, so nothing is promised"
+                    ),
+                    Some((unit, clocks, Some(reached))) => {
+                        let expected = reached * self.share / 100;
+                        let short = if expected < mhz { format!(", which is less than {mhz}") } else { String::new() };
+                        match scope {
+                            Scope::Alone(_) => format!(
+                                "latencies for {mhz} MHz: {unit} in {clocks} clocks alone reached {reached} MHz {SEEDS}{short}"
+                            ),
+                            Scope::Traversal => format!(
+                                "latencies for {mhz} MHz: the slowest unit alone, {unit} in {clocks} clocks, reached {reached} MHz {SEEDS}; a whole traversal came out at {} % of that or more, so expect {expected} MHz or more{short}",
+                                self.share
+                            ),
+                        }
+                    }
+                }
+            }
         };
-        (c.set)(&mut latency, *clocks);
-        if *alone < slowest.1 {
-            slowest = (c.key, *alone);
+        said += "; other devices were not measured";
+        let other = match scope {
+            Scope::Alone(_) => d.format != FloatFormat::FP24,
+            Scope::Traversal => {
+                let default = Design::default();
+                (d.format, d.traverse, d.mode) != (default.format, default.traverse, default.mode)
+            }
+        };
+        if other {
+            let what = if scope == Scope::Traversal { "design" } else { "format" };
+            said += &format!(", nor was this {what}: place it (`reliefrtl synth`) before you rely on it");
         }
+        said
     }
-    Ok(Choice { latency, slowest, asked })
 }
 
-/// The highest clock that every unit reaches at some latency.
-fn fastest() -> u32 {
-    let best = CURVES.iter().filter_map(|c| c.points.iter().map(|p| p.1).max()).min();
-    best.unwrap_or_default() * WHOLE / 100
+/// The curve of a unit, as it is built at these latencies.
+fn curve_of(name: &str, latency: &LatencyConfig) -> Option<&'static Curve> {
+    if name == BY_TABLE.unit && latency.divider == Divider::Table {
+        return Some(&BY_TABLE);
+    }
+    CURVES.iter().find(|c| c.unit == name)
+}
+
+/// Keys of the table `latency` that are units of arithmetic.
+pub const LATENCY_KEYS: [&str; 8] = ["add", "mul", "div", "compare", "from_int", "to_int", "sqrt", "add3"];
+
+/// The key of the table `latency` of a unit of arithmetic.
+pub fn latency_key(unit: &str) -> Option<&'static str> {
+    CURVES.iter().find(|c| c.unit == unit).map(|c| c.key)
+}
+
+/// The latency of a key of [`CURVES`].
+fn field<'a>(l: &'a mut LatencyConfig, key: &str) -> &'a mut u32 {
+    match key {
+        "add" => &mut l.add,
+        "mul" => &mut l.mul,
+        "div" => &mut l.div,
+        "compare" => &mut l.compare,
+        "from_int" => &mut l.from_int,
+        "to_int" => &mut l.to_int,
+        "sqrt" => &mut l.sqrt,
+        "add3" => &mut l.add3,
+        _ => unreachable!("no curve has the key {key}"),
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{CURVES, fastest, for_clock};
-    use crate::config::DatapathKind;
+    use super::{BY_TABLE, CURVES, PLACED, Scope, TIERS, for_clock};
+    use crate::config::{DatapathKind, Design};
 
     #[test]
     fn a_faster_clock_never_takes_fewer_clocks() {
         let total = |mhz| {
-            let l = for_clock(mhz, DatapathKind::Watertight).unwrap().latency;
-            [l.add, l.mul, l.div, l.compare, l.from_int, l.to_int, l.sqrt, l.add3, l.decision, l.node, l.memory]
+            let l = for_clock(mhz, &Design::default(), Scope::Traversal).unwrap().latency;
+            [l.compare, l.to_int, l.decision, l.node, l.memory, l.handshake]
         };
-        for mhz in 2..=fastest() {
+        for mhz in 2..=PLACED.iter().map(|p| p.mhz).max().unwrap() {
             let (slow, fast) = (total(mhz - 1), total(mhz));
             assert!(slow.iter().zip(&fast).all(|(a, b)| a <= b), "{mhz} MHz: {slow:?}, {fast:?}");
         }
     }
 
     #[test]
-    fn the_table_is_in_order() {
-        for c in &CURVES {
-            assert!(c.points.windows(2).all(|p| p[0].0 < p[1].0 && p[0].1 <= p[1].1), "{}", c.key);
+    fn the_tables_are_in_order() {
+        for c in CURVES.iter().chain([&BY_TABLE]) {
+            assert!(c.points.windows(2).all(|p| p[0].0 < p[1].0 && p[0].1 < p[1].1), "{}", c.unit);
         }
+        assert!(TIERS.windows(2).all(|t| t[0].to < t[1].to));
+    }
+
+    /// Each choice expects what was asked, until something is changed that it rests on.
+    #[test]
+    fn a_choice_is_judged_by_what_it_became() {
+        for mhz in 1..=130 {
+            let mut d = Design::default();
+            let choice = for_clock(mhz, &d, Scope::Traversal).unwrap();
+            d.latency = choice.latency;
+            assert!(!choice.certainty(mhz, &d, Scope::Traversal).contains("less than"), "{mhz}");
+            d.latency.add = 1;
+            let said = choice.certainty(mhz, &d, Scope::Traversal);
+            assert_eq!(said.contains("fp_add in 1 clocks") && said.contains("less than"), mhz > 66, "{said}");
+        }
+        let mut d = Design::default();
+        let choice = for_clock(160, &d, Scope::Traversal).unwrap();
+        d.latency = choice.latency;
+        assert!(choice.certainty(160, &d, Scope::Traversal).contains("profile fast"));
+        d.latency.mul = 0;
+        assert!(choice.certainty(160, &d, Scope::Traversal).contains("nothing is promised"));
+        d.mode.bilinear = true;
+        assert!(choice.certainty(160, &d, Scope::Traversal).contains("this design: place it"));
     }
 
     #[test]
-    fn what_no_unit_reaches_is_refused() {
-        let e = for_clock(400, DatapathKind::Watertight).unwrap_err().to_string();
-        assert!(e.contains("--clock 400") && e.contains(&format!("at most --clock {}", fastest())), "{e}");
+    fn a_unit_alone_needs_no_margin() {
+        let unit = ["fp_add".to_string()];
+        let mut d = Design::default();
+        let choice = for_clock(296, &d, Scope::Alone(&unit)).unwrap();
+        assert_eq!(choice.latency.add, 8);
+        d.latency = choice.latency;
+        assert!(choice.certainty(296, &d, Scope::Alone(&unit)).contains("fp_add in 8 clocks alone reached 296 MHz"));
+    }
+
+    #[test]
+    fn what_nothing_reaches_is_refused() {
+        let e = for_clock(400, &Design::default(), Scope::Traversal).unwrap_err().to_string();
+        assert!(e.contains("--clock 400") && e.contains("at most --clock 170"), "{e}");
+        let mut d = Design::default();
+        d.datapath.kind = DatapathKind::Published;
+        let e = for_clock(120, &d, Scope::Traversal).unwrap_err().to_string();
+        assert!(e.contains("datapath.kind = published"), "{e}");
+        let unit = ["fp_add3".to_string()];
+        let e = for_clock(300, &d, Scope::Alone(&unit)).unwrap_err().to_string();
+        assert!(e.contains("fp_add3 at 300 MHz") && e.contains("173"), "{e}");
     }
 }

@@ -3,6 +3,7 @@ use super::Files;
 use crate::config::Config;
 use crate::ir::Module;
 use minijinja::{Environment, context};
+use std::sync::Arc;
 
 const SCRIPTS: [(&str, &str); 5] = [
     ("ecp5.ys", include_str!("templates/ecp5.ys")),
@@ -24,23 +25,32 @@ fn period(mhz: u32) -> String {
     format!("{}.{:03}", ps / 1000, ps % 1000)
 }
 
-/// `flow/*` for `top`; `rtl` holds the emitted files, by path, and the clock is `emit.clock_mhz`.
-pub fn flow(c: &Config, top: &Module, rtl: &Files) -> Files {
+/// `flow/*` for each of `tops`, in a directory of its own where there are several; `rtl` holds the emitted files, by path, and the clock is
+/// `emit.clock_mhz`.
+pub fn flow(c: &Config, tops: &[Arc<Module>], rtl: &Files) -> Files {
+    let place = |m: &Module| if tops.len() == 1 { "flow".into() } else { format!("flow/{}{}", c.emit.prefix, m.name) };
+    tops.iter().flat_map(|m| of(c, m, rtl, &place(m))).collect()
+}
+
+fn of(c: &Config, top: &Module, rtl: &Files, place: &str) -> Files {
     let name = format!("{}{}", c.emit.prefix, top.name);
     let files: Vec<&String> = rtl.keys().filter(|f| f.starts_with("rtl/") && f.ends_with(".v")).collect();
     let inputs: Vec<&str> = top.data_inputs().map(|(_, p)| p.name.as_str()).collect();
     let mhz = c.emit.clock_mhz;
-    let value = context! { top => name, files, inputs, mhz, ns => period(mhz), clocked => top.clk.is_some() };
+    let up = "../".repeat(place.split('/').count());
+    let up = up.trim_end_matches('/');
+    let value =
+        context! { top => name, files, inputs, mhz, place, up, ns => period(mhz), clocked => top.clk.is_some() };
     let mut env = Environment::new();
     env.set_keep_trailing_newline(true);
     let mut out = Files::new();
     for (file, text) in SCRIPTS {
         let text = env.render_str(text, &value).expect("templates use only what they are given");
-        out.insert(format!("flow/{file}"), text);
+        out.insert(format!("{place}/{file}"), text);
     }
     for (kind, text) in CLOCKS {
         let text = env.render_str(text, &value).expect("templates use only what they are given");
-        out.insert(format!("flow/{name}.{kind}"), text);
+        out.insert(format!("{place}/{name}.{kind}"), text);
     }
     out
 }

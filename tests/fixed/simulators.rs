@@ -36,7 +36,7 @@ fn tree(f: u32, w: u32, mode: ModeConfig) -> (Config, TempDir) {
 fn all_units(sim: Simulator, formats: &[(u32, u32)], mode: ModeConfig, count: usize) {
     for &(f, w) in formats {
         let (c, dir) = tree(f, w, mode);
-        let done = check_tree(&c, dir.path(), Some(sim), None, None, None, &|_| ()).unwrap();
+        let done = check_tree(&c, dir.path(), Some(sim), &[], None, None, &|_| ()).unwrap();
         assert_eq!(done.len(), count);
         assert!(done.iter().all(|x| x.rows > 0));
         let rows: usize = done.iter().map(|x| x.rows).sum();

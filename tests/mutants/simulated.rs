@@ -45,7 +45,7 @@ fn mutants(m: &Arc<Module>, count: usize) -> Vec<(String, Arc<Module>)> {
 /// Rows that differ as a bench in Verilator counts them, and how many it compared.
 fn verilator(c: &Config, unit: &str, m: &Arc<Module>, files: &[(String, String)]) -> (usize, usize) {
     let tree = tempfile::tempdir().unwrap();
-    for (path, text) in alone_text(c, m).unwrap().into_iter().chain(files.iter().cloned()) {
+    for (path, text) in alone_text(c, std::slice::from_ref(m)).unwrap().into_iter().chain(files.iter().cloned()) {
         let place = tree.path().join(path);
         std::fs::create_dir_all(place.parent().unwrap()).unwrap();
         std::fs::write(place, text).unwrap();

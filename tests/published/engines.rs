@@ -50,9 +50,9 @@ fn all_units(sim: Simulator) {
     for sets in CONFIGS {
         let c = config(sets);
         let dir = tree(&c);
-        let done = check_tree(&c, dir.path(), Some(sim), None, None, None, &|_| ()).unwrap();
+        let done = check_tree(&c, dir.path(), Some(sim), &[], None, None, &|_| ()).unwrap();
         assert!(done.len() >= 23 && done.iter().all(|x| x.rows > 0));
-        let interp = check_tree(&c, dir.path(), None, Some("traverse"), None, None, &|_| ()).unwrap();
+        let interp = check_tree(&c, dir.path(), None, &["traverse".into()], None, None, &|_| ()).unwrap();
         let busy = |note: &str| note.split(';').next().unwrap().to_string();
         let words: Vec<f64> =
             busy(&done.last().unwrap().note).split_whitespace().filter_map(|w| w.parse().ok()).collect();

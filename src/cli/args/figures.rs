@@ -152,10 +152,10 @@ pub struct SynthArgs {
     /// Units, or all.
     #[arg(long, default_value = "all", value_delimiter = ',', value_name = "NAME")]
     pub unit: Vec<String>,
-    /// What they are mapped to.
-    #[arg(long, default_value = "ecp5")]
-    pub target: SynthTarget,
-    /// The cells of `--target liberty`.
+    /// What they are mapped to; ecp5, or where `--liberty` names cells, those.
+    #[arg(long)]
+    pub target: Option<SynthTarget>,
+    /// The cells they are mapped to.
     #[arg(long, value_name = "FILE.lib")]
     pub liberty: Option<PathBuf>,
     /// Seeds of the placer; the median counts.

@@ -96,9 +96,9 @@ pub struct VectorsArgs {
     /// Directory to write to.
     #[arg(long, default_value = "out", value_name = "DIR")]
     pub out: PathBuf,
-    /// Only this unit's; arithmetic at any format, whatever a traversal asks of its own.
-    #[arg(long, value_name = "NAME")]
-    pub unit: Option<String>,
+    /// Only these units'; arithmetic at any format, whatever a traversal asks of its own.
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
+    pub unit: Vec<String>,
     /// Tables of corners.
     #[command(flatten)]
     pub campaign: CampaignArgs,
@@ -127,7 +127,7 @@ impl CampaignArgs {
     pub fn campaign(&self, alone: bool) -> Result<Option<Campaign>> {
         let Some(level) = self.level else { return Ok(None) };
         if !alone {
-            return Err(Error::input("--level crosses corners of arithmetic: name one of its units, as --unit fp_add"));
+            return Err(Error::input("--level crosses corners of arithmetic: name its units, as --unit fp_add,fp_mul"));
         }
         Ok(Some(Campaign { level, shard: self.shard.unwrap_or(Shard::WHOLE) }))
     }
@@ -139,9 +139,9 @@ pub struct EmitArgs {
     /// Directory to write to.
     #[arg(long, default_value = "out", value_name = "DIR")]
     pub out: PathBuf,
-    /// Only this unit and what it needs.
-    #[arg(long, value_name = "NAME")]
-    pub unit: Option<String>,
+    /// Only these units and what they need.
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
+    pub unit: Vec<String>,
 }
 
 /// Options of `check`.
@@ -150,9 +150,9 @@ pub struct CheckArgs {
     /// What replays the vectors.
     #[arg(long, default_value = "interp")]
     pub engine: Engine,
-    /// Only this unit.
-    #[arg(long, value_name = "NAME")]
-    pub unit: Option<String>,
+    /// Only these units.
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
+    pub unit: Vec<String>,
     /// Tables of corners.
     #[command(flatten)]
     pub campaign: CampaignArgs,

@@ -15,6 +15,7 @@ pub fn stream_queue() -> Arc<Module> {
         Builder::new("stream_queue", file!(), "the counts of 16 places for the words of a pipeline without an enable");
     b.note("Words leave in the order in which they come, one in three clocks at most; none is lost and none comes twice. Not ready in the first clock behind reset.");
     b.note("A word may set out while room is 1, in_valid is 1 when it arrives. From there on it stands in its place; its place is free again once it is taken.");
+    b.throughput("one result in three clocks");
     b.clock();
     b.reset();
     let sets_out = b.input("sets_out", 1, "bit", "a word enters the pipeline at the next edge; only while room is 1");
