@@ -1,5 +1,6 @@
 //! `reliefrtl check --level 3`: random rows of one seed after the other, until somebody stops it or something differs.
 use super::args::{CheckArgs, Cli};
+use super::output::spinner;
 use crate::config::Config;
 use crate::error::{Error, Result};
 use crate::ir::Module;
@@ -22,11 +23,13 @@ pub fn run(cli: &Cli, a: &CheckArgs, c: &Config, m: &Arc<Module>, campaign: Camp
     for seed in seeds.take(a.batches.map_or(usize::MAX, |n| n as usize)) {
         let mut c = c.clone();
         c.vectors.seed = seed;
+        let bar = spinner(cli, format!("seed {seed}"));
         let files = alone_files(&c, std::slice::from_ref(m), Some(whole))?;
         let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
         let dir = work.path().join("tree");
         super::output::write_tree(&dir, &files)?;
         let done = check_tree(&c, &dir, a.engine.simulator(), std::slice::from_ref(&m.name), None, None, &|_| ());
+        bar.finish_and_clear();
         let told = |e| match e {
             Error::Mismatch(f) => Error::Mismatch(f.and(format!("; of vectors.seed = {seed}"))),
             e => e,

@@ -24,7 +24,7 @@ fn corners_are_crossed_in_parts() {
     assert_eq!(code, Some(0), "{text}");
     assert!(text.contains("1 unit, 0 of"), "{text}");
     refused(&["vectors", "--unit", "fp_mul", "--level", "1", "--shard", "3/2"], "3/16 is the third of 16 parts");
-    refused(&["vectors", "--unit", "level_up", "--level", "1"], "name one of its units, as --unit fp_add");
+    refused(&["vectors", "--unit", "level_up", "--level", "1"], "name its units, as --unit fp_add");
     refused(&["check", "--unit", "fp_mul", "--shard", "1/2"], "--level");
 }
 
