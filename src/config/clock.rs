@@ -56,8 +56,8 @@ struct Tier {
 const TIERS: [Tier; 4] = [
     Tier { to: 50, profile: None, share: 60 },
     Tier { to: 80, profile: Some(Profile::Published), share: 80 },
-    Tier { to: 105, profile: Some(Profile::Balanced), share: 75 },
-    Tier { to: 130, profile: Some(Profile::Fast), share: 90 },
+    Tier { to: 105, profile: Some(Profile::Balanced), share: 78 },
+    Tier { to: 130, profile: Some(Profile::Fast), share: 88 },
 ];
 
 /// A whole traversal of the default design, placed and routed.
