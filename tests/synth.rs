@@ -119,7 +119,7 @@ fn what_is_asked_for_wrongly_is_one_sentence() {
         (&["--unit", "fp_lt", "--target", "liberty", "--liberty", "no.lib"], 2, "no.lib"),
         (&["--unit", "fp_lt", "--target", "ice40", "--liberty", "no.lib"], 2, "leave out --target"),
         (&["--unit", "fp_lt", "--latency", "99"], 2, "latency.compare = 99 is too large"),
-        (&["--unit", "lzc", "--latency", "1"], 2, "lzc has no registers"),
+        (&["--unit", "lzc", "--latency", "1"], 2, "lzc is none"),
         (&["--unit", "fp_lt", "--liberty", "poor.lib"], 4, "the mapping needs a flip-flop"),
         (&["--unit", "fp_lt", "--seeds", ""], 2, "--seeds"),
     ] {

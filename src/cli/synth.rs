@@ -2,7 +2,7 @@
 use super::args::{Cli, SynthArgs, SynthTarget};
 use super::output::{spinner, table};
 use crate::catalogue;
-use crate::config::{Config, Design, LATENCY_KEYS, latency_key};
+use crate::config::{Config, Design, latency_key};
 use crate::error::{Error, Result};
 use crate::synth::{Figures, Placing, Target, measure, measure_files};
 use serde_json::{Value, json};
@@ -13,7 +13,10 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
     let c = super::config::load_for(cli, &a.unit)?.0;
     let d = c.design();
     let all: Vec<String> = catalogue::units(&d).into_iter().map(|m| m.name.clone()).collect();
-    let names = if a.unit == ["all"] { all } else { a.unit.clone() };
+    let mut names = if a.unit == ["all"] { all } else { a.unit.clone() };
+    if a.unit == ["all"] && !a.latency.is_empty() {
+        names.retain(|name| latency_key(name).is_some());
+    }
     let target = target(a)?;
     let placing = Placing { seeds: a.seeds.clone(), freq: a.freq, timing_weight: a.timing_weight, copies: a.copies };
     let others = a.beside.iter().map(|other| foreign(other)).collect::<Result<Vec<_>>>()?;
@@ -57,17 +60,16 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
     Ok(())
 }
 
-/// The design with the latency of a unit of arithmetic, or with that of all of them.
+/// The design with the latency of a unit of arithmetic.
 fn at_latency(c: &Config, name: &str, clocks: u32) -> Result<Design> {
-    let keys = match latency_key(name) {
-        Some(key) => vec![key],
-        None if catalogue::find(&c.design(), name)?.latency == Some(0) => {
-            return Err(Error::input(format!("{name} has no registers: leave out --latency {clocks}")));
-        }
-        None => LATENCY_KEYS.to_vec(),
+    let Some(key) = latency_key(name) else {
+        return Err(Error::input(format!(
+            "--latency {clocks} is for units of arithmetic, and {name} is none: its own clocks come from --profile, --clock or --set latency.*"
+        )));
     };
     let mut c = c.clone();
-    keys.iter().try_for_each(|key| c.apply_set(&format!("latency.{key}={clocks}")))?;
+    let of_set = |e: Error| Error::input(e.to_string().replace("(--set)", "(--latency)"));
+    c.apply_set(&format!("latency.{key}={clocks}")).map_err(of_set)?;
     Ok(c.design())
 }
 

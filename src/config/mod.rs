@@ -17,7 +17,7 @@ mod source;
 pub(crate) mod validate;
 
 pub use crate::format::{Rounding, Specials, Subnormals};
-pub use clock::{Choice, LATENCY_KEYS, Scope, for_clock, latency_key};
+pub use clock::{Choice, Scope, for_clock, latency_key};
 pub use design::{
     DatapathConfig, DatapathKind, Design, Divider, LatencyConfig, LevelUp, ModeConfig, TraverseConfig, Trim,
 };

@@ -253,8 +253,9 @@ fn clock(dir: &Path, placing: &Placing) -> Result<Clock> {
         }
         c.args(["--json", "top.json", "--report", "report.json", "--seed", &seed.to_string()]).current_dir(dir);
         run(c, "nextpnr-ecp5")?;
-        let broken = |e: serde_json::Error| Error::ToolFailed(format!("nextpnr-ecp5 wrote no report: {e}"));
-        let report: Value = serde_json::from_str(&text(dir, "report.json")?).map_err(broken)?;
+        let broken = |e: String| Error::ToolFailed(format!("nextpnr-ecp5 wrote no report: {e}"));
+        let report = text(dir, "report.json").map_err(|e| broken(e.to_string()))?;
+        let report: Value = serde_json::from_str(&report).map_err(|e| broken(e.to_string()))?;
         let none = || Error::ToolFailed("nextpnr-ecp5 found no clock".into());
         let clocks = report["fmax"].as_object().ok_or_else(none)?;
         let mhz = clocks.values().filter_map(|c| c["achieved"].as_f64()).reduce(f64::min).ok_or_else(none)?;

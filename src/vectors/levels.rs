@@ -11,11 +11,11 @@ use serde::{Deserialize, Serialize};
 /// How large the tables are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
 pub enum Level {
-    /// Up to some 21 thousand rows.
+    /// Some 20 thousand rows of two operands, and the random ones.
     #[value(name = "1")]
     #[serde(rename = "1")]
     One,
-    /// Up to some 900 thousand.
+    /// Some 440 thousand rows of two operands, and the random ones.
     #[value(name = "2")]
     #[serde(rename = "2")]
     Two,

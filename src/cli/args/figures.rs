@@ -1,5 +1,5 @@
 //! Options of the verbs that measure.
-use super::{Engine, MapArgs};
+use super::{Engine, MapArgs, unit_name};
 use crate::config::{DatapathKind, MapKind, View};
 use crate::format::FloatFormat;
 use crate::report::page::ModeSet;
@@ -150,7 +150,7 @@ pub struct BenchArgs {
 #[derive(Args, Debug)]
 pub struct SynthArgs {
     /// Units, or all.
-    #[arg(long, default_value = "all", value_delimiter = ',', value_name = "NAME")]
+    #[arg(long, default_value = "all", value_delimiter = ',', value_name = "NAME", value_parser = unit_name)]
     pub unit: Vec<String>,
     /// What they are mapped to; ecp5, or where `--liberty` names cells, those.
     #[arg(long)]
@@ -167,10 +167,10 @@ pub struct SynthArgs {
     /// How much the placer cares for time rather than for the length of wires; nextpnr's own is 10.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub timing_weight: Option<u32>,
-    /// How many of a unit stand beside each other.
+    /// How many of a unit stand beside each other; what joins their outputs counts with them.
     #[arg(long, default_value_t = 1, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=16))]
     pub copies: u32,
-    /// Measures each unit at these latencies instead of the configured one.
+    /// Measures each unit of arithmetic at these latencies instead of the configured one.
     #[arg(long, value_delimiter = ',', value_name = "CLOCKS")]
     pub latency: Vec<u32>,
     /// Somebody else's Verilog in the same run: the module TOP, with registers of its own around what counts, of the files in DIR.

@@ -37,6 +37,12 @@ pub struct Cli {
 const EXIT_CODES: &str = "Exit codes: 0 ok, 1 mismatch, 2 usage or input, 3 tool missing, 4 tool failed, 5 nothing ran, \
 6 an expected result never came, 7 a result that nobody expected.";
 
+/// The name of a unit in a list.
+fn unit_name(text: &str) -> std::result::Result<String, String> {
+    let name = text.trim();
+    if name.is_empty() { Err("a unit's name is empty".into()) } else { Ok(name.into()) }
+}
+
 /// The verbs.
 #[derive(Subcommand, Debug)]
 pub enum Verb {
@@ -97,7 +103,7 @@ pub struct VectorsArgs {
     #[arg(long, default_value = "out", value_name = "DIR")]
     pub out: PathBuf,
     /// Only these units'; arithmetic at any format, whatever a traversal asks of its own.
-    #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',', value_parser = unit_name)]
     pub unit: Vec<String>,
     /// Tables of corners.
     #[command(flatten)]
@@ -140,7 +146,7 @@ pub struct EmitArgs {
     #[arg(long, default_value = "out", value_name = "DIR")]
     pub out: PathBuf,
     /// Only these units and what they need.
-    #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',', value_parser = unit_name)]
     pub unit: Vec<String>,
 }
 
@@ -151,7 +157,7 @@ pub struct CheckArgs {
     #[arg(long, default_value = "interp")]
     pub engine: Engine,
     /// Only these units.
-    #[arg(long, value_name = "NAME,...", value_delimiter = ',')]
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',', value_parser = unit_name)]
     pub unit: Vec<String>,
     /// Tables of corners.
     #[command(flatten)]
