@@ -87,6 +87,7 @@ if [ "${1:-}" = --full ]; then
     # Each can be set to something else before.
     export RELIEFRTL_PAIRS="${RELIEFRTL_PAIRS:-10000000}"         # random operands of an operation against both oracles
     export RELIEFRTL_CHOICES="${RELIEFRTL_CHOICES:-10000000}"     # the same, of each rounding, with subnormals or without
+    export RELIEFRTL_TRIPLES="${RELIEFRTL_TRIPLES:-8}"            # bits of the formats whose every three operands are added
     export RELIEFRTL_ROWS="${RELIEFRTL_ROWS:-20000}"              # rows of each unit at each choice and larger format, in the interpreter
     export RELIEFRTL_MUTANTS="${RELIEFRTL_MUTANTS:-5}"            # mutants of each unit that are simulated, too
     export RELIEFRTL_PARTS="${RELIEFRTL_PARTS:-1}"                # of the large tables of corners: all
