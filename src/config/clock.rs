@@ -291,8 +291,9 @@ mod tests {
     use super::{BY_TABLE, CURVES, PLACED, Scope, TIERS, for_clock};
     use crate::config::{DatapathKind, Design};
 
+    /// Of units it may: where more registers stand between them, fewer in them reach the same clock.
     #[test]
-    fn a_faster_clock_never_takes_fewer_clocks() {
+    fn a_faster_clock_never_takes_fewer_registers_between_the_units() {
         let total = |mhz| {
             let l = for_clock(mhz, &Design::default(), Scope::Traversal).unwrap().latency;
             [l.compare, l.to_int, l.decision, l.node, l.memory, l.handshake]

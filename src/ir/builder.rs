@@ -113,7 +113,7 @@ impl Builder {
         self.st.borrow_mut().m.ce = Some(i);
         self.push_at(Op::Input(i), vec![], Expr::from(1), None).named("ce")
     }
-    /// The reset port: synchronous, active high, valid bits only.
+    /// The reset port: synchronous, active high; for valid bits and counts.
     pub fn reset(&self) -> Sig<'_> {
         let i = self.port(
             "rst",
