@@ -1,7 +1,7 @@
 //! One operation over the lanes of a block: loops of fixed length, which the compiler vectorizes.
 //!
 //! Words of up to 32 bits have loops of their own: they hold twice as many lanes a vector. `eval` says what an
-//! operation means, and `tests/lanes.rs` holds these loops to it at every width.
+//! operation means, and `tests/hardware/lanes.rs` holds these loops to it at every width.
 use super::eval::eval;
 use super::netlist::{FlatOp, Kind};
 use crate::bits::mask;

@@ -1,11 +1,17 @@
 //! The command line as a user meets it: sentences, exit codes, nothing half-written, equal bytes from the engines. A file a verb.
 mod build;
 mod check;
+mod config;
 mod emit;
+mod files;
+mod images;
 mod input;
+mod interrupt;
 mod levels;
+mod scene;
 mod steps;
 mod trace;
+mod vectors;
 
 use std::path::Path;
 use std::process::{Command, Output};

@@ -1,7 +1,5 @@
 //! Undefined values: what is claimed known is known; the traverse unit from power-up; waveforms that read back.
-mod one_op;
-
-use one_op::{KINDS, one_op, shapes, word};
+use super::one_op::{KINDS, one_op, shapes, word};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use reliefrtl::config::Design;

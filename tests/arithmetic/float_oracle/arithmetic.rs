@@ -1,8 +1,8 @@
 //! Sum, product, quotient and comparison.
-use crate::apfloat::apfloat;
-use crate::operands::{corners, random_pairs};
-use crate::rational::rational;
-use crate::{Op, env};
+use super::apfloat::apfloat;
+use super::operands::{corners, random_pairs};
+use super::rational::rational;
+use super::{Op, env};
 use reliefrtl::format::FloatFormat;
 use reliefrtl::golden::float;
 

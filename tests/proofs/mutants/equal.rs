@@ -1,6 +1,6 @@
 //! Whether a mutant computes the same as its original, for every input: asked of ABC, which Yosys brings along.
-use crate::aig::Aig;
-use crate::blast::blast;
+use super::aig::Aig;
+use super::blast::blast;
 use reliefrtl::interp::Netlist;
 use std::process::Command;
 

@@ -1,6 +1,6 @@
 //! The emitted Verilog of the published datapath in Icarus and Verilator, and `trace` by all four engines.
 //! A missing simulator fails these tests (`tools/test.sh` installs them) unless RELIEFRTL_NO_SIMULATORS=1.
-use crate::scenes::{hard, modes};
+use super::scenes::{hard, modes};
 use reliefrtl::bench::{Simulator, bench_files, run_bench};
 use reliefrtl::catalogue::{bindings, design_at, find, ray_set, vector_set};
 use reliefrtl::config::{Config, DatapathKind, ModeConfig};

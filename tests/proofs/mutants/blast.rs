@@ -1,5 +1,5 @@
 //! A unit's netlist bit by bit: operations as an and-inverter graph, written a second time, without a look at the interpreter's.
-use crate::aig::{Aig, FALSE, Lit, TRUE};
+use super::aig::{Aig, FALSE, Lit, TRUE};
 use reliefrtl::interp::{FlatOp, Kind, Netlist};
 
 type Bits = Vec<Lit>;

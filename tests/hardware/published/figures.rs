@@ -1,5 +1,5 @@
 //! How wrong the published datapath is, and how many rays it never ends: with its nudge and without, on procedural maps.
-use crate::scenes::{design, hard};
+use super::scenes::{design, hard};
 use reliefrtl::config::{Config, DatapathKind, LevelUp, MapKind, ModeConfig, View};
 use reliefrtl::golden::{Decision, Pyramid, RayInput, Tracer};
 use reliefrtl::interp::{FlatOp, Kind, Traffic};

@@ -1,8 +1,8 @@
 //! The golden conversions against exact fractions and rustc_apfloat.
-use crate::apfloat::Fp24;
-use crate::env;
-use crate::operands::corners;
-use crate::rational::round_exact;
+use super::apfloat::Fp24;
+use super::env;
+use super::operands::corners;
+use super::rational::round_exact;
 use dashu::integer::{IBig, UBig};
 use dashu::rational::RBig;
 use proptest::prelude::*;

@@ -1,5 +1,5 @@
 //! The units and the traverse unit of the published datapath in the interpreter, against the golden model.
-use crate::scenes::{design, hard, modes};
+use super::scenes::{design, hard, modes};
 use reliefrtl::catalogue::{bindings, check_interp, units, vector_set};
 use reliefrtl::config::{Design, LevelUp, ModeConfig};
 use reliefrtl::format::FloatFormat;

@@ -1,5 +1,5 @@
 //! The second oracle: exact fractions, rounded once as a textbook says it.
-use crate::Op;
+use super::Op;
 use dashu::base::{BitTest, SquareRoot};
 use dashu::integer::{IBig, UBig};
 use dashu::rational::RBig;

@@ -1,5 +1,5 @@
 //! The first oracle: rustc_apfloat with the format's precision.
-use crate::Op;
+use super::Op;
 use reliefrtl::format::{FloatFormat, Rounding};
 use rustc_apfloat::ieee::{IeeeFloat, Semantics};
 use rustc_apfloat::{Float, FloatConvert, Round, Status, StatusAnd};

@@ -1,5 +1,5 @@
 //! Mutants of the datapath: one operation of a unit is replaced by its neighbour, and the committed vectors have to notice.
-//! What survives is listed by name with `cargo test --test mutants -- --nocapture`; of arithmetic, with a proof that it computes the same.
+//! What survives is listed by name with `cargo test --test proofs mutants -- --nocapture`; of arithmetic, with a proof that it computes the same.
 mod aig;
 mod blast;
 mod equal;

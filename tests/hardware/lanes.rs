@@ -1,7 +1,5 @@
 //! The fast interpreter computes what `eval` says, at every width, and what is left out of a netlist is not missed.
-mod one_op;
-
-use one_op::{KINDS, one_op, shapes, word};
+use super::one_op::{KINDS, one_op, shapes, word};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use reliefrtl::config::{Design, LevelUp, ModeConfig};

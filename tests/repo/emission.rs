@@ -1,11 +1,11 @@
 //! What the default configuration emits: the same bytes twice, and the bytes that are committed.
-//! `RELIEFRTL_REFRESH=1 cargo test --release --test emission` writes them anew.
+//! `RELIEFRTL_REFRESH=1 cargo test --release --test repo emission` writes them anew.
 use reliefrtl::config::Config;
 use reliefrtl::project::{Scene, project};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-const REFRESH: &str = "RELIEFRTL_REFRESH=1 cargo test --release --test emission";
+const REFRESH: &str = "RELIEFRTL_REFRESH=1 cargo test --release --test repo emission";
 
 fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))

@@ -1,10 +1,10 @@
 //! Every rounding, with and without subnormals, infinities and NaN.
 //!
 //! Small formats with every operand (three of them in formats of at most `RELIEFRTL_TRIPLES` bits), larger ones with corners and `RELIEFRTL_CHOICES` random operands of each choice (at 5/10 and 8/23 a fiftieth, 2000 or more).
-use crate::apfloat::apfloat;
-use crate::operands::{corners, random_pairs};
-use crate::rational::{Before, round_exact, value};
-use crate::{Op, env};
+use super::apfloat::apfloat;
+use super::operands::{corners, random_pairs};
+use super::rational::{Before, round_exact, value};
+use super::{Op, env};
 use dashu::integer::{IBig, UBig};
 use dashu::rational::RBig;
 use rayon::prelude::*;

@@ -1,0 +1,14 @@
+//! The hardware: operations, units and whole traversals in the interpreter, Icarus and Verilator against the golden model.
+mod bench_faults;
+mod bilinear_rtl;
+mod engines;
+mod fixed;
+mod hard_rtl;
+mod lanes;
+mod one_op;
+mod ops;
+mod profiles;
+mod published;
+mod tracked;
+mod traverse_interp;
+mod units_interp;

@@ -1,0 +1,3 @@
+//! Proofs of the emitted units, and mutants that vectors and proofs have to notice.
+mod mutants;
+mod yosys;

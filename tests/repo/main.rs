@@ -1,0 +1,4 @@
+//! The project itself: its layers, its committed tree, its guide.
+mod emission;
+mod guide;
+mod layers;

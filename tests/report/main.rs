@@ -1,0 +1,5 @@
+//! Figures: the report, fitted designs, rates over scenes, areas and clocks.
+mod fit;
+mod page;
+mod rates;
+mod synth;
