@@ -46,11 +46,14 @@ const TRAVERSAL: [&str; 7] = ["fp_add", "fp_mul", "fp_div", "fp_lt", "fp_from_in
 struct Tier {
     /// The highest clock that it is taken for, in MHz.
     to: u32,
-    /// Whose registers stand between the units; without one, the default's.
+    /// Whose registers stand between the units; without one, [`BARE`].
     profile: Option<Profile>,
     /// Around it a whole traversal runs at this share of the clock of its slowest unit alone or better, in percent.
     share: u32,
 }
+
+/// As few registers as work between the units: those of the published pipeline.
+const BARE: LatencyConfig = Profile::Published.latency(DatapathKind::Published);
 
 /// Slowest first. The shares are those of choices that were placed and routed whole (`docs/clocks.md`, "Latencies for a clock"), rounded down.
 const TIERS: [Tier; 4] = [
@@ -141,7 +144,7 @@ fn for_traversal(mhz: u32, d: &Design) -> Result<Choice> {
         let latency = fits.profile.latency_for(d);
         return Ok(Choice { latency, share: 100, placed: Some((fits.profile, fits.mhz, fits.seeds)) });
     };
-    let mut latency = tier.profile.map_or(LatencyConfig::default(), |p| p.latency(kind));
+    let mut latency = tier.profile.map_or(BARE, |p| p.latency(kind));
     latency.divider = d.latency.divider;
     for key in LATENCY_KEYS {
         *field(&mut latency, key) = 0;

@@ -1,5 +1,5 @@
 //! What is to be generated: format, traversal parameters, modes, latencies.
-use super::ExtraUnits;
+use super::{ExtraUnits, Profile};
 use crate::format::FloatFormat;
 use serde::{Deserialize, Serialize};
 
@@ -202,27 +202,10 @@ pub struct LatencyConfig {
     pub delay_line: u32,
 }
 
+/// Those of [`Profile::Balanced`]: placed and routed, they meet the default clock with room to spare (`docs/clocks.md`).
 impl Default for LatencyConfig {
     fn default() -> Self {
-        Self {
-            add: 2,
-            mul: 1,
-            div: 2,
-            divider: Divider::Rows,
-            compare: 1,
-            from_int: 1,
-            to_int: 1,
-            sqrt: 4,
-            add3: 4,
-            decision: 1,
-            node: 0,
-            memory: 1,
-            select: 0,
-            setup: 0,
-            hit: 0,
-            handshake: 0,
-            delay_line: 0,
-        }
+        Profile::Balanced.latency(DatapathKind::Watertight)
     }
 }
 

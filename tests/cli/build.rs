@@ -10,7 +10,9 @@ fn build_says_what_it_did() {
     );
     assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));
     let text = String::from_utf8_lossy(&out.stdout).into_owned();
-    for part in ["a loop of 8 slots", "traverse         0 of 60 mismatched", "oblique", "iverilog -g2005"] {
+    let t = reliefrtl::units::traversal::traverse(&reliefrtl::config::Config::default().design());
+    let slots = format!("a loop of {} slots", t.slots);
+    for part in [slots.as_str(), "traverse         0 of 60 mismatched", "oblique", "iverilog -g2005"] {
         assert!(text.contains(part), "{part} is missing in:\n{text}");
     }
     for file in [

@@ -1,6 +1,6 @@
 //! The configuration: defaults, TOML, `--set`, and the sentences of its errors.
 use proptest::prelude::*;
-use reliefrtl::config::{Config, LevelUp, MapKind, View, keys};
+use reliefrtl::config::{Config, DatapathKind, LevelUp, MapKind, Profile, View, keys};
 use reliefrtl::error::Error;
 
 fn sentence<T: std::fmt::Debug>(result: Result<T, Error>) -> String {
@@ -34,6 +34,17 @@ fn the_default_is_valid_and_the_published_design() {
     config.validate().unwrap();
     assert_eq!(config.design(), reliefrtl::config::Design::default());
     assert_eq!(Config::from_toml("", "empty.toml").unwrap(), config);
+}
+
+/// What `config --print` wrote when the defaults had the published pipeline: every key stands there, and means what it meant.
+#[test]
+fn the_printed_default_of_before_is_read_as_it_stands() {
+    let text = include_str!("../data/default-8b845fe.toml");
+    let config = Config::from_toml(text, "default-8b845fe.toml").unwrap();
+    config.validate().unwrap();
+    assert_eq!(config.latency, Profile::Published.latency(DatapathKind::Published));
+    assert_eq!((config.emit.prefix.as_str(), config.emit.clock_mhz), ("", 84));
+    assert_ne!(config.latency, Config::default().latency);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::scenes::{hard, modes};
 use reliefrtl::bench::{Simulator, bench_files, run_bench};
 use reliefrtl::catalogue::{bindings, design_at, find, ray_set, vector_set};
-use reliefrtl::config::{Config, DatapathKind, ModeConfig};
+use reliefrtl::config::{Config, DatapathKind, ModeConfig, Profile};
 use reliefrtl::emit::Files;
 use reliefrtl::ir::Binding;
 use reliefrtl::project::{Scene, check_tree, hardware, project};
@@ -26,6 +26,7 @@ fn write(dir: &Path, files: &Files) {
 fn config(sets: &[&str]) -> Config {
     let mut c = Config::default();
     c.datapath.kind = DatapathKind::Published;
+    c.latency = Profile::Published.latency(c.datapath.kind);
     c.traverse.step_limit = 300;
     (c.vectors.arithmetic, c.vectors.rays, c.view.stride) = (500, 60, 16);
     sets.iter().for_each(|s| c.apply_set(s).unwrap());

@@ -1,13 +1,14 @@
 //! Designs, maps and rays for the tests of the published datapath, all from a seed.
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use reliefrtl::config::{DatapathKind, Design, LevelUp, ModeConfig};
+use reliefrtl::config::{DatapathKind, Design, LevelUp, ModeConfig, Profile};
 use reliefrtl::golden::{Pyramid, RayInput};
 
-/// The published datapath over 2^levels x 2^levels texels, with a step limit that a test can wait for.
+/// The published datapath and pipeline over 2^levels x 2^levels texels, with a step limit that a test can wait for.
 pub fn design(levels: u32) -> Design {
     let mut d = Design::default();
     d.datapath.kind = DatapathKind::Published;
+    d.latency = Profile::Published.latency(d.datapath.kind);
     d.traverse.levels = levels;
     d.traverse.step_limit = 300;
     d
