@@ -21,8 +21,10 @@ rtl/level_up.v
 rtl/level_decision.v
 rtl/ray_setup.v
 rtl/hit_position.v
-rtl/height_memory.v
+rtl/height_banks.v
 rtl/setup_delay.v
+rtl/stream_skid.v
+rtl/word_skid.v
 rtl/hit_delay.v
 rtl/hit_valid_delay.v
 rtl/traverse.v

@@ -1,8 +1,8 @@
 // fp_from_int: signed integer to the nearest floating-point number
 // Source     src/units/float/from_fixed.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//            mul 1 div 2 compare 1 from_int 1 to_int 1
-// Latency    1 clock
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    2 clocks
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
 //            0 reads as zero of its sign; results below the smallest normal, after rounding, become
@@ -63,33 +63,47 @@ module fp_from_int #(
   wire [ExpSumW-1:0]     s0_norm_exp =
       TopExp[ExpSumW-1:0] - {{(ExpSumW - $clog2(INT_W + 1)){1'b0}}, s0_lead};
 
-  // ---- stage 0: round --------------------------------------------------- from_fixed.rs
-  wire [MAN_W:0]   s0_sig = s0_norm[INT_W+MAN_W+2:INT_W+2];
-  wire             s0_round_up = s0_norm[INT_W+1] & ((|s0_norm[INT_W:0]) | s0_sig[0]);
-  wire [MAN_W+1:0] s0_rounded = {1'b0, s0_sig} + {{(MAN_W + 1){1'b0}}, s0_round_up};
-
-  // ---- stage 0: select -------------------------------------------------- from_fixed.rs
-  wire [MAN_W-1:0]       s0_frac = s0_rounded[MAN_W+1] ? s0_rounded[MAN_W:1]
-      : s0_rounded[MAN_W-1:0];
-  wire [ExpSumW-1:0]     s0_exp = s0_norm_exp + {{(ExpSumW - 1){1'b0}}, s0_rounded[MAN_W+1]};
-  wire                   s0_overflow =
-      ~($signed(s0_exp) < $signed({{(ExpSumW - EXP_W){1'b0}}, {EXP_W{1'b1}}}));
-  wire                   s0_underflow = $signed(s0_exp) < $signed({{(ExpSumW - 1){1'b0}}, 1'b1});
-  wire                   s0_give_inf = s0_overflow & ~s0_is_zero;
-  wire                   s0_give_zero = s0_is_zero | s0_underflow;
-  wire [EXP_W+MAN_W-1:0] s0_number = {s0_exp[EXP_W-1:0], s0_frac};
-  wire [EXP_W+MAN_W-1:0] s0_body = s0_give_inf ? {{EXP_W{1'b1}}, {MAN_W{1'b0}}}
-      : s0_give_zero ? {(EXP_W + MAN_W){1'b0}} : s0_number;
-  wire [FloatW-1:0]      s0_value = {s0_minus, s0_body};
-
   // ---- stage 1: registers ----------------------------------------------- from_fixed.rs
-  reg [FloatW-1:0] s1_value;
+  reg [INT_W+MAN_W+2:0] s1_norm;
+  reg [ExpSumW-1:0]     s1_norm_exp;
+  reg                   s1_is_zero;
+  reg                   s1_minus;
   always @(posedge clk) begin
     if (ce) begin
-      s1_value <= s0_value;
+      s1_norm     <= s0_norm;
+      s1_norm_exp <= s0_norm_exp;
+      s1_is_zero  <= s0_is_zero;
+      s1_minus    <= s0_minus;
     end
   end
 
-  assign result = s1_value;
+  // ---- stage 1: round --------------------------------------------------- from_fixed.rs
+  wire [MAN_W:0]   s1_sig = s1_norm[INT_W+MAN_W+2:INT_W+2];
+  wire             s1_round_up = s1_norm[INT_W+1] & ((|s1_norm[INT_W:0]) | s1_sig[0]);
+  wire [MAN_W+1:0] s1_rounded = {1'b0, s1_sig} + {{(MAN_W + 1){1'b0}}, s1_round_up};
+
+  // ---- stage 1: select -------------------------------------------------- from_fixed.rs
+  wire [MAN_W-1:0]       s1_frac = s1_rounded[MAN_W+1] ? s1_rounded[MAN_W:1]
+      : s1_rounded[MAN_W-1:0];
+  wire [ExpSumW-1:0]     s1_exp = s1_norm_exp + {{(ExpSumW - 1){1'b0}}, s1_rounded[MAN_W+1]};
+  wire                   s1_overflow =
+      ~($signed(s1_exp) < $signed({{(ExpSumW - EXP_W){1'b0}}, {EXP_W{1'b1}}}));
+  wire                   s1_underflow = $signed(s1_exp) < $signed({{(ExpSumW - 1){1'b0}}, 1'b1});
+  wire                   s1_give_inf = s1_overflow & ~s1_is_zero;
+  wire                   s1_give_zero = s1_is_zero | s1_underflow;
+  wire [EXP_W+MAN_W-1:0] s1_number = {s1_exp[EXP_W-1:0], s1_frac};
+  wire [EXP_W+MAN_W-1:0] s1_body = s1_give_inf ? {{EXP_W{1'b1}}, {MAN_W{1'b0}}}
+      : s1_give_zero ? {(EXP_W + MAN_W){1'b0}} : s1_number;
+  wire [FloatW-1:0]      s1_value = {s1_minus, s1_body};
+
+  // ---- stage 2: registers ----------------------------------------------- from_fixed.rs
+  reg [FloatW-1:0] s2_value;
+  always @(posedge clk) begin
+    if (ce) begin
+      s2_value <= s1_value;
+    end
+  end
+
+  assign result = s2_value;
 endmodule
 `default_nettype wire

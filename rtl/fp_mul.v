@@ -1,8 +1,8 @@
 // fp_mul: product of two floating-point numbers, rounded once
 // Source     src/units/float/mul.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//            mul 1 div 2 compare 1 from_int 1 to_int 1
-// Latency    1 clock
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    2 clocks
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
 //            0 reads as zero of its sign; results below the smallest normal, after rounding, become
@@ -71,48 +71,68 @@ module fp_mul #(
   wire               s0_is_nan = s0_a_is_nan | s0_b_is_nan | (s0_is_zero & s0_is_inf);
   wire               s0_prod_sign = s0_a_sign ^ s0_b_sign;
 
-  // ---- stage 0: round ---------------------------------------------------------- mul.rs
-  // A product of two numbers in [1, 2) lies in [1, 4): low below 2, high from 2 on. A carry out of
-  // the fraction goes on into the exponent, and from the largest number to infinity, by itself.
-  wire                   s0_low_guard = s0_prod[SigW-2];
-  wire                   s0_low_tie = s0_low_guard & ~(|s0_prod[SigW-3:0]);
-  wire [EXP_W+MAN_W-1:0] s0_low_sum = {s0_exp_low[EXP_W-1:0], s0_prod[MAN_W+SigW-2:SigW-1]} +
-      {{(EXP_W + MAN_W - 1){1'b0}}, s0_low_guard};
-  wire [EXP_W+MAN_W-1:0] s0_low_body = {s0_low_sum[EXP_W+MAN_W-1:1], s0_low_sum[0] & ~s0_low_tie};
-  wire                   s0_low_at_zero = ~(|s0_exp_low);
-  wire                   s0_low_too_low = s0_exp_low[EXP_W+1] |
-      (s0_low_at_zero & ~s0_low_sum[MAN_W]);
-  wire                   s0_low_over = ~s0_exp_low[EXP_W+1] &
-      (s0_exp_low[EXP_W] | (&s0_exp_low[EXP_W-1:0]));
-  wire                   s0_high_guard = s0_prod[SigW-1];
-  wire                   s0_high_tie = s0_high_guard & ~(|s0_prod[SigW-2:0]);
-  wire [EXP_W+MAN_W-1:0] s0_high_sum = {s0_exp_high[EXP_W-1:0], s0_prod[MAN_W+SigW-1:SigW]} +
-      {{(EXP_W + MAN_W - 1){1'b0}}, s0_high_guard};
-  wire [EXP_W+MAN_W-1:0] s0_high_body =
-      {s0_high_sum[EXP_W+MAN_W-1:1], s0_high_sum[0] & ~s0_high_tie};
-  wire                   s0_high_at_zero = ~(|s0_exp_high);
-  wire                   s0_high_too_low = s0_exp_high[EXP_W+1] |
-      (s0_high_at_zero & ~s0_high_sum[MAN_W]);
-  wire                   s0_high_over = ~s0_exp_high[EXP_W+1] &
-      (s0_exp_high[EXP_W] | (&s0_exp_high[EXP_W-1:0]));
-  wire                   s0_top = s0_prod[2*MAN_W+1];
-
-  // ---- stage 0: select --------------------------------------------------------- mul.rs
-  wire [EXP_W+MAN_W-1:0] s0_picked = s0_top ? s0_high_body : s0_low_body;
-  wire                   s0_give_inf = s0_is_nan | s0_is_inf |
-      ((s0_top ? s0_high_over : s0_low_over) & ~s0_is_zero);
-  wire                   s0_keep =
-      ~(s0_give_inf | s0_is_zero | (s0_top ? s0_high_too_low : s0_low_too_low));
-  wire                   s0_sign = s0_prod_sign & ~s0_is_nan;
-  wire [FloatW-1:0]      s0_value =
-      {s0_sign, (s0_picked[EXP_W+MAN_W-1:MAN_W] & {EXP_W{s0_keep}}) | {EXP_W{s0_give_inf}},
-      (s0_picked[MAN_W-1:0] & {MAN_W{s0_keep}}) | {s0_is_nan, {(MAN_W - 1){1'b0}}}};
-
   // ---- stage 1: registers ------------------------------------------------------ mul.rs
-  reg [FloatW-1:0] s1_value;
+  reg [2*MAN_W+1:0] s1_prod;
+  reg [ExpSumW-1:0] s1_exp_low;
+  reg [ExpSumW-1:0] s1_exp_high;
+  reg               s1_is_nan;
+  reg               s1_is_inf;
+  reg               s1_is_zero;
+  reg               s1_prod_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s1_value <= s0_value;
+      s1_prod      <= s0_prod;
+      s1_exp_low   <= s0_exp_low;
+      s1_exp_high  <= s0_exp_high;
+      s1_is_nan    <= s0_is_nan;
+      s1_is_inf    <= s0_is_inf;
+      s1_is_zero   <= s0_is_zero;
+      s1_prod_sign <= s0_prod_sign;
+    end
+  end
+
+  // ---- stage 1: round ---------------------------------------------------------- mul.rs
+  // A product of two numbers in [1, 2) lies in [1, 4): low below 2, high from 2 on. A carry out of
+  // the fraction goes on into the exponent, and from the largest number to infinity, by itself.
+  wire                   s1_low_guard = s1_prod[SigW-2];
+  wire                   s1_low_tie = s1_low_guard & ~(|s1_prod[SigW-3:0]);
+  wire [EXP_W+MAN_W-1:0] s1_low_sum = {s1_exp_low[EXP_W-1:0], s1_prod[MAN_W+SigW-2:SigW-1]} +
+      {{(EXP_W + MAN_W - 1){1'b0}}, s1_low_guard};
+  wire [EXP_W+MAN_W-1:0] s1_low_body = {s1_low_sum[EXP_W+MAN_W-1:1], s1_low_sum[0] & ~s1_low_tie};
+  wire                   s1_low_at_zero = ~(|s1_exp_low);
+  wire                   s1_low_too_low = s1_exp_low[EXP_W+1] |
+      (s1_low_at_zero & ~s1_low_sum[MAN_W]);
+  wire                   s1_low_over = ~s1_exp_low[EXP_W+1] &
+      (s1_exp_low[EXP_W] | (&s1_exp_low[EXP_W-1:0]));
+  wire                   s1_high_guard = s1_prod[SigW-1];
+  wire                   s1_high_tie = s1_high_guard & ~(|s1_prod[SigW-2:0]);
+  wire [EXP_W+MAN_W-1:0] s1_high_sum = {s1_exp_high[EXP_W-1:0], s1_prod[MAN_W+SigW-1:SigW]} +
+      {{(EXP_W + MAN_W - 1){1'b0}}, s1_high_guard};
+  wire [EXP_W+MAN_W-1:0] s1_high_body =
+      {s1_high_sum[EXP_W+MAN_W-1:1], s1_high_sum[0] & ~s1_high_tie};
+  wire                   s1_high_at_zero = ~(|s1_exp_high);
+  wire                   s1_high_too_low = s1_exp_high[EXP_W+1] |
+      (s1_high_at_zero & ~s1_high_sum[MAN_W]);
+  wire                   s1_high_over = ~s1_exp_high[EXP_W+1] &
+      (s1_exp_high[EXP_W] | (&s1_exp_high[EXP_W-1:0]));
+  wire                   s1_top = s1_prod[2*MAN_W+1];
+
+  // ---- stage 1: select --------------------------------------------------------- mul.rs
+  wire [EXP_W+MAN_W-1:0] s1_picked = s1_top ? s1_high_body : s1_low_body;
+  wire                   s1_give_inf = s1_is_nan | s1_is_inf |
+      ((s1_top ? s1_high_over : s1_low_over) & ~s1_is_zero);
+  wire                   s1_keep =
+      ~(s1_give_inf | s1_is_zero | (s1_top ? s1_high_too_low : s1_low_too_low));
+  wire                   s1_sign = s1_prod_sign & ~s1_is_nan;
+  wire [FloatW-1:0]      s1_value =
+      {s1_sign, (s1_picked[EXP_W+MAN_W-1:MAN_W] & {EXP_W{s1_keep}}) | {EXP_W{s1_give_inf}},
+      (s1_picked[MAN_W-1:0] & {MAN_W{s1_keep}}) | {s1_is_nan, {(MAN_W - 1){1'b0}}}};
+
+  // ---- stage 2: registers ------------------------------------------------------ mul.rs
+  reg [FloatW-1:0] s2_value;
+  always @(posedge clk) begin
+    if (ce) begin
+      s2_value <= s1_value;
     end
   end
 
@@ -121,6 +141,6 @@ module fp_mul #(
   wire unused_0 = &{1'b0, s0_exp_sum[0]};
   // verilator lint_on UNUSED
 
-  assign result = s1_value;
+  assign result = s2_value;
 endmodule
 `default_nettype wire

@@ -1,8 +1,8 @@
 // fp_to_fixed: floating-point number to signed fixed point, toward minus infinity, saturating
 // Source     src/units/float/to_fixed.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//            mul 1 div 2 compare 1 from_int 1 to_int 1
-// Latency    1 clock
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    2 clocks
 // Throughput one result per clock
 // Note       Infinities saturate; NaN gives 0.
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
@@ -78,33 +78,51 @@ module fp_to_fixed #(
   wire [1:0]        s0_fine = s0_right[1:0];
   wire              s0_lost_coarse = |(s0_unshifted & ~({WideW{1'b1}} << s0_coarse));
 
-  // ---- stage 0: fine shift ------------------------------------------------ to_fixed.rs
-  wire [WideW-1:0] s0_shifted = s0_near_place >> s0_fine;
-  wire             s0_lost = s0_lost_coarse | (|(s0_near_place[2:0] & ~({3{1'b1}} << s0_fine)));
-  wire [INT_W-1:0] s0_mag = s0_shifted[INT_W-1:0];
-
-  // ---- stage 0: floor ----------------------------------------------------- to_fixed.rs
-  // A negative number with bits shifted out lies below its truncated magnitude.
-  wire [INT_W-1:0] s0_floor = (s0_mag ^ {INT_W{s0_a_sign}}) +
-      {{(INT_W - 1){1'b0}}, s0_a_sign & ~s0_lost};
-
-  // ---- stage 0: saturate -------------------------------------------------- to_fixed.rs
-  wire [INT_W-1:0] s0_limit = {s0_a_sign, {(INT_W - 1){~s0_a_sign}}};
-  wire [INT_W-1:0] s0_result_value = s0_a_is_nan ? {INT_W{1'b0}} : s0_too_big ? s0_limit : s0_floor;
-
   // ---- stage 1: registers ------------------------------------------------- to_fixed.rs
-  reg [INT_W-1:0] s1_result_value;
+  reg [WideW-1:0] s1_near_place;
+  reg [1:0]       s1_fine;
+  reg             s1_lost_coarse;
+  reg             s1_a_sign;
+  reg             s1_too_big;
+  reg             s1_a_is_nan;
   always @(posedge clk) begin
     if (ce) begin
-      s1_result_value <= s0_result_value;
+      s1_near_place  <= s0_near_place;
+      s1_fine        <= s0_fine;
+      s1_lost_coarse <= s0_lost_coarse;
+      s1_a_sign      <= s0_a_sign;
+      s1_too_big     <= s0_too_big;
+      s1_a_is_nan    <= s0_a_is_nan;
+    end
+  end
+
+  // ---- stage 1: fine shift ------------------------------------------------ to_fixed.rs
+  wire [WideW-1:0] s1_shifted = s1_near_place >> s1_fine;
+  wire             s1_lost = s1_lost_coarse | (|(s1_near_place[2:0] & ~({3{1'b1}} << s1_fine)));
+  wire [INT_W-1:0] s1_mag = s1_shifted[INT_W-1:0];
+
+  // ---- stage 1: floor ----------------------------------------------------- to_fixed.rs
+  // A negative number with bits shifted out lies below its truncated magnitude.
+  wire [INT_W-1:0] s1_floor = (s1_mag ^ {INT_W{s1_a_sign}}) +
+      {{(INT_W - 1){1'b0}}, s1_a_sign & ~s1_lost};
+
+  // ---- stage 1: saturate -------------------------------------------------- to_fixed.rs
+  wire [INT_W-1:0] s1_limit = {s1_a_sign, {(INT_W - 1){~s1_a_sign}}};
+  wire [INT_W-1:0] s1_result_value = s1_a_is_nan ? {INT_W{1'b0}} : s1_too_big ? s1_limit : s1_floor;
+
+  // ---- stage 2: registers ------------------------------------------------- to_fixed.rs
+  reg [INT_W-1:0] s2_result_value;
+  always @(posedge clk) begin
+    if (ce) begin
+      s2_result_value <= s1_result_value;
     end
   end
 
   // Bits that nothing needs, named so that no lint has to be switched off for the rest.
   // verilator lint_off UNUSED
-  wire unused_0 = &{1'b0, s0_shifted[INT_W+MAN_W:INT_W]};
+  wire unused_0 = &{1'b0, s1_shifted[INT_W+MAN_W:INT_W]};
   // verilator lint_on UNUSED
 
-  assign result = s1_result_value;
+  assign result = s2_result_value;
 endmodule
 `default_nettype wire

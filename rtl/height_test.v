@@ -1,8 +1,8 @@
 // height_test: parameter at which the ray is in the node and at or below its height
 // Source     src/units/traversal/watertight/height_test.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//            mul 1 div 2 compare 1 from_int 1 to_int 1
-// Latency    2 clocks
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    4 clocks
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
 //            0 reads as zero of its sign; results below the smallest normal, after rounding, become
@@ -50,12 +50,12 @@ module height_test #(
   // ---- stage 0: depth -------------------------------------------------- height_test.rs
   // The complement of a code is its distance from the top plane.
   wire [HEIGHT_W:0] s0_depth = {1'b0, ~height};
-  wire [FloatW-1:0] s1_t_v;
+  wire [FloatW-1:0] s2_t_v;
   fp_from_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(HEIGHT_W + 1)) u_from_int (
     .clk   (clk),
     .ce    (ce),
     .a     (s0_depth),
-    .result(s1_t_v)
+    .result(s2_t_v)
   );
 
   // ---- stage 1: registers ---------------------------------------------- height_test.rs
@@ -66,38 +66,56 @@ module height_test #(
     end
   end
 
-  // ---- stage 1: compare ------------------------------------------------ height_test.rs
-  wire s2_is_before;
-  fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_before (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s1_t),
-    .b     (s1_t_v),
-    .result(s2_is_before)
-  );
-  wire s2_is_below;
-  fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_below (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s1_t_v),
-    .b     (s1_t),
-    .result(s2_is_below)
-  );
-
   // ---- stage 2: registers ---------------------------------------------- height_test.rs
-  reg [FloatW-1:0] s2_t_v;
   reg [FloatW-1:0] s2_t;
   always @(posedge clk) begin
     if (ce) begin
-      s2_t_v <= s1_t_v;
-      s2_t   <= s1_t;
+      s2_t <= s1_t;
     end
   end
 
   // ---- stage 2: compare ------------------------------------------------ height_test.rs
-  wire [FloatW-1:0] s2_reach = s2_is_before ? s2_t_v : s2_t;
+  wire s3_is_before;
+  fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_before (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s2_t),
+    .b     (s2_t_v),
+    .result(s3_is_before)
+  );
+  wire s3_is_below;
+  fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_below (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s2_t_v),
+    .b     (s2_t),
+    .result(s3_is_below)
+  );
 
-  assign m = s2_reach;
-  assign below = s2_is_below;
+  // ---- stage 3: registers ---------------------------------------------- height_test.rs
+  reg [FloatW-1:0] s3_t_v;
+  reg [FloatW-1:0] s3_t;
+  always @(posedge clk) begin
+    if (ce) begin
+      s3_t_v <= s2_t_v;
+      s3_t   <= s2_t;
+    end
+  end
+
+  // ---- stage 3: compare ------------------------------------------------ height_test.rs
+  wire [FloatW-1:0] s3_reach = s3_is_before ? s3_t_v : s3_t;
+
+  // ---- stage 4: registers ---------------------------------------------- height_test.rs
+  reg [FloatW-1:0] s4_reach;
+  reg              s4_is_below;
+  always @(posedge clk) begin
+    if (ce) begin
+      s4_reach    <= s3_reach;
+      s4_is_below <= s3_is_below;
+    end
+  end
+
+  assign m = s4_reach;
+  assign below = s4_is_below;
 endmodule
 `default_nettype wire

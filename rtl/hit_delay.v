@@ -1,8 +1,8 @@
 // hit_delay: a word, delayed beside a pipeline
 // Source     src/units/traversal/stream_delay.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//            mul 1 div 2 compare 1 from_int 1 to_int 1
-// Latency    4 clocks
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    7 clocks
 // Throughput one result per clock
 `default_nettype none
 module hit_delay #(
@@ -53,6 +53,30 @@ module hit_delay #(
     end
   end
 
-  assign out_data = s4_data;
+  // ---- stage 5: registers --------------------------------------------- stream_delay.rs
+  reg [W-1:0] s5_data;
+  always @(posedge clk) begin
+    if (ce) begin
+      s5_data <= s4_data;
+    end
+  end
+
+  // ---- stage 6: registers --------------------------------------------- stream_delay.rs
+  reg [W-1:0] s6_data;
+  always @(posedge clk) begin
+    if (ce) begin
+      s6_data <= s5_data;
+    end
+  end
+
+  // ---- stage 7: registers --------------------------------------------- stream_delay.rs
+  reg [W-1:0] s7_data;
+  always @(posedge clk) begin
+    if (ce) begin
+      s7_data <= s6_data;
+    end
+  end
+
+  assign out_data = s7_data;
 endmodule
 `default_nettype wire

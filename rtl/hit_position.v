@@ -1,8 +1,8 @@
 // hit_position: position of the hit inside its texel: p + d * t - x, kept in [0, 1)
 // Source     src/units/traversal/watertight/hit_position.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//            mul 1 div 2 compare 1 from_int 1 to_int 1
-// Latency    4 clocks
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    7 clocks
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
 //            0 reads as zero of its sign; results below the smallest normal, after rounding, become
@@ -57,13 +57,13 @@ module hit_position #(
   endgenerate
 
   // ---- stage 0: position ---------------------------------------------- hit_position.rs
-  wire [FloatW-1:0] s1_way;
+  wire [FloatW-1:0] s2_way;
   fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_mul (
     .clk   (clk),
     .ce    (ce),
     .a     (d),
     .b     (t),
-    .result(s1_way)
+    .result(s2_way)
   );
 
   // ---- stage 1: registers --------------------------------------------- hit_position.rs
@@ -76,23 +76,25 @@ module hit_position #(
     end
   end
 
-  // ---- stage 1: position ---------------------------------------------- hit_position.rs
-  wire [FloatW-1:0] s3_position;
-  fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_add (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s1_p),
-    .b     (s1_way),
-    .result(s3_position)
-  );
-
   // ---- stage 2: registers --------------------------------------------- hit_position.rs
-  reg [IDX_W-1:0] s2_x;
+  reg [FloatW-1:0] s2_p;
+  reg [IDX_W-1:0]  s2_x;
   always @(posedge clk) begin
     if (ce) begin
+      s2_p <= s1_p;
       s2_x <= s1_x;
     end
   end
+
+  // ---- stage 2: position ---------------------------------------------- hit_position.rs
+  wire [FloatW-1:0] s5_position;
+  fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_add (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s2_p),
+    .b     (s2_way),
+    .result(s5_position)
+  );
 
   // ---- stage 3: registers --------------------------------------------- hit_position.rs
   reg [IDX_W-1:0] s3_x;
@@ -102,15 +104,6 @@ module hit_position #(
     end
   end
 
-  // ---- stage 3: position ---------------------------------------------- hit_position.rs
-  wire [FRAC_W+IDX_W-1:0] s4_fixed;
-  fp_to_fixed #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(FRAC_W + IDX_W), .FRAC_W(FRAC_W)) u_to_fixed (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s3_position),
-    .result(s4_fixed)
-  );
-
   // ---- stage 4: registers --------------------------------------------- hit_position.rs
   reg [IDX_W-1:0] s4_x;
   always @(posedge clk) begin
@@ -119,16 +112,49 @@ module hit_position #(
     end
   end
 
-  // ---- stage 4: clamp ------------------------------------------------- hit_position.rs
-  // A hit on a wall lies exactly on a border: the integer texel decides, the fraction follows.
-  wire [FRAC_W+IDX_W-1:0] s4_corner = {s4_x, {FRAC_W{1'b0}}};
-  wire [FRAC_W+IDX_W:0]   s4_offset =
-      {{1{s4_fixed[FRAC_W+IDX_W-1]}}, s4_fixed} - {{1{s4_corner[FRAC_W+IDX_W-1]}}, s4_corner};
-  wire                    s4_past = |s4_offset[FRAC_W+IDX_W:FRAC_W];
-  wire [FRAC_W-1:0]       s4_low_part = s4_offset[FRAC_W-1:0];
-  wire [FRAC_W-1:0]       s4_kept = s4_offset[FRAC_W+IDX_W] ? {FRAC_W{1'b0}}
-      : s4_past ? {FRAC_W{1'b1}} : s4_low_part;
+  // ---- stage 5: registers --------------------------------------------- hit_position.rs
+  reg [IDX_W-1:0] s5_x;
+  always @(posedge clk) begin
+    if (ce) begin
+      s5_x <= s4_x;
+    end
+  end
 
-  assign fraction = s4_kept;
+  // ---- stage 5: position ---------------------------------------------- hit_position.rs
+  wire [FRAC_W+IDX_W-1:0] s7_fixed;
+  fp_to_fixed #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(FRAC_W + IDX_W), .FRAC_W(FRAC_W)) u_to_fixed (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s5_position),
+    .result(s7_fixed)
+  );
+
+  // ---- stage 6: registers --------------------------------------------- hit_position.rs
+  reg [IDX_W-1:0] s6_x;
+  always @(posedge clk) begin
+    if (ce) begin
+      s6_x <= s5_x;
+    end
+  end
+
+  // ---- stage 7: registers --------------------------------------------- hit_position.rs
+  reg [IDX_W-1:0] s7_x;
+  always @(posedge clk) begin
+    if (ce) begin
+      s7_x <= s6_x;
+    end
+  end
+
+  // ---- stage 7: clamp ------------------------------------------------- hit_position.rs
+  // A hit on a wall lies exactly on a border: the integer texel decides, the fraction follows.
+  wire [FRAC_W+IDX_W-1:0] s7_corner = {s7_x, {FRAC_W{1'b0}}};
+  wire [FRAC_W+IDX_W:0]   s7_offset =
+      {{1{s7_fixed[FRAC_W+IDX_W-1]}}, s7_fixed} - {{1{s7_corner[FRAC_W+IDX_W-1]}}, s7_corner};
+  wire                    s7_past = |s7_offset[FRAC_W+IDX_W:FRAC_W];
+  wire [FRAC_W-1:0]       s7_low_part = s7_offset[FRAC_W-1:0];
+  wire [FRAC_W-1:0]       s7_kept = s7_offset[FRAC_W+IDX_W] ? {FRAC_W{1'b0}}
+      : s7_past ? {FRAC_W{1'b1}} : s7_low_part;
+
+  assign fraction = s7_kept;
 endmodule
 `default_nettype wire

@@ -1,8 +1,8 @@
 // hit_valid_delay: a valid bit, delayed beside a pipeline
 // Source     src/units/traversal/stream_delay.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//            mul 1 div 2 compare 1 from_int 1 to_int 1
-// Latency    4 clocks
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    7 clocks
 // Throughput one result per clock
 `default_nettype none
 module hit_valid_delay (
@@ -53,6 +53,36 @@ module hit_valid_delay (
     end
   end
 
-  assign out_valid = s4_valid;
+  // ---- stage 5: registers --------------------------------------------- stream_delay.rs
+  reg s5_valid;
+  always @(posedge clk) begin
+    if (rst) begin
+      s5_valid <= 1'b0;
+    end else if (ce) begin
+      s5_valid <= s4_valid;
+    end
+  end
+
+  // ---- stage 6: registers --------------------------------------------- stream_delay.rs
+  reg s6_valid;
+  always @(posedge clk) begin
+    if (rst) begin
+      s6_valid <= 1'b0;
+    end else if (ce) begin
+      s6_valid <= s5_valid;
+    end
+  end
+
+  // ---- stage 7: registers --------------------------------------------- stream_delay.rs
+  reg s7_valid;
+  always @(posedge clk) begin
+    if (rst) begin
+      s7_valid <= 1'b0;
+    end else if (ce) begin
+      s7_valid <= s6_valid;
+    end
+  end
+
+  assign out_valid = s7_valid;
 endmodule
 `default_nettype wire

@@ -1,7 +1,7 @@
 // interleave: two words in Morton order: a in the even bits, b in the odd ones
 // Source     src/units/interleave.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//            mul 1 div 2 compare 1 from_int 1 to_int 1
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
 // Latency    none, combinational
 `default_nettype none
 module interleave #(

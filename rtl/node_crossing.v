@@ -1,8 +1,8 @@
 // node_crossing: node crossing test: hit inside the node, or exit plane and parameter
 // Source     src/units/traversal/watertight/node_crossing.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//            mul 1 div 2 compare 1 from_int 1 to_int 1
-// Latency    1 clock
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    2 clocks
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
 //            0 reads as zero of its sign; results below the smallest normal, after rounding, become
@@ -105,8 +105,20 @@ module node_crossing #(
   wire              s1_in_both = s1_m_before_x & s1_m_before_y;
   wire              s1_x_not_later = ~s1_y_before_x;
 
-  assign is_inside = s1_in_both;
-  assign x_first = s1_x_not_later;
-  assign t_next = s1_t_behind;
+  // ---- stage 2: registers -------------------------------------------- node_crossing.rs
+  reg              s2_in_both;
+  reg              s2_x_not_later;
+  reg [FloatW-1:0] s2_t_behind;
+  always @(posedge clk) begin
+    if (ce) begin
+      s2_in_both     <= s1_in_both;
+      s2_x_not_later <= s1_x_not_later;
+      s2_t_behind    <= s1_t_behind;
+    end
+  end
+
+  assign is_inside = s2_in_both;
+  assign x_first = s2_x_not_later;
+  assign t_next = s2_t_behind;
 endmodule
 `default_nettype wire

@@ -1,7 +1,7 @@
 // node_planes: extent of a node along one axis, and the plane by which the ray leaves
 // Source     src/units/traversal/node_planes.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//            mul 1 div 2 compare 1 from_int 1 to_int 1
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
 // Latency    none, combinational
 `default_nettype none
 module node_planes #(

@@ -1,8 +1,8 @@
 // plane_time: ray parameter at which the ray meets a plane: (plane - p) * r
 // Source     src/units/traversal/watertight/plane_time.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//            mul 1 div 2 compare 1 from_int 1 to_int 1
-// Latency    4 clocks
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    8 clocks
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
 //            0 reads as zero of its sign; results below the smallest normal, after rounding, become
@@ -47,12 +47,12 @@ module plane_time #(
   endgenerate
 
   // ---- stage 0: distance ------------------------------------------------ plane_time.rs
-  wire [FloatW-1:0] s1_plane_float;
+  wire [FloatW-1:0] s2_plane_float;
   fp_from_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IDX_W)) u_from_int (
     .clk   (clk),
     .ce    (ce),
     .a     (plane),
-    .result(s1_plane_float)
+    .result(s2_plane_float)
   );
   wire [FloatW-1:0] s0_minus_p = {~p[FloatW-1], p[FloatW-2:0]};
 
@@ -68,25 +68,27 @@ module plane_time #(
     end
   end
 
-  // ---- stage 1: distance ------------------------------------------------ plane_time.rs
-  wire [FloatW-1:0] s3_distance;
-  fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_sub (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s1_plane_float),
-    .b     (s1_minus_p),
-    .result(s3_distance)
-  );
-
   // ---- stage 2: registers ----------------------------------------------- plane_time.rs
+  reg [FloatW-1:0] s2_minus_p;
   reg [FloatW-1:0] s2_r;
   reg              s2_never;
   always @(posedge clk) begin
     if (ce) begin
-      s2_r     <= s1_r;
-      s2_never <= s1_never;
+      s2_minus_p <= s1_minus_p;
+      s2_r       <= s1_r;
+      s2_never   <= s1_never;
     end
   end
+
+  // ---- stage 2: distance ------------------------------------------------ plane_time.rs
+  wire [FloatW-1:0] s5_distance;
+  fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_sub (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s2_plane_float),
+    .b     (s2_minus_p),
+    .result(s5_distance)
+  );
 
   // ---- stage 3: registers ----------------------------------------------- plane_time.rs
   reg [FloatW-1:0] s3_r;
@@ -98,27 +100,63 @@ module plane_time #(
     end
   end
 
-  // ---- stage 3: parameter ----------------------------------------------- plane_time.rs
-  wire [FloatW-1:0] s4_product;
-  fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_mul (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s3_distance),
-    .b     (s3_r),
-    .result(s4_product)
-  );
-
   // ---- stage 4: registers ----------------------------------------------- plane_time.rs
-  reg s4_never;
+  reg [FloatW-1:0] s4_r;
+  reg              s4_never;
   always @(posedge clk) begin
     if (ce) begin
+      s4_r     <= s3_r;
       s4_never <= s3_never;
     end
   end
 
-  // ---- stage 4: parameter ----------------------------------------------- plane_time.rs
-  wire [FloatW-1:0] s4_when_met = s4_never ? {1'b0, {EXP_W{1'b1}}, {MAN_W{1'b0}}} : s4_product;
+  // ---- stage 5: registers ----------------------------------------------- plane_time.rs
+  reg [FloatW-1:0] s5_r;
+  reg              s5_never;
+  always @(posedge clk) begin
+    if (ce) begin
+      s5_r     <= s4_r;
+      s5_never <= s4_never;
+    end
+  end
 
-  assign t = s4_when_met;
+  // ---- stage 5: parameter ----------------------------------------------- plane_time.rs
+  wire [FloatW-1:0] s7_product;
+  fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_mul (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s5_distance),
+    .b     (s5_r),
+    .result(s7_product)
+  );
+
+  // ---- stage 6: registers ----------------------------------------------- plane_time.rs
+  reg s6_never;
+  always @(posedge clk) begin
+    if (ce) begin
+      s6_never <= s5_never;
+    end
+  end
+
+  // ---- stage 7: registers ----------------------------------------------- plane_time.rs
+  reg s7_never;
+  always @(posedge clk) begin
+    if (ce) begin
+      s7_never <= s6_never;
+    end
+  end
+
+  // ---- stage 7: parameter ----------------------------------------------- plane_time.rs
+  wire [FloatW-1:0] s7_when_met = s7_never ? {1'b0, {EXP_W{1'b1}}, {MAN_W{1'b0}}} : s7_product;
+
+  // ---- stage 8: registers ----------------------------------------------- plane_time.rs
+  reg [FloatW-1:0] s8_when_met;
+  always @(posedge clk) begin
+    if (ce) begin
+      s8_when_met <= s7_when_met;
+    end
+  end
+
+  assign t = s8_when_met;
 endmodule
 `default_nettype wire

@@ -1,8 +1,8 @@
 // predicted_hit: texel coordinate reached at parameter m: floor(p_back + d * m)
 // Source     src/units/traversal/watertight/predicted_hit.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//            mul 1 div 2 compare 1 from_int 1 to_int 1
-// Latency    4 clocks
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    7 clocks
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
 //            0 reads as zero of its sign; results below the smallest normal, after rounding, become
@@ -47,13 +47,13 @@ module predicted_hit #(
 
   // ---- stage 0: way -------------------------------------------------- predicted_hit.rs
   // The position is rounded down to its texel; the bias keeps it from lying ahead of the ray.
-  wire [FloatW-1:0] s1_way;
+  wire [FloatW-1:0] s2_way;
   fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_mul (
     .clk   (clk),
     .ce    (ce),
     .a     (d),
     .b     (m),
-    .result(s1_way)
+    .result(s2_way)
   );
 
   // ---- stage 1: registers -------------------------------------------- predicted_hit.rs
@@ -64,33 +64,45 @@ module predicted_hit #(
     end
   end
 
-  // ---- stage 1: way -------------------------------------------------- predicted_hit.rs
+  // ---- stage 2: registers -------------------------------------------- predicted_hit.rs
+  reg [FloatW-1:0] s2_p_back;
+  always @(posedge clk) begin
+    if (ce) begin
+      s2_p_back <= s1_p_back;
+    end
+  end
+
+  // ---- stage 2: way -------------------------------------------------- predicted_hit.rs
   // The position is rounded down to its texel; the bias keeps it from lying ahead of the ray.
-  wire [FloatW-1:0] s3_position;
+  wire [FloatW-1:0] s5_position;
   fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_add (
     .clk   (clk),
     .ce    (ce),
-    .a     (s1_p_back),
-    .b     (s1_way),
-    .result(s3_position)
+    .a     (s2_p_back),
+    .b     (s2_way),
+    .result(s5_position)
   );
-
-  // ---- stage 2: registers -------------------------------------------- predicted_hit.rs
 
   // ---- stage 3: registers -------------------------------------------- predicted_hit.rs
 
-  // ---- stage 3: way -------------------------------------------------- predicted_hit.rs
+  // ---- stage 4: registers -------------------------------------------- predicted_hit.rs
+
+  // ---- stage 5: registers -------------------------------------------- predicted_hit.rs
+
+  // ---- stage 5: way -------------------------------------------------- predicted_hit.rs
   // The position is rounded down to its texel; the bias keeps it from lying ahead of the ray.
-  wire [IDX_W-1:0] s4_texel;
+  wire [IDX_W-1:0] s7_texel;
   fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IDX_W)) u_to_int (
     .clk   (clk),
     .ce    (ce),
-    .a     (s3_position),
-    .result(s4_texel)
+    .a     (s5_position),
+    .result(s7_texel)
   );
 
-  // ---- stage 4: registers -------------------------------------------- predicted_hit.rs
+  // ---- stage 6: registers -------------------------------------------- predicted_hit.rs
 
-  assign e = s4_texel;
+  // ---- stage 7: registers -------------------------------------------- predicted_hit.rs
+
+  assign e = s7_texel;
 endmodule
 `default_nettype wire

@@ -1,8 +1,8 @@
 // ray_setup: a ray's constants, from texture coordinates to texels and height codes
 // Source     src/units/traversal/watertight/ray_setup.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 2
-//            mul 1 div 2 compare 1 from_int 1 to_int 1
-// Latency    3 clocks
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    21 clocks
 // Throughput one result per clock
 // Note       A ray that can't be traced (see ok) has all other outputs 0.
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
@@ -70,8 +70,8 @@ module ray_setup #(
     if (EXP_W > 11) begin : gen_illegal_1
       must_hold_EXP_W_at_most_11 u_illegal ();
     end
-    if (7 > MAN_W) begin : gen_illegal_2
-      must_hold_7_at_most_MAN_W u_illegal ();
+    if (16 > MAN_W) begin : gen_illegal_2
+      must_hold_16_at_most_MAN_W u_illegal ();
     end
     if (MAN_W > 28) begin : gen_illegal_3
       must_hold_MAN_W_at_most_28 u_illegal ();
@@ -151,57 +151,9 @@ module ray_setup #(
       {s0_x_d_in_sign, {s0_x_d_in_exp + Grow[EXP_W-1:0], s0_x_d_in_frac} &
       {(EXP_W + MAN_W){~s0_x_d_in_is_zero}}};
 
-  // ---- stage 0: x_slope -------------------------------------------------- ray_setup.rs
-  // In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.
-  wire [FloatW-1:0] s2_x_r;
-  fp_div #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_x_div (
-    .clk   (clk),
-    .ce    (ce),
-    .a     ({1'b0, MExp[EXP_W-1:0], MFrac[MAN_W-1:0]}),
-    .b     (s0_x_dn),
-    .result(s2_x_r)
-  );
-  wire [FloatW-1:0] s1_x_d;
-  fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_x_mul (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s0_x_dn),
-    .b     ({1'b0, RecipExp[EXP_W-1:0], RecipFrac[MAN_W-1:0]}),
-    .result(s1_x_d)
-  );
-
   // ---- stage 0: x_bias --------------------------------------------------- ray_setup.rs
   // A power of two above the position estimate's error, subtracted against the direction.
-  wire [EXP_W:0]    s0_x_reach = {1'b0, s0_x_dn[EXP_W+MAN_W-1:MAN_W]} + {{(EXP_W - 2){1'b0}}, 3'd5};
-  wire [EXP_W:0]    s0_x_bias_top = (Least[EXP_W:0] < s0_x_reach) ? s0_x_reach : Least[EXP_W:0];
-  wire [EXP_W:0]    s0_x_bias_exp = s0_x_bias_top - Ulps[EXP_W:0];
-  wire              s0_x_forward = ~s0_x_d_in_sign;
-  wire [FloatW-1:0] s0_x_bias = {s0_x_forward, s0_x_bias_exp[EXP_W-1:0], {MAN_W{1'b0}}};
-  wire [FloatW-1:0] s2_x_pb;
-  fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_x_back (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s0_x_p),
-    .b     (s0_x_bias),
-    .result(s2_x_pb)
-  );
-
-  // ---- stage 0: x_texels ------------------------------------------------- ray_setup.rs
-  wire [IdxW-1:0] s1_x_first;
-  fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW)) u_x_first (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s0_x_p),
-    .result(s1_x_first)
-  );
-  wire [FloatW-1:0] s2_x_end;
-  fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_x_end (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s0_x_p),
-    .b     (s0_x_dn),
-    .result(s2_x_end)
-  );
+  wire s0_x_forward = ~s0_x_d_in_sign;
 
   // ---- stage 0: y_scale -------------------------------------------------- ray_setup.rs
   // Times 2^LEVELS: the exponent grows; zeros stay zeros.
@@ -231,204 +183,850 @@ module ray_setup #(
       {s0_y_d_in_sign, {s0_y_d_in_exp + Grow[EXP_W-1:0], s0_y_d_in_frac} &
       {(EXP_W + MAN_W){~s0_y_d_in_is_zero}}};
 
-  // ---- stage 0: y_slope -------------------------------------------------- ray_setup.rs
-  // In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.
-  wire [FloatW-1:0] s2_y_r;
-  fp_div #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_y_div (
-    .clk   (clk),
-    .ce    (ce),
-    .a     ({1'b0, MExp[EXP_W-1:0], MFrac[MAN_W-1:0]}),
-    .b     (s0_y_dn),
-    .result(s2_y_r)
-  );
-  wire [FloatW-1:0] s1_y_d;
-  fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_y_mul (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s0_y_dn),
-    .b     ({1'b0, RecipExp[EXP_W-1:0], RecipFrac[MAN_W-1:0]}),
-    .result(s1_y_d)
-  );
-
   // ---- stage 0: y_bias --------------------------------------------------- ray_setup.rs
   // A power of two above the position estimate's error, subtracted against the direction.
-  wire [EXP_W:0]    s0_y_reach = {1'b0, s0_y_dn[EXP_W+MAN_W-1:MAN_W]} + {{(EXP_W - 2){1'b0}}, 3'd5};
-  wire [EXP_W:0]    s0_y_bias_top = (Least[EXP_W:0] < s0_y_reach) ? s0_y_reach : Least[EXP_W:0];
-  wire [EXP_W:0]    s0_y_bias_exp = s0_y_bias_top - Ulps[EXP_W:0];
-  wire              s0_y_forward = ~s0_y_d_in_sign;
-  wire [FloatW-1:0] s0_y_bias = {s0_y_forward, s0_y_bias_exp[EXP_W-1:0], {MAN_W{1'b0}}};
-  wire [FloatW-1:0] s2_y_pb;
-  fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_y_back (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s0_y_p),
-    .b     (s0_y_bias),
-    .result(s2_y_pb)
-  );
-
-  // ---- stage 0: y_texels ------------------------------------------------- ray_setup.rs
-  wire [IdxW-1:0] s1_y_first;
-  fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW)) u_y_first (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s0_y_p),
-    .result(s1_y_first)
-  );
-  wire [FloatW-1:0] s2_y_end;
-  fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_y_end (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s0_y_p),
-    .b     (s0_y_dn),
-    .result(s2_y_end)
-  );
+  wire s0_y_forward = ~s0_y_d_in_sign;
 
   // ---- stage 0: level ---------------------------------------------------- ray_setup.rs
   wire s0_is_ok = s0_x_ok & s0_y_ok;
 
   // ---- stage 1: registers ------------------------------------------------ ray_setup.rs
-  reg              s1_x_d_in_is_zero;
-  reg              s1_y_d_in_is_zero;
-  reg              s1_is_ok;
   reg [FloatW-1:0] s1_x_p;
-  reg              s1_x_d_in_sign;
+  reg [FloatW-1:0] s1_x_dn;
+  reg              s1_x_d_in_is_zero;
+  reg              s1_x_forward;
   reg [FloatW-1:0] s1_y_p;
+  reg [FloatW-1:0] s1_y_dn;
+  reg              s1_y_d_in_is_zero;
+  reg              s1_y_forward;
+  reg              s1_is_ok;
+  reg              s1_x_d_in_sign;
   reg              s1_y_d_in_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s1_x_d_in_is_zero <= s0_x_d_in_is_zero;
-      s1_y_d_in_is_zero <= s0_y_d_in_is_zero;
-      s1_is_ok          <= s0_is_ok;
       s1_x_p            <= s0_x_p;
-      s1_x_d_in_sign    <= s0_x_d_in_sign;
+      s1_x_dn           <= s0_x_dn;
+      s1_x_d_in_is_zero <= s0_x_d_in_is_zero;
+      s1_x_forward      <= s0_x_forward;
       s1_y_p            <= s0_y_p;
+      s1_y_dn           <= s0_y_dn;
+      s1_y_d_in_is_zero <= s0_y_d_in_is_zero;
+      s1_y_forward      <= s0_y_forward;
+      s1_is_ok          <= s0_is_ok;
+      s1_x_d_in_sign    <= s0_x_d_in_sign;
       s1_y_d_in_sign    <= s0_y_d_in_sign;
     end
   end
 
+  // ---- stage 1: x_slope -------------------------------------------------- ray_setup.rs
+  // In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.
+  wire [FloatW-1:0] s21_x_r;
+  fp_div #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_x_div (
+    .clk   (clk),
+    .ce    (ce),
+    .a     ({1'b0, MExp[EXP_W-1:0], MFrac[MAN_W-1:0]}),
+    .b     (s1_x_dn),
+    .result(s21_x_r)
+  );
+  wire [FloatW-1:0] s3_x_d;
+  fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_x_mul (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s1_x_dn),
+    .b     ({1'b0, RecipExp[EXP_W-1:0], RecipFrac[MAN_W-1:0]}),
+    .result(s3_x_d)
+  );
+
+  // ---- stage 1: x_bias --------------------------------------------------- ray_setup.rs
+  // A power of two above the position estimate's error, subtracted against the direction.
+  wire [EXP_W:0]    s1_x_reach = {1'b0, s1_x_dn[EXP_W+MAN_W-1:MAN_W]} + {{(EXP_W - 2){1'b0}}, 3'd5};
+  wire [EXP_W:0]    s1_x_bias_top = (Least[EXP_W:0] < s1_x_reach) ? s1_x_reach : Least[EXP_W:0];
+  wire [EXP_W:0]    s1_x_bias_exp = s1_x_bias_top - Ulps[EXP_W:0];
+  wire [FloatW-1:0] s1_x_bias = {s1_x_forward, s1_x_bias_exp[EXP_W-1:0], {MAN_W{1'b0}}};
+
+  // ---- stage 1: x_texels ------------------------------------------------- ray_setup.rs
+  wire [IdxW-1:0] s3_x_first;
+  fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW)) u_x_first (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s1_x_p),
+    .result(s3_x_first)
+  );
+  wire [FloatW-1:0] s4_x_end;
+  fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_x_end (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s1_x_p),
+    .b     (s1_x_dn),
+    .result(s4_x_end)
+  );
+
+  // ---- stage 1: y_slope -------------------------------------------------- ray_setup.rs
+  // In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.
+  wire [FloatW-1:0] s21_y_r;
+  fp_div #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_y_div (
+    .clk   (clk),
+    .ce    (ce),
+    .a     ({1'b0, MExp[EXP_W-1:0], MFrac[MAN_W-1:0]}),
+    .b     (s1_y_dn),
+    .result(s21_y_r)
+  );
+  wire [FloatW-1:0] s3_y_d;
+  fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_y_mul (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s1_y_dn),
+    .b     ({1'b0, RecipExp[EXP_W-1:0], RecipFrac[MAN_W-1:0]}),
+    .result(s3_y_d)
+  );
+
+  // ---- stage 1: y_bias --------------------------------------------------- ray_setup.rs
+  // A power of two above the position estimate's error, subtracted against the direction.
+  wire [EXP_W:0]    s1_y_reach = {1'b0, s1_y_dn[EXP_W+MAN_W-1:MAN_W]} + {{(EXP_W - 2){1'b0}}, 3'd5};
+  wire [EXP_W:0]    s1_y_bias_top = (Least[EXP_W:0] < s1_y_reach) ? s1_y_reach : Least[EXP_W:0];
+  wire [EXP_W:0]    s1_y_bias_exp = s1_y_bias_top - Ulps[EXP_W:0];
+  wire [FloatW-1:0] s1_y_bias = {s1_y_forward, s1_y_bias_exp[EXP_W-1:0], {MAN_W{1'b0}}};
+
+  // ---- stage 1: y_texels ------------------------------------------------- ray_setup.rs
+  wire [IdxW-1:0] s3_y_first;
+  fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW)) u_y_first (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s1_y_p),
+    .result(s3_y_first)
+  );
+  wire [FloatW-1:0] s4_y_end;
+  fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_y_end (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s1_y_p),
+    .b     (s1_y_dn),
+    .result(s4_y_end)
+  );
+
   // ---- stage 2: registers ------------------------------------------------ ray_setup.rs
   reg              s2_x_d_in_is_zero;
-  reg              s2_y_d_in_is_zero;
-  reg [IdxW-1:0]   s2_x_first;
-  reg [IdxW-1:0]   s2_y_first;
-  reg              s2_is_ok;
+  reg [FloatW-1:0] s2_x_bias;
   reg [FloatW-1:0] s2_x_p;
-  reg [FloatW-1:0] s2_x_d;
-  reg              s2_x_d_in_sign;
+  reg              s2_y_d_in_is_zero;
+  reg [FloatW-1:0] s2_y_bias;
   reg [FloatW-1:0] s2_y_p;
-  reg [FloatW-1:0] s2_y_d;
+  reg              s2_is_ok;
+  reg              s2_x_d_in_sign;
   reg              s2_y_d_in_sign;
   always @(posedge clk) begin
     if (ce) begin
       s2_x_d_in_is_zero <= s1_x_d_in_is_zero;
-      s2_y_d_in_is_zero <= s1_y_d_in_is_zero;
-      s2_x_first        <= s1_x_first;
-      s2_y_first        <= s1_y_first;
-      s2_is_ok          <= s1_is_ok;
+      s2_x_bias         <= s1_x_bias;
       s2_x_p            <= s1_x_p;
-      s2_x_d            <= s1_x_d;
-      s2_x_d_in_sign    <= s1_x_d_in_sign;
+      s2_y_d_in_is_zero <= s1_y_d_in_is_zero;
+      s2_y_bias         <= s1_y_bias;
       s2_y_p            <= s1_y_p;
-      s2_y_d            <= s1_y_d;
+      s2_is_ok          <= s1_is_ok;
+      s2_x_d_in_sign    <= s1_x_d_in_sign;
       s2_y_d_in_sign    <= s1_y_d_in_sign;
     end
   end
 
-  // ---- stage 2: x_slope -------------------------------------------------- ray_setup.rs
-  // In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.
-  wire s2_x_never = (&s2_x_r[EXP_W+MAN_W-1:MAN_W]) | s2_x_d_in_is_zero;
-
-  // ---- stage 2: x_texels ------------------------------------------------- ray_setup.rs
-  wire [IdxW-1:0] s3_x_last;
-  fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW)) u_x_last (
+  // ---- stage 2: x_bias --------------------------------------------------- ray_setup.rs
+  // A power of two above the position estimate's error, subtracted against the direction.
+  wire [FloatW-1:0] s5_x_pb;
+  fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_x_back (
     .clk   (clk),
     .ce    (ce),
-    .a     (s2_x_end),
-    .result(s3_x_last)
+    .a     (s2_x_p),
+    .b     (s2_x_bias),
+    .result(s5_x_pb)
   );
 
-  // ---- stage 2: y_slope -------------------------------------------------- ray_setup.rs
-  // In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.
-  wire s2_y_never = (&s2_y_r[EXP_W+MAN_W-1:MAN_W]) | s2_y_d_in_is_zero;
-
-  // ---- stage 2: y_texels ------------------------------------------------- ray_setup.rs
-  wire [IdxW-1:0] s3_y_last;
-  fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW)) u_y_last (
+  // ---- stage 2: y_bias --------------------------------------------------- ray_setup.rs
+  // A power of two above the position estimate's error, subtracted against the direction.
+  wire [FloatW-1:0] s5_y_pb;
+  fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_y_back (
     .clk   (clk),
     .ce    (ce),
-    .a     (s2_y_end),
-    .result(s3_y_last)
+    .a     (s2_y_p),
+    .b     (s2_y_bias),
+    .result(s5_y_pb)
   );
 
   // ---- stage 3: registers ------------------------------------------------ ray_setup.rs
-  reg [IdxW-1:0]   s3_x_first;
-  reg [IdxW-1:0]   s3_y_first;
+  reg              s3_x_d_in_is_zero;
+  reg              s3_y_d_in_is_zero;
   reg              s3_is_ok;
   reg [FloatW-1:0] s3_x_p;
-  reg [FloatW-1:0] s3_x_pb;
-  reg [FloatW-1:0] s3_x_d;
-  reg [FloatW-1:0] s3_x_r;
-  reg              s3_x_never;
   reg              s3_x_d_in_sign;
   reg [FloatW-1:0] s3_y_p;
-  reg [FloatW-1:0] s3_y_pb;
-  reg [FloatW-1:0] s3_y_d;
-  reg [FloatW-1:0] s3_y_r;
-  reg              s3_y_never;
   reg              s3_y_d_in_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s3_x_first     <= s2_x_first;
-      s3_y_first     <= s2_y_first;
-      s3_is_ok       <= s2_is_ok;
-      s3_x_p         <= s2_x_p;
-      s3_x_pb        <= s2_x_pb;
-      s3_x_d         <= s2_x_d;
-      s3_x_r         <= s2_x_r;
-      s3_x_never     <= s2_x_never;
-      s3_x_d_in_sign <= s2_x_d_in_sign;
-      s3_y_p         <= s2_y_p;
-      s3_y_pb        <= s2_y_pb;
-      s3_y_d         <= s2_y_d;
-      s3_y_r         <= s2_y_r;
-      s3_y_never     <= s2_y_never;
-      s3_y_d_in_sign <= s2_y_d_in_sign;
+      s3_x_d_in_is_zero <= s2_x_d_in_is_zero;
+      s3_y_d_in_is_zero <= s2_y_d_in_is_zero;
+      s3_is_ok          <= s2_is_ok;
+      s3_x_p            <= s2_x_p;
+      s3_x_d_in_sign    <= s2_x_d_in_sign;
+      s3_y_p            <= s2_y_p;
+      s3_y_d_in_sign    <= s2_y_d_in_sign;
     end
   end
 
-  // ---- stage 3: level ---------------------------------------------------- ray_setup.rs
-  wire [LevelW-1:0] s3_start;
-  start_level #(.LEVELS(LEVELS), .IDX_W(IdxW)) u_start_level (
-    .x    (s3_x_first),
-    .y    (s3_y_first),
-    .x_end(s3_x_last),
-    .y_end(s3_y_last),
-    .level(s3_start)
+  // ---- stage 4: registers ------------------------------------------------ ray_setup.rs
+  reg              s4_x_d_in_is_zero;
+  reg              s4_y_d_in_is_zero;
+  reg [IdxW-1:0]   s4_x_first;
+  reg [IdxW-1:0]   s4_y_first;
+  reg              s4_is_ok;
+  reg [FloatW-1:0] s4_x_p;
+  reg [FloatW-1:0] s4_x_d;
+  reg              s4_x_d_in_sign;
+  reg [FloatW-1:0] s4_y_p;
+  reg [FloatW-1:0] s4_y_d;
+  reg              s4_y_d_in_sign;
+  always @(posedge clk) begin
+    if (ce) begin
+      s4_x_d_in_is_zero <= s3_x_d_in_is_zero;
+      s4_y_d_in_is_zero <= s3_y_d_in_is_zero;
+      s4_x_first        <= s3_x_first;
+      s4_y_first        <= s3_y_first;
+      s4_is_ok          <= s3_is_ok;
+      s4_x_p            <= s3_x_p;
+      s4_x_d            <= s3_x_d;
+      s4_x_d_in_sign    <= s3_x_d_in_sign;
+      s4_y_p            <= s3_y_p;
+      s4_y_d            <= s3_y_d;
+      s4_y_d_in_sign    <= s3_y_d_in_sign;
+    end
+  end
+
+  // ---- stage 4: x_texels ------------------------------------------------- ray_setup.rs
+  wire [IdxW-1:0] s6_x_last;
+  fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW)) u_x_last (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s4_x_end),
+    .result(s6_x_last)
   );
+
+  // ---- stage 4: y_texels ------------------------------------------------- ray_setup.rs
+  wire [IdxW-1:0] s6_y_last;
+  fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW)) u_y_last (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s4_y_end),
+    .result(s6_y_last)
+  );
+
+  // ---- stage 5: registers ------------------------------------------------ ray_setup.rs
+  reg              s5_x_d_in_is_zero;
+  reg              s5_y_d_in_is_zero;
+  reg [IdxW-1:0]   s5_x_first;
+  reg [IdxW-1:0]   s5_y_first;
+  reg              s5_is_ok;
+  reg [FloatW-1:0] s5_x_p;
+  reg [FloatW-1:0] s5_x_d;
+  reg              s5_x_d_in_sign;
+  reg [FloatW-1:0] s5_y_p;
+  reg [FloatW-1:0] s5_y_d;
+  reg              s5_y_d_in_sign;
+  always @(posedge clk) begin
+    if (ce) begin
+      s5_x_d_in_is_zero <= s4_x_d_in_is_zero;
+      s5_y_d_in_is_zero <= s4_y_d_in_is_zero;
+      s5_x_first        <= s4_x_first;
+      s5_y_first        <= s4_y_first;
+      s5_is_ok          <= s4_is_ok;
+      s5_x_p            <= s4_x_p;
+      s5_x_d            <= s4_x_d;
+      s5_x_d_in_sign    <= s4_x_d_in_sign;
+      s5_y_p            <= s4_y_p;
+      s5_y_d            <= s4_y_d;
+      s5_y_d_in_sign    <= s4_y_d_in_sign;
+    end
+  end
+
+  // ---- stage 6: registers ------------------------------------------------ ray_setup.rs
+  reg              s6_x_d_in_is_zero;
+  reg              s6_y_d_in_is_zero;
+  reg [IdxW-1:0]   s6_x_first;
+  reg [IdxW-1:0]   s6_y_first;
+  reg              s6_is_ok;
+  reg [FloatW-1:0] s6_x_p;
+  reg [FloatW-1:0] s6_x_pb;
+  reg [FloatW-1:0] s6_x_d;
+  reg              s6_x_d_in_sign;
+  reg [FloatW-1:0] s6_y_p;
+  reg [FloatW-1:0] s6_y_pb;
+  reg [FloatW-1:0] s6_y_d;
+  reg              s6_y_d_in_sign;
+  always @(posedge clk) begin
+    if (ce) begin
+      s6_x_d_in_is_zero <= s5_x_d_in_is_zero;
+      s6_y_d_in_is_zero <= s5_y_d_in_is_zero;
+      s6_x_first        <= s5_x_first;
+      s6_y_first        <= s5_y_first;
+      s6_is_ok          <= s5_is_ok;
+      s6_x_p            <= s5_x_p;
+      s6_x_pb           <= s5_x_pb;
+      s6_x_d            <= s5_x_d;
+      s6_x_d_in_sign    <= s5_x_d_in_sign;
+      s6_y_p            <= s5_y_p;
+      s6_y_pb           <= s5_y_pb;
+      s6_y_d            <= s5_y_d;
+      s6_y_d_in_sign    <= s5_y_d_in_sign;
+    end
+  end
+
+  // ---- stage 6: level ---------------------------------------------------- ray_setup.rs
+  wire [LevelW-1:0] s6_start;
+  start_level #(.LEVELS(LEVELS), .IDX_W(IdxW)) u_start_level (
+    .x    (s6_x_first),
+    .y    (s6_y_first),
+    .x_end(s6_x_last),
+    .y_end(s6_y_last),
+    .level(s6_start)
+  );
+
+  // ---- stage 7: registers ------------------------------------------------ ray_setup.rs
+  reg              s7_x_d_in_is_zero;
+  reg              s7_y_d_in_is_zero;
+  reg              s7_is_ok;
+  reg [LevelW-1:0] s7_start;
+  reg [FloatW-1:0] s7_x_p;
+  reg [FloatW-1:0] s7_x_pb;
+  reg [FloatW-1:0] s7_x_d;
+  reg              s7_x_d_in_sign;
+  reg [IdxW-1:0]   s7_x_first;
+  reg [FloatW-1:0] s7_y_p;
+  reg [FloatW-1:0] s7_y_pb;
+  reg [FloatW-1:0] s7_y_d;
+  reg              s7_y_d_in_sign;
+  reg [IdxW-1:0]   s7_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s7_x_d_in_is_zero <= s6_x_d_in_is_zero;
+      s7_y_d_in_is_zero <= s6_y_d_in_is_zero;
+      s7_is_ok          <= s6_is_ok;
+      s7_start          <= s6_start;
+      s7_x_p            <= s6_x_p;
+      s7_x_pb           <= s6_x_pb;
+      s7_x_d            <= s6_x_d;
+      s7_x_d_in_sign    <= s6_x_d_in_sign;
+      s7_x_first        <= s6_x_first;
+      s7_y_p            <= s6_y_p;
+      s7_y_pb           <= s6_y_pb;
+      s7_y_d            <= s6_y_d;
+      s7_y_d_in_sign    <= s6_y_d_in_sign;
+      s7_y_first        <= s6_y_first;
+    end
+  end
+
+  // ---- stage 8: registers ------------------------------------------------ ray_setup.rs
+  reg              s8_x_d_in_is_zero;
+  reg              s8_y_d_in_is_zero;
+  reg              s8_is_ok;
+  reg [LevelW-1:0] s8_start;
+  reg [FloatW-1:0] s8_x_p;
+  reg [FloatW-1:0] s8_x_pb;
+  reg [FloatW-1:0] s8_x_d;
+  reg              s8_x_d_in_sign;
+  reg [IdxW-1:0]   s8_x_first;
+  reg [FloatW-1:0] s8_y_p;
+  reg [FloatW-1:0] s8_y_pb;
+  reg [FloatW-1:0] s8_y_d;
+  reg              s8_y_d_in_sign;
+  reg [IdxW-1:0]   s8_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s8_x_d_in_is_zero <= s7_x_d_in_is_zero;
+      s8_y_d_in_is_zero <= s7_y_d_in_is_zero;
+      s8_is_ok          <= s7_is_ok;
+      s8_start          <= s7_start;
+      s8_x_p            <= s7_x_p;
+      s8_x_pb           <= s7_x_pb;
+      s8_x_d            <= s7_x_d;
+      s8_x_d_in_sign    <= s7_x_d_in_sign;
+      s8_x_first        <= s7_x_first;
+      s8_y_p            <= s7_y_p;
+      s8_y_pb           <= s7_y_pb;
+      s8_y_d            <= s7_y_d;
+      s8_y_d_in_sign    <= s7_y_d_in_sign;
+      s8_y_first        <= s7_y_first;
+    end
+  end
+
+  // ---- stage 9: registers ------------------------------------------------ ray_setup.rs
+  reg              s9_x_d_in_is_zero;
+  reg              s9_y_d_in_is_zero;
+  reg              s9_is_ok;
+  reg [LevelW-1:0] s9_start;
+  reg [FloatW-1:0] s9_x_p;
+  reg [FloatW-1:0] s9_x_pb;
+  reg [FloatW-1:0] s9_x_d;
+  reg              s9_x_d_in_sign;
+  reg [IdxW-1:0]   s9_x_first;
+  reg [FloatW-1:0] s9_y_p;
+  reg [FloatW-1:0] s9_y_pb;
+  reg [FloatW-1:0] s9_y_d;
+  reg              s9_y_d_in_sign;
+  reg [IdxW-1:0]   s9_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s9_x_d_in_is_zero <= s8_x_d_in_is_zero;
+      s9_y_d_in_is_zero <= s8_y_d_in_is_zero;
+      s9_is_ok          <= s8_is_ok;
+      s9_start          <= s8_start;
+      s9_x_p            <= s8_x_p;
+      s9_x_pb           <= s8_x_pb;
+      s9_x_d            <= s8_x_d;
+      s9_x_d_in_sign    <= s8_x_d_in_sign;
+      s9_x_first        <= s8_x_first;
+      s9_y_p            <= s8_y_p;
+      s9_y_pb           <= s8_y_pb;
+      s9_y_d            <= s8_y_d;
+      s9_y_d_in_sign    <= s8_y_d_in_sign;
+      s9_y_first        <= s8_y_first;
+    end
+  end
+
+  // ---- stage 10: registers ----------------------------------------------- ray_setup.rs
+  reg              s10_x_d_in_is_zero;
+  reg              s10_y_d_in_is_zero;
+  reg              s10_is_ok;
+  reg [LevelW-1:0] s10_start;
+  reg [FloatW-1:0] s10_x_p;
+  reg [FloatW-1:0] s10_x_pb;
+  reg [FloatW-1:0] s10_x_d;
+  reg              s10_x_d_in_sign;
+  reg [IdxW-1:0]   s10_x_first;
+  reg [FloatW-1:0] s10_y_p;
+  reg [FloatW-1:0] s10_y_pb;
+  reg [FloatW-1:0] s10_y_d;
+  reg              s10_y_d_in_sign;
+  reg [IdxW-1:0]   s10_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s10_x_d_in_is_zero <= s9_x_d_in_is_zero;
+      s10_y_d_in_is_zero <= s9_y_d_in_is_zero;
+      s10_is_ok          <= s9_is_ok;
+      s10_start          <= s9_start;
+      s10_x_p            <= s9_x_p;
+      s10_x_pb           <= s9_x_pb;
+      s10_x_d            <= s9_x_d;
+      s10_x_d_in_sign    <= s9_x_d_in_sign;
+      s10_x_first        <= s9_x_first;
+      s10_y_p            <= s9_y_p;
+      s10_y_pb           <= s9_y_pb;
+      s10_y_d            <= s9_y_d;
+      s10_y_d_in_sign    <= s9_y_d_in_sign;
+      s10_y_first        <= s9_y_first;
+    end
+  end
+
+  // ---- stage 11: registers ----------------------------------------------- ray_setup.rs
+  reg              s11_x_d_in_is_zero;
+  reg              s11_y_d_in_is_zero;
+  reg              s11_is_ok;
+  reg [LevelW-1:0] s11_start;
+  reg [FloatW-1:0] s11_x_p;
+  reg [FloatW-1:0] s11_x_pb;
+  reg [FloatW-1:0] s11_x_d;
+  reg              s11_x_d_in_sign;
+  reg [IdxW-1:0]   s11_x_first;
+  reg [FloatW-1:0] s11_y_p;
+  reg [FloatW-1:0] s11_y_pb;
+  reg [FloatW-1:0] s11_y_d;
+  reg              s11_y_d_in_sign;
+  reg [IdxW-1:0]   s11_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s11_x_d_in_is_zero <= s10_x_d_in_is_zero;
+      s11_y_d_in_is_zero <= s10_y_d_in_is_zero;
+      s11_is_ok          <= s10_is_ok;
+      s11_start          <= s10_start;
+      s11_x_p            <= s10_x_p;
+      s11_x_pb           <= s10_x_pb;
+      s11_x_d            <= s10_x_d;
+      s11_x_d_in_sign    <= s10_x_d_in_sign;
+      s11_x_first        <= s10_x_first;
+      s11_y_p            <= s10_y_p;
+      s11_y_pb           <= s10_y_pb;
+      s11_y_d            <= s10_y_d;
+      s11_y_d_in_sign    <= s10_y_d_in_sign;
+      s11_y_first        <= s10_y_first;
+    end
+  end
+
+  // ---- stage 12: registers ----------------------------------------------- ray_setup.rs
+  reg              s12_x_d_in_is_zero;
+  reg              s12_y_d_in_is_zero;
+  reg              s12_is_ok;
+  reg [LevelW-1:0] s12_start;
+  reg [FloatW-1:0] s12_x_p;
+  reg [FloatW-1:0] s12_x_pb;
+  reg [FloatW-1:0] s12_x_d;
+  reg              s12_x_d_in_sign;
+  reg [IdxW-1:0]   s12_x_first;
+  reg [FloatW-1:0] s12_y_p;
+  reg [FloatW-1:0] s12_y_pb;
+  reg [FloatW-1:0] s12_y_d;
+  reg              s12_y_d_in_sign;
+  reg [IdxW-1:0]   s12_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s12_x_d_in_is_zero <= s11_x_d_in_is_zero;
+      s12_y_d_in_is_zero <= s11_y_d_in_is_zero;
+      s12_is_ok          <= s11_is_ok;
+      s12_start          <= s11_start;
+      s12_x_p            <= s11_x_p;
+      s12_x_pb           <= s11_x_pb;
+      s12_x_d            <= s11_x_d;
+      s12_x_d_in_sign    <= s11_x_d_in_sign;
+      s12_x_first        <= s11_x_first;
+      s12_y_p            <= s11_y_p;
+      s12_y_pb           <= s11_y_pb;
+      s12_y_d            <= s11_y_d;
+      s12_y_d_in_sign    <= s11_y_d_in_sign;
+      s12_y_first        <= s11_y_first;
+    end
+  end
+
+  // ---- stage 13: registers ----------------------------------------------- ray_setup.rs
+  reg              s13_x_d_in_is_zero;
+  reg              s13_y_d_in_is_zero;
+  reg              s13_is_ok;
+  reg [LevelW-1:0] s13_start;
+  reg [FloatW-1:0] s13_x_p;
+  reg [FloatW-1:0] s13_x_pb;
+  reg [FloatW-1:0] s13_x_d;
+  reg              s13_x_d_in_sign;
+  reg [IdxW-1:0]   s13_x_first;
+  reg [FloatW-1:0] s13_y_p;
+  reg [FloatW-1:0] s13_y_pb;
+  reg [FloatW-1:0] s13_y_d;
+  reg              s13_y_d_in_sign;
+  reg [IdxW-1:0]   s13_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s13_x_d_in_is_zero <= s12_x_d_in_is_zero;
+      s13_y_d_in_is_zero <= s12_y_d_in_is_zero;
+      s13_is_ok          <= s12_is_ok;
+      s13_start          <= s12_start;
+      s13_x_p            <= s12_x_p;
+      s13_x_pb           <= s12_x_pb;
+      s13_x_d            <= s12_x_d;
+      s13_x_d_in_sign    <= s12_x_d_in_sign;
+      s13_x_first        <= s12_x_first;
+      s13_y_p            <= s12_y_p;
+      s13_y_pb           <= s12_y_pb;
+      s13_y_d            <= s12_y_d;
+      s13_y_d_in_sign    <= s12_y_d_in_sign;
+      s13_y_first        <= s12_y_first;
+    end
+  end
+
+  // ---- stage 14: registers ----------------------------------------------- ray_setup.rs
+  reg              s14_x_d_in_is_zero;
+  reg              s14_y_d_in_is_zero;
+  reg              s14_is_ok;
+  reg [LevelW-1:0] s14_start;
+  reg [FloatW-1:0] s14_x_p;
+  reg [FloatW-1:0] s14_x_pb;
+  reg [FloatW-1:0] s14_x_d;
+  reg              s14_x_d_in_sign;
+  reg [IdxW-1:0]   s14_x_first;
+  reg [FloatW-1:0] s14_y_p;
+  reg [FloatW-1:0] s14_y_pb;
+  reg [FloatW-1:0] s14_y_d;
+  reg              s14_y_d_in_sign;
+  reg [IdxW-1:0]   s14_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s14_x_d_in_is_zero <= s13_x_d_in_is_zero;
+      s14_y_d_in_is_zero <= s13_y_d_in_is_zero;
+      s14_is_ok          <= s13_is_ok;
+      s14_start          <= s13_start;
+      s14_x_p            <= s13_x_p;
+      s14_x_pb           <= s13_x_pb;
+      s14_x_d            <= s13_x_d;
+      s14_x_d_in_sign    <= s13_x_d_in_sign;
+      s14_x_first        <= s13_x_first;
+      s14_y_p            <= s13_y_p;
+      s14_y_pb           <= s13_y_pb;
+      s14_y_d            <= s13_y_d;
+      s14_y_d_in_sign    <= s13_y_d_in_sign;
+      s14_y_first        <= s13_y_first;
+    end
+  end
+
+  // ---- stage 15: registers ----------------------------------------------- ray_setup.rs
+  reg              s15_x_d_in_is_zero;
+  reg              s15_y_d_in_is_zero;
+  reg              s15_is_ok;
+  reg [LevelW-1:0] s15_start;
+  reg [FloatW-1:0] s15_x_p;
+  reg [FloatW-1:0] s15_x_pb;
+  reg [FloatW-1:0] s15_x_d;
+  reg              s15_x_d_in_sign;
+  reg [IdxW-1:0]   s15_x_first;
+  reg [FloatW-1:0] s15_y_p;
+  reg [FloatW-1:0] s15_y_pb;
+  reg [FloatW-1:0] s15_y_d;
+  reg              s15_y_d_in_sign;
+  reg [IdxW-1:0]   s15_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s15_x_d_in_is_zero <= s14_x_d_in_is_zero;
+      s15_y_d_in_is_zero <= s14_y_d_in_is_zero;
+      s15_is_ok          <= s14_is_ok;
+      s15_start          <= s14_start;
+      s15_x_p            <= s14_x_p;
+      s15_x_pb           <= s14_x_pb;
+      s15_x_d            <= s14_x_d;
+      s15_x_d_in_sign    <= s14_x_d_in_sign;
+      s15_x_first        <= s14_x_first;
+      s15_y_p            <= s14_y_p;
+      s15_y_pb           <= s14_y_pb;
+      s15_y_d            <= s14_y_d;
+      s15_y_d_in_sign    <= s14_y_d_in_sign;
+      s15_y_first        <= s14_y_first;
+    end
+  end
+
+  // ---- stage 16: registers ----------------------------------------------- ray_setup.rs
+  reg              s16_x_d_in_is_zero;
+  reg              s16_y_d_in_is_zero;
+  reg              s16_is_ok;
+  reg [LevelW-1:0] s16_start;
+  reg [FloatW-1:0] s16_x_p;
+  reg [FloatW-1:0] s16_x_pb;
+  reg [FloatW-1:0] s16_x_d;
+  reg              s16_x_d_in_sign;
+  reg [IdxW-1:0]   s16_x_first;
+  reg [FloatW-1:0] s16_y_p;
+  reg [FloatW-1:0] s16_y_pb;
+  reg [FloatW-1:0] s16_y_d;
+  reg              s16_y_d_in_sign;
+  reg [IdxW-1:0]   s16_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s16_x_d_in_is_zero <= s15_x_d_in_is_zero;
+      s16_y_d_in_is_zero <= s15_y_d_in_is_zero;
+      s16_is_ok          <= s15_is_ok;
+      s16_start          <= s15_start;
+      s16_x_p            <= s15_x_p;
+      s16_x_pb           <= s15_x_pb;
+      s16_x_d            <= s15_x_d;
+      s16_x_d_in_sign    <= s15_x_d_in_sign;
+      s16_x_first        <= s15_x_first;
+      s16_y_p            <= s15_y_p;
+      s16_y_pb           <= s15_y_pb;
+      s16_y_d            <= s15_y_d;
+      s16_y_d_in_sign    <= s15_y_d_in_sign;
+      s16_y_first        <= s15_y_first;
+    end
+  end
+
+  // ---- stage 17: registers ----------------------------------------------- ray_setup.rs
+  reg              s17_x_d_in_is_zero;
+  reg              s17_y_d_in_is_zero;
+  reg              s17_is_ok;
+  reg [LevelW-1:0] s17_start;
+  reg [FloatW-1:0] s17_x_p;
+  reg [FloatW-1:0] s17_x_pb;
+  reg [FloatW-1:0] s17_x_d;
+  reg              s17_x_d_in_sign;
+  reg [IdxW-1:0]   s17_x_first;
+  reg [FloatW-1:0] s17_y_p;
+  reg [FloatW-1:0] s17_y_pb;
+  reg [FloatW-1:0] s17_y_d;
+  reg              s17_y_d_in_sign;
+  reg [IdxW-1:0]   s17_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s17_x_d_in_is_zero <= s16_x_d_in_is_zero;
+      s17_y_d_in_is_zero <= s16_y_d_in_is_zero;
+      s17_is_ok          <= s16_is_ok;
+      s17_start          <= s16_start;
+      s17_x_p            <= s16_x_p;
+      s17_x_pb           <= s16_x_pb;
+      s17_x_d            <= s16_x_d;
+      s17_x_d_in_sign    <= s16_x_d_in_sign;
+      s17_x_first        <= s16_x_first;
+      s17_y_p            <= s16_y_p;
+      s17_y_pb           <= s16_y_pb;
+      s17_y_d            <= s16_y_d;
+      s17_y_d_in_sign    <= s16_y_d_in_sign;
+      s17_y_first        <= s16_y_first;
+    end
+  end
+
+  // ---- stage 18: registers ----------------------------------------------- ray_setup.rs
+  reg              s18_x_d_in_is_zero;
+  reg              s18_y_d_in_is_zero;
+  reg              s18_is_ok;
+  reg [LevelW-1:0] s18_start;
+  reg [FloatW-1:0] s18_x_p;
+  reg [FloatW-1:0] s18_x_pb;
+  reg [FloatW-1:0] s18_x_d;
+  reg              s18_x_d_in_sign;
+  reg [IdxW-1:0]   s18_x_first;
+  reg [FloatW-1:0] s18_y_p;
+  reg [FloatW-1:0] s18_y_pb;
+  reg [FloatW-1:0] s18_y_d;
+  reg              s18_y_d_in_sign;
+  reg [IdxW-1:0]   s18_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s18_x_d_in_is_zero <= s17_x_d_in_is_zero;
+      s18_y_d_in_is_zero <= s17_y_d_in_is_zero;
+      s18_is_ok          <= s17_is_ok;
+      s18_start          <= s17_start;
+      s18_x_p            <= s17_x_p;
+      s18_x_pb           <= s17_x_pb;
+      s18_x_d            <= s17_x_d;
+      s18_x_d_in_sign    <= s17_x_d_in_sign;
+      s18_x_first        <= s17_x_first;
+      s18_y_p            <= s17_y_p;
+      s18_y_pb           <= s17_y_pb;
+      s18_y_d            <= s17_y_d;
+      s18_y_d_in_sign    <= s17_y_d_in_sign;
+      s18_y_first        <= s17_y_first;
+    end
+  end
+
+  // ---- stage 19: registers ----------------------------------------------- ray_setup.rs
+  reg              s19_x_d_in_is_zero;
+  reg              s19_y_d_in_is_zero;
+  reg              s19_is_ok;
+  reg [LevelW-1:0] s19_start;
+  reg [FloatW-1:0] s19_x_p;
+  reg [FloatW-1:0] s19_x_pb;
+  reg [FloatW-1:0] s19_x_d;
+  reg              s19_x_d_in_sign;
+  reg [IdxW-1:0]   s19_x_first;
+  reg [FloatW-1:0] s19_y_p;
+  reg [FloatW-1:0] s19_y_pb;
+  reg [FloatW-1:0] s19_y_d;
+  reg              s19_y_d_in_sign;
+  reg [IdxW-1:0]   s19_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s19_x_d_in_is_zero <= s18_x_d_in_is_zero;
+      s19_y_d_in_is_zero <= s18_y_d_in_is_zero;
+      s19_is_ok          <= s18_is_ok;
+      s19_start          <= s18_start;
+      s19_x_p            <= s18_x_p;
+      s19_x_pb           <= s18_x_pb;
+      s19_x_d            <= s18_x_d;
+      s19_x_d_in_sign    <= s18_x_d_in_sign;
+      s19_x_first        <= s18_x_first;
+      s19_y_p            <= s18_y_p;
+      s19_y_pb           <= s18_y_pb;
+      s19_y_d            <= s18_y_d;
+      s19_y_d_in_sign    <= s18_y_d_in_sign;
+      s19_y_first        <= s18_y_first;
+    end
+  end
+
+  // ---- stage 20: registers ----------------------------------------------- ray_setup.rs
+  reg              s20_x_d_in_is_zero;
+  reg              s20_y_d_in_is_zero;
+  reg              s20_is_ok;
+  reg [LevelW-1:0] s20_start;
+  reg [FloatW-1:0] s20_x_p;
+  reg [FloatW-1:0] s20_x_pb;
+  reg [FloatW-1:0] s20_x_d;
+  reg              s20_x_d_in_sign;
+  reg [IdxW-1:0]   s20_x_first;
+  reg [FloatW-1:0] s20_y_p;
+  reg [FloatW-1:0] s20_y_pb;
+  reg [FloatW-1:0] s20_y_d;
+  reg              s20_y_d_in_sign;
+  reg [IdxW-1:0]   s20_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s20_x_d_in_is_zero <= s19_x_d_in_is_zero;
+      s20_y_d_in_is_zero <= s19_y_d_in_is_zero;
+      s20_is_ok          <= s19_is_ok;
+      s20_start          <= s19_start;
+      s20_x_p            <= s19_x_p;
+      s20_x_pb           <= s19_x_pb;
+      s20_x_d            <= s19_x_d;
+      s20_x_d_in_sign    <= s19_x_d_in_sign;
+      s20_x_first        <= s19_x_first;
+      s20_y_p            <= s19_y_p;
+      s20_y_pb           <= s19_y_pb;
+      s20_y_d            <= s19_y_d;
+      s20_y_d_in_sign    <= s19_y_d_in_sign;
+      s20_y_first        <= s19_y_first;
+    end
+  end
+
+  // ---- stage 21: registers ----------------------------------------------- ray_setup.rs
+  reg              s21_x_d_in_is_zero;
+  reg              s21_y_d_in_is_zero;
+  reg              s21_is_ok;
+  reg [LevelW-1:0] s21_start;
+  reg [FloatW-1:0] s21_x_p;
+  reg [FloatW-1:0] s21_x_pb;
+  reg [FloatW-1:0] s21_x_d;
+  reg              s21_x_d_in_sign;
+  reg [IdxW-1:0]   s21_x_first;
+  reg [FloatW-1:0] s21_y_p;
+  reg [FloatW-1:0] s21_y_pb;
+  reg [FloatW-1:0] s21_y_d;
+  reg              s21_y_d_in_sign;
+  reg [IdxW-1:0]   s21_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s21_x_d_in_is_zero <= s20_x_d_in_is_zero;
+      s21_y_d_in_is_zero <= s20_y_d_in_is_zero;
+      s21_is_ok          <= s20_is_ok;
+      s21_start          <= s20_start;
+      s21_x_p            <= s20_x_p;
+      s21_x_pb           <= s20_x_pb;
+      s21_x_d            <= s20_x_d;
+      s21_x_d_in_sign    <= s20_x_d_in_sign;
+      s21_x_first        <= s20_x_first;
+      s21_y_p            <= s20_y_p;
+      s21_y_pb           <= s20_y_pb;
+      s21_y_d            <= s20_y_d;
+      s21_y_d_in_sign    <= s20_y_d_in_sign;
+      s21_y_first        <= s20_y_first;
+    end
+  end
+
+  // ---- stage 21: x_slope ------------------------------------------------- ray_setup.rs
+  // In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.
+  wire s21_x_never = (&s21_x_r[EXP_W+MAN_W-1:MAN_W]) | s21_x_d_in_is_zero;
+
+  // ---- stage 21: y_slope ------------------------------------------------- ray_setup.rs
+  // In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.
+  wire s21_y_never = (&s21_y_r[EXP_W+MAN_W-1:MAN_W]) | s21_y_d_in_is_zero;
 
   // Bits that nothing needs, named so that no lint has to be switched off for the rest.
   // verilator lint_off UNUSED
   wire unused_0 = &{1'b0, {s0_x_p_in_is_inf, s0_x_p_in_is_nan, s0_x_d_in_is_inf, s0_x_d_in_is_nan}};
-  wire unused_1 = &{1'b0, s0_x_bias_exp[EXP_W]};
+  wire unused_1 = &{1'b0, s1_x_bias_exp[EXP_W]};
   wire unused_2 = &{1'b0, {s0_y_p_in_is_inf, s0_y_p_in_is_nan, s0_y_d_in_is_inf, s0_y_d_in_is_nan}};
-  wire unused_3 = &{1'b0, s0_y_bias_exp[EXP_W]};
+  wire unused_3 = &{1'b0, s1_y_bias_exp[EXP_W]};
   // verilator lint_on UNUSED
 
-  assign ok = s3_is_ok;
-  assign level = s3_start & {($clog2(LEVELS + 1)){s3_is_ok}};
-  assign p_x = s3_x_p & {(EXP_W + MAN_W + 1){s3_is_ok}};
-  assign pb_x = s3_x_pb & {(EXP_W + MAN_W + 1){s3_is_ok}};
-  assign d_x = s3_x_d & {(EXP_W + MAN_W + 1){s3_is_ok}};
-  assign r_x = s3_x_r & {(EXP_W + MAN_W + 1){s3_is_ok}};
-  assign never_x = s3_x_never & (s3_is_ok);
-  assign neg_x = s3_x_d_in_sign & (s3_is_ok);
-  assign first_x = s3_x_first & {IdxW{s3_is_ok}};
-  assign p_y = s3_y_p & {(EXP_W + MAN_W + 1){s3_is_ok}};
-  assign pb_y = s3_y_pb & {(EXP_W + MAN_W + 1){s3_is_ok}};
-  assign d_y = s3_y_d & {(EXP_W + MAN_W + 1){s3_is_ok}};
-  assign r_y = s3_y_r & {(EXP_W + MAN_W + 1){s3_is_ok}};
-  assign never_y = s3_y_never & (s3_is_ok);
-  assign neg_y = s3_y_d_in_sign & (s3_is_ok);
-  assign first_y = s3_y_first & {IdxW{s3_is_ok}};
+  assign ok = s21_is_ok;
+  assign level = s21_start & {($clog2(LEVELS + 1)){s21_is_ok}};
+  assign p_x = s21_x_p & {(EXP_W + MAN_W + 1){s21_is_ok}};
+  assign pb_x = s21_x_pb & {(EXP_W + MAN_W + 1){s21_is_ok}};
+  assign d_x = s21_x_d & {(EXP_W + MAN_W + 1){s21_is_ok}};
+  assign r_x = s21_x_r & {(EXP_W + MAN_W + 1){s21_is_ok}};
+  assign never_x = s21_x_never & (s21_is_ok);
+  assign neg_x = s21_x_d_in_sign & (s21_is_ok);
+  assign first_x = s21_x_first & {IdxW{s21_is_ok}};
+  assign p_y = s21_y_p & {(EXP_W + MAN_W + 1){s21_is_ok}};
+  assign pb_y = s21_y_pb & {(EXP_W + MAN_W + 1){s21_is_ok}};
+  assign d_y = s21_y_d & {(EXP_W + MAN_W + 1){s21_is_ok}};
+  assign r_y = s21_y_r & {(EXP_W + MAN_W + 1){s21_is_ok}};
+  assign never_y = s21_y_never & (s21_is_ok);
+  assign neg_y = s21_y_d_in_sign & (s21_is_ok);
+  assign first_y = s21_y_first & {IdxW{s21_is_ok}};
 endmodule
 `default_nettype wire

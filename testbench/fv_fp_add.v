@@ -49,6 +49,6 @@ module fv_fp_add (input wire clk);
   reg [7:0] clocks;
   initial clocks = 0;
   always @(posedge clk) clocks <= clocks + 1;
-  always @* if (clocks == 2) assert (result == want);
+  always @* if (clocks == 3) assert (result == want);
 endmodule
 `default_nettype wire

@@ -42,6 +42,6 @@ module fv_fp_mul (input wire clk);
   reg [7:0] clocks;
   initial clocks = 0;
   always @(posedge clk) clocks <= clocks + 1;
-  always @* if (clocks == 1) assert (result == want);
+  always @* if (clocks == 2) assert (result == want);
 endmodule
 `default_nettype wire

@@ -46,7 +46,7 @@ module fv_plane_time (input wire clk);
     assume (!near_p[E+M] && near_p[E+M-1:M] < (1 << (E - 1)) - 2 + IDX_W);
     assume (!near_r[E+M] && !(&near_r[E+M-1:M]) && |near_r[E+M-1:M]);
     assume ($signed(near_plane) <= $signed(far_plane));
-    if (clocks == 4) assert (near_value <= far_value);
+    if (clocks == 8) assert (near_value <= far_value);
   end
 endmodule
 `default_nettype wire

@@ -11,7 +11,7 @@ module tb_fp_add #(
   output reg        done,
   output reg  [7:0] exit_code
 );
-  localparam integer Latency = 2;
+  localparam integer Latency = 3;
   // Bits of a row, as the files announce them.
   localparam integer InW =
     (EXP_W+MAN_W+1) +

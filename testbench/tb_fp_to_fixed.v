@@ -13,7 +13,7 @@ module tb_fp_to_fixed #(
   output reg        done,
   output reg  [7:0] exit_code
 );
-  localparam integer Latency = 1;
+  localparam integer Latency = 2;
   // Bits of a row, as the files announce them.
   localparam integer InW =
     (EXP_W+MAN_W+1);

@@ -12,7 +12,7 @@ module tb_height_test #(
   output reg        done,
   output reg  [7:0] exit_code
 );
-  localparam integer Latency = 2;
+  localparam integer Latency = 4;
   // Bits of a row, as the files announce them.
   localparam integer InW =
     (HEIGHT_W) +

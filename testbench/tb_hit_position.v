@@ -13,7 +13,7 @@ module tb_hit_position #(
   output reg        done,
   output reg  [7:0] exit_code
 );
-  localparam integer Latency = 4;
+  localparam integer Latency = 7;
   // Bits of a row, as the files announce them.
   localparam integer InW =
     (EXP_W+MAN_W+1) +

@@ -12,7 +12,7 @@ module tb_plane_time #(
   output reg        done,
   output reg  [7:0] exit_code
 );
-  localparam integer Latency = 4;
+  localparam integer Latency = 8;
   // Bits of a row, as the files announce them.
   localparam integer InW =
     (IDX_W) +

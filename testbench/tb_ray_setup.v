@@ -14,7 +14,7 @@ module tb_ray_setup #(
   output reg        done,
   output reg  [7:0] exit_code
 );
-  localparam integer Latency = 3;
+  localparam integer Latency = 21;
   // Bits of a row, as the files announce them.
   localparam integer InW =
     (EXP_W+MAN_W+1) +

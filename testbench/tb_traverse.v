@@ -24,7 +24,7 @@ module tb_traverse #(
   output reg        done,
   output reg  [7:0] exit_code
 );
-  localparam integer WarmUp = 15;  // clocks until the pipeline can be full
+  localparam integer WarmUp = 47;  // clocks until the pipeline can be full
   localparam integer TagBits = (TAG_W < 8) ? TAG_W : 8;
   localparam integer Tags = 1 << TagBits;
   // Bits of a row, as the files announce them, and words of the pyramid.
@@ -573,9 +573,9 @@ module tb_traverse #(
     end
   end
   always @(posedge clk) begin
-    if (it_fd != 0 && !done && !rst && dut.s0_valid && !dut.s0_done)
-      $fwrite(it_fd, "%0d %h %h %h %h\n", tag_ray[dut.s0_tag[TagBits-1:0]],
-              dut.s0_level, dut.s0_x, dut.s0_y, dut.s0_t);
+    if (it_fd != 0 && !done && !rst && dut.s1_valid && !dut.s1_done)
+      $fwrite(it_fd, "%0d %h %h %h %h\n", tag_ray[dut.s1_tag[TagBits-1:0]],
+              dut.s1_level, dut.s1_x, dut.s1_y, dut.s1_t);
   end
 `endif
 endmodule
