@@ -1,4 +1,5 @@
 //! Building and running a bench with Icarus Verilog or Verilator.
+use crate::emit::emitted_name;
 use crate::error::{Error, Result, exit};
 use crate::ir::Binding;
 use std::path::{Path, PathBuf};
@@ -45,7 +46,7 @@ impl Simulator {
     }
 }
 
-/// Builds `testbench/tb_<unit>.v` of the emitted tree `dir` at `params`, runs it with `plusargs`, and reads its verdict. The plusarg
+/// Builds `testbench/<prefix>tb_<unit>.v` of the emitted tree `dir` at `params`, runs it with `plusargs`, and reads its verdict. The plusarg
 /// `iterations=FILE` has the bench built with a look into the loop.
 ///
 /// # Errors
@@ -53,11 +54,12 @@ impl Simulator {
 pub fn run_bench(sim: Simulator, dir: &Path, unit: &str, params: &Binding, plusargs: &[String]) -> Result<Outcome> {
     let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
     let dir = dir.canonicalize().map_err(|e| Error::file("find", dir, e))?;
+    let top = emitted_name(&dir, "testbench", &format!("tb_{unit}"), ".v")?;
     let start = Instant::now();
     let define = plusargs.iter().any(|p| p.starts_with("iterations=")).then_some("-DITERATIONS");
     let mut command = match sim {
-        Simulator::Icarus => build_icarus(&dir, unit, params, define, work.path())?,
-        Simulator::Verilator => build_verilator(&dir, unit, params, define, work.path())?,
+        Simulator::Icarus => build_icarus(&dir, &top, params, define, work.path())?,
+        Simulator::Verilator => build_verilator(&dir, &top, params, define, work.path())?,
     };
     let build = start.elapsed();
     let start = Instant::now();
@@ -94,12 +96,12 @@ pub fn run_bench(sim: Simulator, dir: &Path, unit: &str, params: &Binding, plusa
     Ok(Outcome { code, output, checked, build, run })
 }
 
-fn build_icarus(dir: &Path, unit: &str, params: &Binding, define: Option<&str>, work: &Path) -> Result<Command> {
+fn build_icarus(dir: &Path, top: &str, params: &Binding, define: Option<&str>, work: &Path) -> Result<Command> {
     let image = work.join("bench.vvp");
     let mut c = Command::new("iverilog");
-    c.args(["-g2005", "-Wall", "-s", &format!("tb_{unit}_top"), "-o"]).arg(&image);
-    c.args(params.iter().map(|(k, v)| format!("-Ptb_{unit}_top.{k}={v}")));
-    c.args(define).arg("-y").arg(dir.join("rtl")).args(bench(dir, unit, true));
+    c.args(["-g2005", "-Wall", "-s", &format!("{top}_top"), "-o"]).arg(&image);
+    c.args(params.iter().map(|(k, v)| format!("-P{top}_top.{k}={v}")));
+    c.args(define).arg("-y").arg(dir.join("rtl")).args(bench(dir, top, true));
     finish(Simulator::Icarus, c)?;
     let mut run = Command::new("vvp");
     run.arg("-n").arg(image);
@@ -110,7 +112,7 @@ fn in_path(program: &str) -> bool {
     std::env::var_os("PATH").is_some_and(|path| std::env::split_paths(&path).any(|dir| dir.join(program).is_file()))
 }
 
-fn build_verilator(dir: &Path, unit: &str, params: &Binding, define: Option<&str>, work: &Path) -> Result<Command> {
+fn build_verilator(dir: &Path, top: &str, params: &Binding, define: Option<&str>, work: &Path) -> Result<Command> {
     let mut c = Command::new(Simulator::Verilator.program());
     c.args([
         "--cc",
@@ -126,9 +128,9 @@ fn build_verilator(dir: &Path, unit: &str, params: &Binding, define: Option<&str
         "2",
         "--top-module",
     ]);
-    c.arg(format!("tb_{unit}")).args(define).arg("--Mdir").arg(work.join("obj"));
+    c.arg(top).args(define).arg("--Mdir").arg(work.join("obj"));
     c.args(params.iter().map(|(k, v)| format!("-G{k}={v}")));
-    c.arg("-y").arg(dir.join("rtl")).args(bench(dir, unit, false)).arg(dir.join("testbench/verilator_main.cpp"));
+    c.arg("-y").arg(dir.join("rtl")).args(bench(dir, top, false)).arg(dir.join("testbench/verilator_main.cpp"));
     // Most of the time that a small bench takes goes into Verilator's own library, which is the same for all of them.
     if std::env::var_os("OBJCACHE").is_none() && in_path("ccache") {
         c.env("OBJCACHE", "ccache");
@@ -137,11 +139,11 @@ fn build_verilator(dir: &Path, unit: &str, params: &Binding, define: Option<&str
     Ok(Command::new(work.join("obj/Vtb")))
 }
 
-fn bench(dir: &Path, unit: &str, top: bool) -> Vec<PathBuf> {
+fn bench(dir: &Path, top: &str, clocked: bool) -> Vec<PathBuf> {
     let file = |name: String| dir.join("testbench").join(name);
-    let mut files = vec![file(format!("tb_{unit}.v"))];
-    if top {
-        files.push(file(format!("tb_{unit}_top.v")));
+    let mut files = vec![file(format!("{top}.v"))];
+    if clocked {
+        files.push(file(format!("{top}_top.v")));
     }
     files
 }

@@ -22,7 +22,7 @@ struct Param {
     default: i64,
 }
 
-/// The benches of `units` and of `traverse`, whose emitted names start with `prefix`; beside `traverse` stands the number of clocks until its
+/// The benches of `units` and of `traverse`; all names, those of the benches too, start with `prefix`. Beside `traverse` stands the number of clocks until its
 /// pipeline can be full.
 pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Module, u32)>, prefix: &str) -> Files {
     let mut env = Environment::new();
@@ -46,12 +46,12 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Module, u32)>, pref
     for m in units {
         let latency = m.latency.unwrap_or(0);
         let value = context! {
-            unit => m.name, dut => format!("{prefix}{}", m.name), params => params(m), latency, clocked => m.clk.is_some(),
+            prefix, unit => m.name, dut => format!("{prefix}{}", m.name), params => params(m), latency, clocked => m.clk.is_some(),
             travel_in => if latency == 0 { "1'b1" } else { "2" },
             inputs => ports(m.data_inputs().map(|p| p.1)), outputs => ports(m.data_outputs().map(|p| p.1)),
         };
-        files.insert(format!("testbench/tb_{}.v", m.name), render("unit", value.clone()));
-        files.insert(format!("testbench/tb_{}_top.v", m.name), render("top", value));
+        files.insert(format!("testbench/{prefix}tb_{}.v", m.name), render("unit", value.clone()));
+        files.insert(format!("testbench/{prefix}tb_{}_top.v", m.name), render("top", value));
     }
     let Some((traverse, warm_up)) = traverse else { return files };
     let named = |names: &[&str]| ports(names.iter().map(|n| traverse.port(n).expect("traverse has its ports").1));
@@ -59,13 +59,13 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Module, u32)>, pref
     let chosen = traverse.nodes.iter().filter(|n| n.name.as_deref() == Some("done")).filter_map(|n| n.stage).min();
     let value = context! {
         enters => chosen.unwrap_or(0),
-        unit => "traverse", dut => format!("{prefix}traverse"), params => params(traverse), warm_up,
+        prefix, unit => "traverse", dut => format!("{prefix}traverse"), params => params(traverse), warm_up,
         // The published datapath has rays that never end by themselves.
         lingers => traverse.params.iter().any(|p| p.name == "NUDGE_W"),
         inputs => named(&crate::trace::inputs(traverse)), outputs => named(&crate::trace::outputs(traverse)),
     };
-    files.insert("testbench/tb_traverse.v".into(), render("traverse", value.clone()));
-    files.insert("testbench/tb_traverse_top.v".into(), render("top", value));
+    files.insert(format!("testbench/{prefix}tb_traverse.v"), render("traverse", value.clone()));
+    files.insert(format!("testbench/{prefix}tb_traverse_top.v"), render("top", value));
     files
 }
 

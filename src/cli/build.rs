@@ -87,11 +87,12 @@ pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
         );
     }
     println!("\nNext, in {}:", a.out.display());
+    let top = format!("{}tb_traverse", c.emit.prefix);
     println!(
-        "  iverilog -g2005 -Wall -y rtl -s tb_traverse_top -o tb.vvp testbench/tb_traverse.v testbench/tb_traverse_top.v && vvp -n tb.vvp"
+        "  iverilog -g2005 -Wall -y rtl -s {top}_top -o tb.vvp testbench/{top}.v testbench/{top}_top.v && vvp -n tb.vvp"
     );
     println!(
-        "  verilator --cc --exe --build -O3 -Wno-lint --prefix Vtb --top-module tb_traverse -y rtl testbench/tb_traverse.v testbench/verilator_main.cpp && ./obj_dir/Vtb"
+        "  verilator --cc --exe --build -O3 -Wno-lint --prefix Vtb --top-module {top} -y rtl testbench/{top}.v testbench/verilator_main.cpp && ./obj_dir/Vtb"
     );
     println!("  open preview.png");
     Ok(())

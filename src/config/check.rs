@@ -84,11 +84,11 @@ fn words_problem(path: &str, list: &[Value], words: &[&str]) -> Option<String> {
     None
 }
 
-fn is_prefix(text: &str) -> bool {
+/// True if `text` may stand before a module's name: the start of an identifier, at most 32 characters.
+pub(crate) fn is_prefix(text: &str) -> bool {
     text.len() <= 32
         && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
         && !text.starts_with(|c: char| c.is_ascii_digit())
-        && !["tb_", "fv_"].contains(&text)
 }
 
 /// A value as it would stand in the file, cut if it is long.

@@ -251,7 +251,7 @@ impl Default for VectorsConfig {
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct EmitConfig {
-    /// Put before the name of every emitted module; empty, or a Verilog identifier.
+    /// Put before the name of every emitted module and file; empty, or a Verilog identifier.
     pub prefix: String,
     /// Units besides what the traversal needs.
     pub units: Vec<ExtraUnit>,
@@ -261,6 +261,6 @@ pub struct EmitConfig {
 
 impl Default for EmitConfig {
     fn default() -> Self {
-        Self { prefix: String::new(), units: Vec::new(), clock_mhz: 84 }
+        Self { prefix: "relief_".into(), units: Vec::new(), clock_mhz: 84 }
     }
 }

@@ -34,9 +34,7 @@ impl fmt::Display for Legal {
             Self::Flag => f.write_str("true or false"),
             Self::Word(words) | Self::Words(words) | Self::SomeWords(words) => f.write_str(&words.join(", ")),
             Self::Path => f.write_str("a path"),
-            Self::Prefix => f.write_str(
-                "empty, or letters, digits and _ with no digit first, at most 32; not tb_ or fv_, as benches are named",
-            ),
+            Self::Prefix => f.write_str("empty, or letters, digits and _ with no digit first, at most 32"),
         }
     }
 }
@@ -236,7 +234,7 @@ pub const KEYS: &[Key] = &[
     key("vectors.seed", "its seed", SEED),
     key("vectors.arithmetic", "vectors of each arithmetic unit", Legal::Whole(1, 1_000_000)),
     key("vectors.rays", "rays of each view", Legal::Whole(1, 1_000_000)),
-    key("emit.prefix", "put before the name of every emitted module", Legal::Prefix),
+    key("emit.prefix", "put before the name of every emitted module and file", Legal::Prefix),
     key("emit.units", "units besides what the traversal needs", Legal::SomeWords(ExtraUnit::WORDS)),
     key("emit.clock_mhz", "clock that the constraints in flow/ ask for, in MHz", Legal::Whole(1, 1000)),
 ];

@@ -3,9 +3,11 @@
 //! Everything is made in memory first; the same configuration gives the same bytes.
 mod flow;
 mod manifest;
+mod tree;
 
 pub use flow::flow;
 pub use manifest::manifest;
+pub use tree::{emitted_name, manifest_prefix};
 
 use crate::config::{Config, DatapathKind, Divider, ExtraUnit, Trim};
 use crate::error::{Error, Result};

@@ -73,6 +73,12 @@ pub fn check_tree(
     wave: Option<&Path>,
     seen: &(dyn Fn(&Checked) + Sync),
 ) -> Result<Vec<Checked>> {
+    let mut c = c.clone();
+    // The names in a tree are the tree's own; what it computes is the configuration's.
+    if let Some(prefix) = crate::emit::manifest_prefix(dir) {
+        c.emit.prefix = prefix;
+    }
+    let c = &c;
     let d = c.design();
     let alone: Option<Vec<_>> = only.iter().map(|name| super::alone(c, name)).collect();
     let list = match alone.filter(|units| !units.is_empty()) {

@@ -75,7 +75,7 @@ impl Flights {
     /// When a ray is done is left open, so what is proved holds whatever the datapath computes.
     pub(super) fn script(&self) -> String {
         let free = if self.decided { format!("s{}_ends", self.last) } else { "s0_back_done".into() };
-        let mut s = format!("cd fv_traverse\ncutpoint w:dut.{free}\n");
+        let mut s = format!("cutpoint w:dut.{free}\n");
         let mut tie = |to: String, from: &str| {
             writeln!(s, "connect -nounset -set {to} \\dut.{from}").expect("writing to a string");
         };
@@ -99,6 +99,6 @@ impl Flights {
                 registers.iter().for_each(|r| tie(format!("{door}_{r}"), &format!("u_{door}_{unit}.{r}")));
             }
         }
-        s + "cd ..\n"
+        s
     }
 }

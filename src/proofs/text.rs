@@ -41,7 +41,7 @@ pub fn proof_files(d: &Design, units: &[Arc<Module>], t: &Traverse, prefix: &str
             trims => d.mode.trim != Trim::None, lod => d.mode.lod, rule => rule(d.mode.level_up), slots => flights.len(), lengths => LENGTHS.collect::<Vec<u32>>(), tag_w => d.traverse.tag_bits,
         };
         let text = env.render_str(harness, value).expect("templates use only what they are given");
-        out.insert(format!("testbench/fv_{}.v", p.name), text);
+        out.insert(format!("testbench/{prefix}fv_{}.v", p.name), text);
         let extra = match p.name {
             "traverse" => flights.script(),
             "delay_line" => rings(),
@@ -57,7 +57,7 @@ pub fn proof_files(d: &Design, units: &[Arc<Module>], t: &Traverse, prefix: &str
             Reach::Clocks(n) => ("bmc", n),
             Reach::Induction(n) => ("prove", n),
         };
-        out.insert(format!("testbench/fv_{}.sby", p.name), script(p, mode, depth, &extra, files));
+        out.insert(format!("testbench/{prefix}fv_{}.sby", p.name), script(p, mode, depth, &extra, prefix, files));
     }
     out
 }
@@ -85,14 +85,14 @@ const LENGTHS: std::ops::RangeInclusive<u32> = 3..=17;
 
 /// Connects the wires of the line's harness to the words and the place of a ring of each length; the memory becomes registers before.
 fn rings() -> String {
-    let mut s = "cd fv_delay_line\nmemory_map\n".to_string();
+    let mut s = "memory_map\n".to_string();
     for n in LENGTHS {
         for k in 0..n - 1 {
             writeln!(s, "connect -nounset -set ring_{n}_{k} \\dut_{n}.ring[{k}]").expect("writing to a string");
         }
         writeln!(s, "connect -nounset -set place_{n} \\dut_{n}.place").expect("writing to a string");
     }
-    s + "cd ..\n"
+    s
 }
 
 /// Connects the wires of a harness to registers inside.
@@ -101,15 +101,16 @@ fn peeks(p: &Proof) -> String {
         return String::new();
     }
     let lines = p.peeks.iter().map(|(to, from)| format!("connect -nounset -set {to} \\{from}\n"));
-    format!("cd fv_{}\n{}cd ..\n", p.name, lines.collect::<String>())
+    lines.collect()
 }
 
-fn script(p: &Proof, mode: &str, depth: u32, extra: &str, files: &[String]) -> String {
-    let (name, engine) = (p.name, p.engine);
+fn script(p: &Proof, mode: &str, depth: u32, extra: &str, prefix: &str, files: &[String]) -> String {
+    let (name, engine) = (format!("{prefix}fv_{}", p.name), p.engine);
+    let extra = if extra.is_empty() { String::new() } else { format!("cd {name}\n{extra}cd ..\n") };
     let list: String = files.iter().map(|f| format!("../rtl/{f}\n")).collect();
     let read: String = files.iter().map(|f| format!("read_verilog {f}\n")).collect();
     format!(
-        "[options]\nmode {mode}\ndepth {depth}\n\n[engines]\n{engine}\n\n[script]\nread_verilog -formal fv_{name}.v\n{read}hierarchy -check -top fv_{name}\nproc\nflatten\n{extra}opt_clean\nprep -top fv_{name}\n\n[files]\nfv_{name}.v\n{list}"
+        "[options]\nmode {mode}\ndepth {depth}\n\n[engines]\n{engine}\n\n[script]\nread_verilog -formal {name}.v\n{read}hierarchy -check -top {name}\nproc\nflatten\n{extra}opt_clean\nprep -top {name}\n\n[files]\n{name}.v\n{list}"
     )
 }
 

@@ -16,9 +16,9 @@ fn build_says_what_it_did() {
         assert!(text.contains(part), "{part} is missing in:\n{text}");
     }
     for file in [
-        "rtl/traverse.v",
+        "rtl/relief_traverse.v",
         "rtl/filelist.f",
-        "testbench/tb_traverse.v",
+        "testbench/relief_tb_traverse.v",
         "golden/fp_add/vectors.json",
         "manifest.json",
         "preview.png",

@@ -27,7 +27,7 @@ fn the_first_mismatch_is_a_waveform() {
 fn a_tree_that_was_edited_is_not_checked_by_the_interpreter() {
     let dir = tempfile::tempdir().unwrap();
     assert_eq!(said(dir.path(), &[&["build"][..], &SMALL].concat()).0, Some(0));
-    let file = dir.path().join("out/rtl/level_up.v");
+    let file = dir.path().join("out/rtl/relief_level_up.v");
     let text = std::fs::read_to_string(&file).unwrap();
     let check = [&["check", "--dir", "out", "--unit", "level_up"][..], &SMALL].concat();
     assert_eq!(said(dir.path(), &check).0, Some(0));
@@ -84,7 +84,7 @@ fn a_simulator_names_the_first_wrong_iteration() {
     // What is spoiled may well go round for ever.
     let small = [&SMALL[..], &["--set", "traverse.step_limit=100"]].concat();
     assert_eq!(said(dir.path(), &[&["build"][..], &small].concat()).0, Some(0));
-    let file = dir.path().join("out/rtl/multi_level_down.v");
+    let file = dir.path().join("out/rtl/relief_multi_level_down.v");
     let text = std::fs::read_to_string(&file).unwrap();
     let right = "y_child = y_before ? y_low : y_behind";
     assert!(text.contains(right), "{text}");

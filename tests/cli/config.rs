@@ -128,7 +128,7 @@ fn out_of_range_names_key_value_and_range() {
     assert_eq!(set("view.names=[]"), "view.names is empty: at least one of front, oblique, grazing is needed (--set)");
     assert_eq!(
         set("emit.prefix=1a"),
-        "emit.prefix = \"1a\" can't stand before a module's name: empty, or letters, digits and _ with no digit first, at most 32; not tb_ or fv_, as benches are named (--set)"
+        "emit.prefix = \"1a\" can't stand before a module's name: empty, or letters, digits and _ with no digit first, at most 32 (--set)"
     );
     assert_eq!(parse("[map]\nfile = 3"), "map.file = 3 is not a path in quotes (config.toml, line 2)");
 }

@@ -18,14 +18,14 @@ fn arithmetic_stands_alone_with_every_choice() {
             let (code, text) = ask(&[&[part, "--unit", unit, "--out", unit], &choice[..]].concat());
             assert_eq!(code, Some(0), "{text}");
         }
-        let verilog = std::fs::read_to_string(dir.path().join(format!("{unit}/rtl/{unit}.v"))).unwrap();
+        let verilog = std::fs::read_to_string(dir.path().join(format!("{unit}/rtl/relief_{unit}.v"))).unwrap();
         let told = verilog.replace("\n//            ", " ");
         assert!(
             told.contains("float 8/16 down gradual") && told.contains("rounded toward minus infinity"),
             "{verilog}"
         );
         let manifest = std::fs::read_to_string(dir.path().join(format!("{unit}/manifest.json"))).unwrap();
-        assert!(manifest.contains(&format!("\"name\": \"{unit}\"")));
+        assert!(manifest.contains(&format!("\"name\": \"relief_{unit}\"")));
         let (code, text) = ask(&[&["check", "--unit", unit, "--dir", unit], &choice[..]].concat());
         assert_eq!(code, Some(0), "{text}");
         assert!(text.contains("0 of 2000 mismatched"), "{text}");
@@ -48,7 +48,7 @@ fn arithmetic_stands_alone_at_formats_that_no_map_fits() {
     let format = ["--set", "format.exp=4", "--set", "format.man=3"];
     let (code, text) = said(dir.path(), &[&["emit", "--unit", "fp_add"][..], &format].concat());
     assert_eq!(code, Some(0), "{text}");
-    let emitted = std::fs::read_to_string(dir.path().join("out/rtl/fp_add.v")).unwrap();
+    let emitted = std::fs::read_to_string(dir.path().join("out/rtl/relief_fp_add.v")).unwrap();
     assert!(emitted.contains("EXP_W = 4") && emitted.contains("MAN_W = 3"), "{emitted}");
     assert_eq!(said(dir.path(), &[&["emit"][..], &format].concat()).0, Some(2));
     // All pairs of 8-bit operands, as files and replayed.
@@ -79,9 +79,11 @@ fn several_units_share_a_tree() {
     let list = std::fs::read_to_string(dir.path().join("out/rtl/filelist.f")).unwrap();
     for unit in ["fp_add", "fp_lt", "fp_sqrt"] {
         assert!(list.contains(&format!("{unit}.v")), "{list}");
-        for file in
-            [format!("flow/{unit}/ecp5.sh"), format!("flow/{unit}/{unit}.sdc"), format!("testbench/tb_{unit}.v")]
-        {
+        for file in [
+            format!("flow/relief_{unit}/ecp5.sh"),
+            format!("flow/relief_{unit}/relief_{unit}.sdc"),
+            format!("testbench/relief_tb_{unit}.v"),
+        ] {
             assert!(dir.path().join("out").join(&file).is_file(), "{file}");
         }
     }

@@ -17,10 +17,11 @@ fn skip() -> bool {
 /// Puts a wrapper in the place of `m`: `body` drives what `taken` takes away from the real unit (its ports are then `inner_<port>`).
 fn wrap(dir: &Path, m: &Module, taken: &[&str], body: &str) {
     let rtl = dir.join("rtl");
-    let place = rtl.join(format!("{}.v", m.name));
+    let name = format!("relief_{}", m.name);
+    let place = rtl.join(format!("{name}.v"));
     let text = std::fs::read_to_string(&place).unwrap();
-    let inner = format!("{}_inner", m.name);
-    let head = format!("module {} ", m.name);
+    let inner = format!("{name}_inner");
+    let head = format!("module {name} ");
     assert!(text.contains(&head));
     std::fs::write(rtl.join(format!("{inner}.v")), text.replacen(&head, &format!("module {inner} "), 1)).unwrap();
     let params: Vec<String> =
@@ -32,7 +33,7 @@ fn wrap(dir: &Path, m: &Module, taken: &[&str], body: &str) {
         format!("{dir} wire {} {}", range(&p.width), p.name)
     };
     let ports: Vec<String> = m.ports.iter().map(port).collect();
-    let mut out = format!("module {} #({}) ({});\n", m.name, params.join(", "), ports.join(", "));
+    let mut out = format!("module {name} #({}) ({});\n", params.join(", "), ports.join(", "));
     for p in m.ports.iter().filter(|p| taken.contains(&p.name.as_str())) {
         writeln!(out, "wire {} inner_{};", range(&p.width), p.name).unwrap();
     }
@@ -162,7 +163,7 @@ fn faults_of_a_pipeline_are_mismatches() {
     let m = find(&d, "fp_add").unwrap();
     let set = vector_set(&d, &m, &Binding::new(), Plan { rows: 300, seed: 1 });
     let rtl = reliefrtl::project::hardware(&c).unwrap().files;
-    let benches = reliefrtl::bench::bench_files(std::slice::from_ref(&m), None, "");
+    let benches = reliefrtl::bench::bench_files(std::slice::from_ref(&m), None, "relief_");
     let faults: &[(&str, &[&str], &str, i32)] = &[
         ("none", &[], "", 0),
         ("the clock enable is not connected", &["ce"], "assign inner_ce = 1'b1;", 1),

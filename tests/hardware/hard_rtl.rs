@@ -130,7 +130,7 @@ fn in_simulator(sim: Simulator, sets: &[&str]) {
     let p = hardware(&c).unwrap();
     let depth = p.traverse.setup + p.traverse.slots + p.traverse.finish;
     let mut files = p.files;
-    files.extend(bench_files(&[], Some((&p.traverse.module, depth)), ""));
+    files.extend(bench_files(&[], Some((&p.traverse.module, depth)), "relief_"));
     let checked: usize = given
         .par_iter()
         .map(|g| {

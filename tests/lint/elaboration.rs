@@ -11,12 +11,13 @@ const TOOLS: [Tool; 3] = [Tool::Icarus, Tool::Verilator, Tool::VerilatorNew];
 fn elaborate(tool: Tool, m: &Module, values: &Binding) -> Option<Said> {
     let e: &Emitted = extra();
     let mut c = tool.command()?;
+    let name = format!("{}{}", e.config.emit.prefix, m.name);
     match tool {
         Tool::Icarus => {
-            c.args(values.iter().map(|(k, v)| format!("-P{}.{k}={v}", m.name))).args(["-s", &m.name]);
+            c.args(values.iter().map(|(k, v)| format!("-P{name}.{k}={v}"))).args(["-s", &name]);
         }
         _ => {
-            c.args(values.iter().map(|(k, v)| format!("-G{k}={v}"))).args(["--top-module", &m.name]);
+            c.args(values.iter().map(|(k, v)| format!("-G{k}={v}"))).args(["--top-module", &name]);
         }
     }
     Some(run(c.args(e.verilog()), &e.dir))

@@ -71,7 +71,7 @@ fn a_spoiled_unit_is_disproved() {
     let dir = tempfile::tempdir().unwrap();
     ok(dir.path(), &[&["build"], &SMALL[..]].concat());
     for (unit, proof, from, to) in SPOILED {
-        let file = dir.path().join(format!("out/rtl/{unit}.v"));
+        let file = dir.path().join(format!("out/rtl/relief_{unit}.v"));
         let text = std::fs::read_to_string(&file).unwrap();
         assert!(text.contains(from), "{unit} has no {from}");
         std::fs::write(&file, text.replacen(from, to, 1)).unwrap();
@@ -120,7 +120,7 @@ fn a_spoiled_handshake_is_disproved() {
         let design = ["--set", &set, "--set", "latency.delay_line=3", "--set", "latency.div=8"];
         ok(dir.path(), &[&["build"], &design[..], &SMALL[..]].concat());
         for (_, unit, proof, from, to) in SPOILED_HANDSHAKES.iter().filter(|s| s.0 == handshake) {
-            let file = dir.path().join(format!("out/rtl/{unit}.v"));
+            let file = dir.path().join(format!("out/rtl/relief_{unit}.v"));
             let text = std::fs::read_to_string(&file).unwrap();
             assert!(text.contains(from), "{unit} has no {from}");
             std::fs::write(&file, text.replacen(from, to, 1)).unwrap();
@@ -170,7 +170,7 @@ fn a_spoiled_unit_of_the_fixed_datapath_is_disproved() {
     let dir = tempfile::tempdir().unwrap();
     ok(dir.path(), &[&["build"], &FIXED[..], &SMALL[..]].concat());
     for (unit, proof, from, to) in SPOILED_FIXED {
-        let file = dir.path().join(format!("out/rtl/{unit}.v"));
+        let file = dir.path().join(format!("out/rtl/relief_{unit}.v"));
         let text = std::fs::read_to_string(&file).unwrap();
         assert!(text.contains(from), "{unit} has no {from}");
         std::fs::write(&file, text.replacen(from, to, 1)).unwrap();

@@ -1,6 +1,6 @@
-// tb_{{ unit }}_top: makes the clock of tb_{{ unit }} for event-driven simulators.
+// {{ prefix }}tb_{{ unit }}_top: makes the clock of {{ prefix }}tb_{{ unit }} for event-driven simulators.
 `default_nettype none
-module tb_{{ unit }}_top{% if params %} #(
+module {{ prefix }}tb_{{ unit }}_top{% if params %} #(
 {%- for p in params %}
   parameter integer {{ p.name }} = {{ p.default }}{% if not loop.last %},{% endif %}
 {%- endfor %}
@@ -9,7 +9,7 @@ module tb_{{ unit }}_top{% if params %} #(
   wire       done;
   wire [7:0] exit_code;
 
-  tb_{{ unit }}{% if params %} #(
+  {{ prefix }}tb_{{ unit }}{% if params %} #(
 {%- for p in params %}
     .{{ p.name }}({{ p.name }}){% if not loop.last %},{% endif %}
 {%- endfor %}

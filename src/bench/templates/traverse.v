@@ -1,4 +1,4 @@
-// tb_traverse: loads the pyramid, sends the golden rays, and checks that every ray comes back exactly once and right.
+// {{ prefix }}tb_traverse: loads the pyramid, sends the golden rays, and checks that every ray comes back exactly once and right.
 //   +vectors=DIR   directory with memory.hex, stimulus.hex, expected.hex (default golden/traverse)
 //   +gaps          rays are held back at random      +stalls    results are taken at random
 //   +flood         fills the pipeline with rays, resets it, and only then runs the set
@@ -10,7 +10,7 @@
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
 // 5 nothing ran, 6 a ray never came back, 7 a result that nobody expected.
 `default_nettype none
-module tb_traverse #(
+module {{ prefix }}tb_traverse #(
 {%- for p in params %}
   parameter integer {{ p.name }} = {{ p.default }}{% if not loop.last %},{% endif %}
 {%- endfor %}

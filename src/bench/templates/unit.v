@@ -1,9 +1,9 @@
-// tb_{{ unit }}: replays the golden vectors of {{ unit }} with random clock-enable gaps.
+// {{ prefix }}tb_{{ unit }}: replays the golden vectors of {{ unit }} with random clock-enable gaps.
 //   +vectors=DIR   directory with stimulus.hex and expected.hex (default golden/{{ unit }})
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
 // 5 nothing ran, 6 a result never came, 7 a result that nobody expected.
 `default_nettype none
-module tb_{{ unit }}{% if params %} #(
+module {{ prefix }}tb_{{ unit }}{% if params %} #(
 {%- for p in params %}
   parameter integer {{ p.name }} = {{ p.default }}{% if not loop.last %},{% endif %}
 {%- endfor %}

@@ -2,7 +2,7 @@
 //
 // Beside each line stand registers in a row. The newest word is the one before the place that comes next.
 `default_nettype none
-module fv_delay_line (input wire clk);
+module {{ prefix }}fv_delay_line (input wire clk);
   (* anyseq *) wire ce;
   (* anyseq *) wire word;
 {%- for n in lengths %}

@@ -2,7 +2,7 @@
 //
 // Setup, a plane's parameter and the chord's end at it. Chords grow with the parameter, so those of later ones end behind the plane as well.
 `default_nettype none
-module fv_fixed_chord_end (input wire clk);
+module {{ prefix }}fv_fixed_chord_end (input wire clk);
   localparam integer F = {{ value("plane_time", "FRACTION_W") }};
   localparam integer N = {{ value("plane_time", "LEVELS") }};
   localparam integer T = {{ value("plane_time", "TILE_W") }};

@@ -3,7 +3,7 @@
 // A plane of a ray in either direction. Shifting, a product with a constant and rounding down are monotone, and so is what is cut off at the
 // largest word: a later plane never has a smaller parameter. Watertightness stands on this.
 `default_nettype none
-module fv_fixed_plane_time (input wire clk);
+module {{ prefix }}fv_fixed_plane_time (input wire clk);
   localparam integer F = {{ value("plane_time", "FRACTION_W") }};
   localparam integer W = {{ value("plane_time", "RECIP_W") }};
   localparam integer N = {{ value("plane_time", "LEVELS") }};

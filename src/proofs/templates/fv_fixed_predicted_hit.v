@@ -2,7 +2,7 @@
 //
 // Setup, a plane's parameter and the estimate just before it. Estimates grow with the parameter, so none before passes the plane either.
 `default_nettype none
-module fv_fixed_predicted_hit (input wire clk);
+module {{ prefix }}fv_fixed_predicted_hit (input wire clk);
   localparam integer F = {{ value("plane_time", "FRACTION_W") }};
   localparam integer N = {{ value("plane_time", "LEVELS") }};
   localparam integer T = {{ value("plane_time", "TILE_W") }};

@@ -2,7 +2,7 @@
 //
 // The reference adds integers in units of the smallest number's last place, and rounds the sum once.
 `default_nettype none
-module fv_fp_add (input wire clk);
+module {{ prefix }}fv_fp_add (input wire clk);
   localparam integer E = {{ value("fp_add", "EXP_W") }};
   localparam integer M = {{ value("fp_add", "MAN_W") }};
   localparam integer W = (1 << E) + M + 2;

@@ -1,6 +1,6 @@
 // Proof harness: {{ claim }}.
 `default_nettype none
-module fv_fp_lt (input wire clk);
+module {{ prefix }}fv_fp_lt (input wire clk);
   localparam integer E = {{ value("fp_lt", "EXP_W") }};
   localparam integer M = {{ value("fp_lt", "MAN_W") }};
 {{ instance("fp_lt", "") }}

@@ -2,7 +2,7 @@
 //
 // The reference multiplies significands as integers, and rounds the product once, with an unbounded exponent.
 `default_nettype none
-module fv_fp_mul (input wire clk);
+module {{ prefix }}fv_fp_mul (input wire clk);
   localparam integer E = {{ value("fp_mul", "EXP_W") }};
   localparam integer M = {{ value("fp_mul", "MAN_W") }};
   localparam integer BIAS = (1 << (E - 1)) - 1;

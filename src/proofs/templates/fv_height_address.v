@@ -1,6 +1,6 @@
 // Proof harness: {{ claim }}.
 `default_nettype none
-module fv_height_address;
+module {{ prefix }}fv_height_address;
   localparam integer LEVELS = {{ value("height_address", "LEVELS") }};
   localparam [63:0] DEPTH = ((64'd4 << (2 * LEVELS)) - 64'd1) / 64'd3;
 {{ instance("height_address", "p_") }}

@@ -1,6 +1,6 @@
 // Proof harness: {{ claim }}.
 `default_nettype none
-module fv_interleave;
+module {{ prefix }}fv_interleave;
   (* anyconst *) wire [31:0] even;
   (* anyconst *) wire [31:0] odd;
   genvar w, k;

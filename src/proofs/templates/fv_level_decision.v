@@ -1,6 +1,6 @@
 // Proof harness: {{ claim }}.
 `default_nettype none
-module fv_level_decision;
+module {{ prefix }}fv_level_decision;
 {{ instance("level_decision", "") }}
   always @* begin
     assert (hit == (is_inside && level == {% if lod %}lod{% else %}0{% endif %}));

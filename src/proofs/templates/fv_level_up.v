@@ -1,6 +1,6 @@
 // Proof harness: {{ claim }} ({{ rule }}).
 `default_nettype none
-module fv_level_up{% if latency > 0 %} (input wire clk){% endif %};
+module {{ prefix }}fv_level_up{% if latency > 0 %} (input wire clk){% endif %};
   localparam integer LEVELS = {{ value("level_up", "LEVELS") }};
 {{ instance("level_up", "") }}
 {%- if rule == "selective" %}

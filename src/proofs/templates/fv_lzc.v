@@ -1,6 +1,6 @@
 // Proof harness: {{ claim }}.
 `default_nettype none
-module fv_lzc;
+module {{ prefix }}fv_lzc;
   (* anyconst *) wire [63:0] word;
   genvar w;
   generate

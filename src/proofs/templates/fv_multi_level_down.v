@@ -1,6 +1,6 @@
 // Proof harness: {{ claim }}.
 `default_nettype none
-module fv_multi_level_down{% if latency > 0 %} (input wire clk){% endif %};
+module {{ prefix }}fv_multi_level_down{% if latency > 0 %} (input wire clk){% endif %};
   localparam integer LEVELS = {{ value("multi_level_down", "LEVELS") }};
   localparam integer MANY = {{ levels_down }};
 {{ instance("multi_level_down", "") }}

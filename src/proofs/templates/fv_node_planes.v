@@ -1,6 +1,6 @@
 // Proof harness: {{ claim }}.
 `default_nettype none
-module fv_node_planes{% if latency > 0 %} (input wire clk){% endif %};
+module {{ prefix }}fv_node_planes{% if latency > 0 %} (input wire clk){% endif %};
   localparam integer LEVELS = {{ value("node_planes", "LEVELS") }};
   localparam integer IDX_W = {{ value("node_planes", "IDX_W") }};
 {{ instance("node_planes", "") }}

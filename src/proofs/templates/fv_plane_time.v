@@ -2,7 +2,7 @@
 //
 // Two planes of one ray that runs toward larger coordinates. Watertightness stands on this.
 `default_nettype none
-module fv_plane_time (input wire clk);
+module {{ prefix }}fv_plane_time (input wire clk);
   localparam integer E = {{ value("plane_time", "EXP_W") }};
   localparam integer M = {{ value("plane_time", "MAN_W") }};
   localparam integer IDX_W = {{ value("plane_time", "IDX_W") }};

@@ -3,7 +3,7 @@
 // The units of an iteration that handle indices, put together as in traverse. What the arithmetic says (inside or not, which plane comes
 // first, the predicted hit, the level-up rule) is left open, so the claim holds whatever it says.
 `default_nettype none
-module fv_progress{% if latency > 0 %} (input wire clk){% endif %};
+module {{ prefix }}fv_progress{% if latency > 0 %} (input wire clk){% endif %};
   localparam integer LEVELS = {{ value("node_planes", "LEVELS") }};
   localparam integer IDX_W = {{ value("node_planes", "IDX_W") }};
 {{ instance("node_planes", "u_") }}

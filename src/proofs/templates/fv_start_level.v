@@ -1,6 +1,6 @@
 // Proof harness: {{ claim }}.
 `default_nettype none
-module fv_start_level;
+module {{ prefix }}fv_start_level;
   localparam integer LEVELS = {{ value("start_level", "LEVELS") }};
 {{ instance("start_level", "") }}
   // At level n both ends lie in one node.

@@ -3,7 +3,7 @@
 // A pipeline of any length stands between setting out and arriving: what has set out arrives whenever it likes, in order. Words are
 // numbered modulo 64; place k holds words whose number ends in k.
 `default_nettype none
-module fv_stream_queue (input wire clk);
+module {{ prefix }}fv_stream_queue (input wire clk);
   (* anyseq *) wire rst;
   (* anyseq *) wire offers;
   (* anyseq *) wire arrives;

@@ -2,7 +2,7 @@
 //
 // Words carry their number, modulo 16: what leaves must have the number of the next one that leaves.
 `default_nettype none
-module fv_stream_skid (input wire clk);
+module {{ prefix }}fv_stream_skid (input wire clk);
   (* anyseq *) wire rst;
   (* anyseq *) wire in_valid;
   (* anyseq *) wire out_ready;

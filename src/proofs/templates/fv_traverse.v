@@ -2,7 +2,7 @@
 //
 // The rays inside that carry one tag, any tag, are counted at both doors and in the pipeline itself. When a ray is done is left open.
 `default_nettype none
-module fv_traverse (input wire clk);
+module {{ prefix }}fv_traverse (input wire clk);
   localparam integer N = {{ slots }};
   localparam integer TAG_W = {{ tag_w }};
   (* anyseq *) wire rst;

@@ -3,7 +3,7 @@
 // Rays are counted at both doors and inside. That each keeps its words is what the proofs of what stands between the pipelines say, and that
 // words are delayed as their valid bits are. When a ray is done is left open.
 `default_nettype none
-module fv_traverse (input wire clk);
+module {{ prefix }}fv_traverse (input wire clk);
   (* anyseq *) wire rst;
   (* anyseq *) wire in_valid;
   (* anyseq *) wire out_ready;
