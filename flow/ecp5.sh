@@ -1,5 +1,5 @@
 #!/bin/sh
-# Places and routes traverse on an ECP5 (LFE5U-85F, speed grade 8) at each seed of nextpnr.
+# Places and routes relief_traverse on an ECP5 (LFE5U-85F, speed grade 8) at each seed of nextpnr.
 #   sh flow/ecp5.sh [SEED...]
 # YOSYS and NEXTPNR name the programs; without them, what is found under the names of the distributions or of YoWASP. Results go to pnr/ beside rtl/.
 set -eu
@@ -21,7 +21,7 @@ mkdir -p pnr
 for seed in "${@:-1}"; do
   "$nextpnr" --85k --speed 8 --package CABGA756 --freq 84 --seed "$seed" \
     --placer-heap-timingweight 60 \
-    --json pnr/traverse.json --lpf flow/traverse.lpf --lpf-allow-unconstrained --timing-allow-fail \
-    --report "pnr/traverse-$seed.json" --textcfg "pnr/traverse-$seed.config" -q
-  echo "seed $seed: pnr/traverse-$seed.json"
+    --json pnr/relief_traverse.json --lpf flow/relief_traverse.lpf --lpf-allow-unconstrained --timing-allow-fail \
+    --report "pnr/relief_traverse-$seed.json" --textcfg "pnr/relief_traverse-$seed.config" -q
+  echo "seed $seed: pnr/relief_traverse-$seed.json"
 done

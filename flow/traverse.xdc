@@ -1,2 +1,0 @@
-# traverse: 84 MHz.
-create_clock -name clk -period 11.904 [get_ports clk]

@@ -1,0 +1,55 @@
+// relief_div_rows: rows of restoring division: compare, subtract, double; one quotient bit each
+// Source     src/units/div_rows.rs (emitted: do not edit)
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    none, combinational
+// Note       rem_in must be less than twice div.
+`default_nettype none
+module relief_div_rows #(
+  parameter integer W    = 17,  // bits of the divisor
+  parameter integer ROWS = 19   // quotient bits
+) (
+  input  wire [W:0]      rem_in,   // dividend, or the remainder that the rows before left [bits]
+  input  wire [W-1:0]    div,      // divisor [bits]
+  output wire [W:0]      rem_out,  // remainder, doubled once a row [bits]
+  output wire [ROWS-1:0] quot      // quotient bits, the first on top [bits]
+);
+
+  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  generate
+    if (2 > W) begin : gen_illegal_0
+      must_hold_2_at_most_W u_illegal ();
+    end
+    if (W > 62) begin : gen_illegal_1
+      must_hold_W_at_most_62 u_illegal ();
+    end
+    if (1 > ROWS) begin : gen_illegal_2
+      must_hold_1_at_most_ROWS u_illegal ();
+    end
+    if (ROWS > 64) begin : gen_illegal_3
+      must_hold_ROWS_at_most_64 u_illegal ();
+    end
+  endgenerate
+
+  // Each row: subtract if it fits, digit 1 if it did, and double what is left.
+  genvar r;
+  generate
+    for (r = 0; r < ROWS; r = r + 1) begin : gen_row
+      wire [W:0]   here;
+      wire [W+1:0] diff = {1'b0, here} - {2'b00, div};
+      wire         fits = ~diff[W+1];
+      wire [W:0]   next = {fits ? diff[W-1:0] : here[W-1:0], 1'b0};
+      if (r == 0) begin : gen_first
+        assign here = rem_in;
+      end else begin : gen_later
+        assign here = gen_row[r-1].next;
+      end
+      assign quot[ROWS-1-r] = fits;
+      // verilator lint_off UNUSED
+      wire unused_top = &{1'b0, diff[W]};
+      // verilator lint_on UNUSED
+    end
+  endgenerate
+  assign rem_out = gen_row[ROWS-1].next;
+endmodule
+`default_nettype wire

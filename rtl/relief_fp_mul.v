@@ -1,0 +1,146 @@
+// relief_fp_mul: product of two floating-point numbers, rounded once
+// Source     src/units/float/mul.rs (emitted: do not edit)
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    2 clocks
+// Throughput one result per clock
+// Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
+//            0 reads as zero of its sign; results below the smallest normal, after rounding, become
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
+//            out); nearest, ties to even; x - x is +0.
+`default_nettype none
+module relief_fp_mul #(
+  parameter integer EXP_W = 7,   // exponent bits
+  parameter integer MAN_W = 16   // fraction bits, the hidden one not counted
+) (
+  input  wire                 clk,     // rising edge
+  input  wire                 ce,      // clock enable: registers hold while 0
+  input  wire [EXP_W+MAN_W:0] a,       // first factor [float]
+  input  wire [EXP_W+MAN_W:0] b,       // second factor [float]
+  output wire [EXP_W+MAN_W:0] result   // a * b [float]
+);
+  localparam integer FloatW = EXP_W + MAN_W + 1;
+  localparam integer ExpSumW = EXP_W + 2;
+  localparam integer SigW = MAN_W + 1;
+
+  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  generate
+    if (2 > EXP_W) begin : gen_illegal_0
+      must_hold_2_at_most_EXP_W u_illegal ();
+    end
+    if (EXP_W > 11) begin : gen_illegal_1
+      must_hold_EXP_W_at_most_11 u_illegal ();
+    end
+    if (2 > MAN_W) begin : gen_illegal_2
+      must_hold_2_at_most_MAN_W u_illegal ();
+    end
+    if (MAN_W > 28) begin : gen_illegal_3
+      must_hold_MAN_W_at_most_28 u_illegal ();
+    end
+  endgenerate
+
+  // ---- stage 0: operands ------------------------------------------------------- mul.rs
+  wire               s0_a_sign = a[FloatW-1];
+  wire [EXP_W-1:0]   s0_a_exp = a[EXP_W+MAN_W-1:MAN_W];
+  wire [MAN_W-1:0]   s0_a_frac = a[MAN_W-1:0];
+  wire               s0_a_is_zero = ~(|s0_a_exp);
+  wire               s0_a_exp_ones = &s0_a_exp;
+  wire               s0_a_frac_some = |s0_a_frac;
+  wire               s0_a_is_inf = s0_a_exp_ones & ~s0_a_frac_some;
+  wire               s0_a_is_nan = s0_a_exp_ones & s0_a_frac_some;
+  wire               s0_b_sign = b[FloatW-1];
+  wire [EXP_W-1:0]   s0_b_exp = b[EXP_W+MAN_W-1:MAN_W];
+  wire [MAN_W-1:0]   s0_b_frac = b[MAN_W-1:0];
+  wire               s0_b_is_zero = ~(|s0_b_exp);
+  wire               s0_b_exp_ones = &s0_b_exp;
+  wire               s0_b_frac_some = |s0_b_frac;
+  wire               s0_b_is_inf = s0_b_exp_ones & ~s0_b_frac_some;
+  wire               s0_b_is_nan = s0_b_exp_ones & s0_b_frac_some;
+  wire [ExpSumW:0]   s0_exp_sum = {{{(ExpSumW - EXP_W){1'b0}}, s0_a_exp}, 1'b1} +
+      {{{(ExpSumW - EXP_W){1'b0}}, s0_b_exp}, 1'b1};
+  wire [2:0]         s0_exp_top = s0_exp_sum[EXP_W+2:EXP_W] - 3'd1;
+  wire [ExpSumW-1:0] s0_exp_low = {s0_exp_top, s0_exp_sum[EXP_W-1:1]};
+
+  // ---- stage 0: multiply ------------------------------------------------------- mul.rs
+  // The hidden bit is 1 for every operand: a zero operand overrides the result instead.
+  wire [2*MAN_W+1:0] s0_prod =
+      {{(MAN_W + 1){1'b0}}, {1'b1, s0_a_frac}} * {{(MAN_W + 1){1'b0}}, {1'b1, s0_b_frac}};
+  wire [ExpSumW-1:0] s0_exp_high = s0_exp_low + {{(ExpSumW - 1){1'b0}}, 1'b1};
+  wire               s0_is_zero = s0_a_is_zero | s0_b_is_zero;
+  wire               s0_is_inf = s0_a_is_inf | s0_b_is_inf;
+  wire               s0_is_nan = s0_a_is_nan | s0_b_is_nan | (s0_is_zero & s0_is_inf);
+  wire               s0_prod_sign = s0_a_sign ^ s0_b_sign;
+
+  // ---- stage 1: registers ------------------------------------------------------ mul.rs
+  reg [2*MAN_W+1:0] s1_prod;
+  reg [ExpSumW-1:0] s1_exp_low;
+  reg [ExpSumW-1:0] s1_exp_high;
+  reg               s1_is_nan;
+  reg               s1_is_inf;
+  reg               s1_is_zero;
+  reg               s1_prod_sign;
+  always @(posedge clk) begin
+    if (ce) begin
+      s1_prod      <= s0_prod;
+      s1_exp_low   <= s0_exp_low;
+      s1_exp_high  <= s0_exp_high;
+      s1_is_nan    <= s0_is_nan;
+      s1_is_inf    <= s0_is_inf;
+      s1_is_zero   <= s0_is_zero;
+      s1_prod_sign <= s0_prod_sign;
+    end
+  end
+
+  // ---- stage 1: round ---------------------------------------------------------- mul.rs
+  // A product of two numbers in [1, 2) lies in [1, 4): low below 2, high from 2 on. A carry out of
+  // the fraction goes on into the exponent, and from the largest number to infinity, by itself.
+  wire                   s1_low_guard = s1_prod[SigW-2];
+  wire                   s1_low_tie = s1_low_guard & ~(|s1_prod[SigW-3:0]);
+  wire [EXP_W+MAN_W-1:0] s1_low_sum = {s1_exp_low[EXP_W-1:0], s1_prod[MAN_W+SigW-2:SigW-1]} +
+      {{(EXP_W + MAN_W - 1){1'b0}}, s1_low_guard};
+  wire [EXP_W+MAN_W-1:0] s1_low_body = {s1_low_sum[EXP_W+MAN_W-1:1], s1_low_sum[0] & ~s1_low_tie};
+  wire                   s1_low_at_zero = ~(|s1_exp_low);
+  wire                   s1_low_too_low = s1_exp_low[EXP_W+1] |
+      (s1_low_at_zero & ~s1_low_sum[MAN_W]);
+  wire                   s1_low_over = ~s1_exp_low[EXP_W+1] &
+      (s1_exp_low[EXP_W] | (&s1_exp_low[EXP_W-1:0]));
+  wire                   s1_high_guard = s1_prod[SigW-1];
+  wire                   s1_high_tie = s1_high_guard & ~(|s1_prod[SigW-2:0]);
+  wire [EXP_W+MAN_W-1:0] s1_high_sum = {s1_exp_high[EXP_W-1:0], s1_prod[MAN_W+SigW-1:SigW]} +
+      {{(EXP_W + MAN_W - 1){1'b0}}, s1_high_guard};
+  wire [EXP_W+MAN_W-1:0] s1_high_body =
+      {s1_high_sum[EXP_W+MAN_W-1:1], s1_high_sum[0] & ~s1_high_tie};
+  wire                   s1_high_at_zero = ~(|s1_exp_high);
+  wire                   s1_high_too_low = s1_exp_high[EXP_W+1] |
+      (s1_high_at_zero & ~s1_high_sum[MAN_W]);
+  wire                   s1_high_over = ~s1_exp_high[EXP_W+1] &
+      (s1_exp_high[EXP_W] | (&s1_exp_high[EXP_W-1:0]));
+  wire                   s1_top = s1_prod[2*MAN_W+1];
+
+  // ---- stage 1: select --------------------------------------------------------- mul.rs
+  wire [EXP_W+MAN_W-1:0] s1_picked = s1_top ? s1_high_body : s1_low_body;
+  wire                   s1_give_inf = s1_is_nan | s1_is_inf |
+      ((s1_top ? s1_high_over : s1_low_over) & ~s1_is_zero);
+  wire                   s1_keep =
+      ~(s1_give_inf | s1_is_zero | (s1_top ? s1_high_too_low : s1_low_too_low));
+  wire                   s1_sign = s1_prod_sign & ~s1_is_nan;
+  wire [FloatW-1:0]      s1_value =
+      {s1_sign, (s1_picked[EXP_W+MAN_W-1:MAN_W] & {EXP_W{s1_keep}}) | {EXP_W{s1_give_inf}},
+      (s1_picked[MAN_W-1:0] & {MAN_W{s1_keep}}) | {s1_is_nan, {(MAN_W - 1){1'b0}}}};
+
+  // ---- stage 2: registers ------------------------------------------------------ mul.rs
+  reg [FloatW-1:0] s2_value;
+  always @(posedge clk) begin
+    if (ce) begin
+      s2_value <= s1_value;
+    end
+  end
+
+  // Bits that nothing needs, named so that no lint has to be switched off for the rest.
+  // verilator lint_off UNUSED
+  wire unused_0 = &{1'b0, s0_exp_sum[0]};
+  // verilator lint_on UNUSED
+
+  assign result = s2_value;
+endmodule
+`default_nettype wire

@@ -1,0 +1,121 @@
+// relief_fp_to_int: floating-point number to a signed integer, toward minus infinity, saturating
+// Source     src/units/float/to_fixed.rs (emitted: do not edit)
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    2 clocks
+// Throughput one result per clock
+// Note       Infinities saturate; NaN gives 0.
+// Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
+//            0 reads as zero of its sign; results below the smallest normal, after rounding, become
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
+//            out); nearest, ties to even; x - x is +0.
+`default_nettype none
+module relief_fp_to_int #(
+  parameter integer EXP_W = 7,   // exponent bits
+  parameter integer MAN_W = 16,  // fraction bits, the hidden one not counted
+  parameter integer INT_W = 14   // bits of the signed result
+) (
+  input  wire                 clk,     // rising edge
+  input  wire                 ce,      // clock enable: registers hold while 0
+  input  wire [EXP_W+MAN_W:0] a,       // operand [float]
+  output wire [INT_W-1:0]     result   // floor of a, saturated [integer]
+);
+  localparam integer FloatW = EXP_W + MAN_W + 1;
+  localparam integer RightW =
+      (EXP_W > ($clog2(INT_W + MAN_W + 1)) ? EXP_W : ($clog2(INT_W + MAN_W + 1))) + 3;
+  localparam integer WideW = INT_W + MAN_W + 1;
+  localparam integer Full = INT_W + MAN_W + (1 << (EXP_W - 1)) - 1;
+  localparam integer Least = MAN_W + 2;
+
+  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  generate
+    if (2 > EXP_W) begin : gen_illegal_0
+      must_hold_2_at_most_EXP_W u_illegal ();
+    end
+    if (EXP_W > 11) begin : gen_illegal_1
+      must_hold_EXP_W_at_most_11 u_illegal ();
+    end
+    if (2 > MAN_W) begin : gen_illegal_2
+      must_hold_2_at_most_MAN_W u_illegal ();
+    end
+    if (MAN_W > 28) begin : gen_illegal_3
+      must_hold_MAN_W_at_most_28 u_illegal ();
+    end
+    if (2 > INT_W) begin : gen_illegal_4
+      must_hold_2_at_most_INT_W u_illegal ();
+    end
+    if (INT_W + MAN_W + 3 > 64) begin : gen_illegal_5
+      must_hold_INT_W_plus_MAN_W_plus_3_at_most_64 u_illegal ();
+    end
+  endgenerate
+
+  // ---- stage 0: distance -------------------------------------------------- to_fixed.rs
+  // The significand starts above INT_W zeros and moves right by what the exponent lacks.
+  wire              s0_a_sign = a[FloatW-1];
+  wire [EXP_W-1:0]  s0_a_exp = a[EXP_W+MAN_W-1:MAN_W];
+  wire [MAN_W-1:0]  s0_a_frac = a[MAN_W-1:0];
+  wire              s0_a_is_zero = ~(|s0_a_exp);
+  wire              s0_a_exp_ones = &s0_a_exp;
+  wire              s0_a_frac_some = |s0_a_frac;
+  wire              s0_a_is_inf = s0_a_exp_ones & ~s0_a_frac_some;
+  wire              s0_a_is_nan = s0_a_exp_ones & s0_a_frac_some;
+  wire [MAN_W:0]    s0_a_sig = {~s0_a_is_zero, s0_a_frac & {MAN_W{~s0_a_is_zero}}};
+  wire [RightW-1:0] s0_right = Full[RightW-1:0] - {{(RightW - EXP_W){1'b0}}, s0_a_exp};
+  wire              s0_too_big = ($signed(s0_right) < $signed(Least[RightW-1:0])) | s0_a_is_inf;
+
+  // ---- stage 0: shift ----------------------------------------------------- to_fixed.rs
+  // By multiples of four first; what each step shifts out is lost.
+  wire [WideW-1:0]  s0_unshifted = {s0_a_sig, {INT_W{1'b0}}};
+  wire [RightW-1:0] s0_coarse = {s0_right[RightW-1:2], 2'd0};
+  wire [WideW-1:0]  s0_near_place = s0_unshifted >> s0_coarse;
+  wire [1:0]        s0_fine = s0_right[1:0];
+  wire              s0_lost_coarse = |(s0_unshifted & ~({WideW{1'b1}} << s0_coarse));
+
+  // ---- stage 1: registers ------------------------------------------------- to_fixed.rs
+  reg [WideW-1:0] s1_near_place;
+  reg [1:0]       s1_fine;
+  reg             s1_lost_coarse;
+  reg             s1_a_sign;
+  reg             s1_too_big;
+  reg             s1_a_is_nan;
+  always @(posedge clk) begin
+    if (ce) begin
+      s1_near_place  <= s0_near_place;
+      s1_fine        <= s0_fine;
+      s1_lost_coarse <= s0_lost_coarse;
+      s1_a_sign      <= s0_a_sign;
+      s1_too_big     <= s0_too_big;
+      s1_a_is_nan    <= s0_a_is_nan;
+    end
+  end
+
+  // ---- stage 1: fine shift ------------------------------------------------ to_fixed.rs
+  wire [WideW-1:0] s1_shifted = s1_near_place >> s1_fine;
+  wire             s1_lost = s1_lost_coarse | (|(s1_near_place[2:0] & ~({3{1'b1}} << s1_fine)));
+  wire [INT_W-1:0] s1_mag = s1_shifted[INT_W-1:0];
+
+  // ---- stage 1: floor ----------------------------------------------------- to_fixed.rs
+  // A negative number with bits shifted out lies below its truncated magnitude.
+  wire [INT_W-1:0] s1_floor = (s1_mag ^ {INT_W{s1_a_sign}}) +
+      {{(INT_W - 1){1'b0}}, s1_a_sign & ~s1_lost};
+
+  // ---- stage 1: saturate -------------------------------------------------- to_fixed.rs
+  wire [INT_W-1:0] s1_limit = {s1_a_sign, {(INT_W - 1){~s1_a_sign}}};
+  wire [INT_W-1:0] s1_result_value = s1_a_is_nan ? {INT_W{1'b0}} : s1_too_big ? s1_limit : s1_floor;
+
+  // ---- stage 2: registers ------------------------------------------------- to_fixed.rs
+  reg [INT_W-1:0] s2_result_value;
+  always @(posedge clk) begin
+    if (ce) begin
+      s2_result_value <= s1_result_value;
+    end
+  end
+
+  // Bits that nothing needs, named so that no lint has to be switched off for the rest.
+  // verilator lint_off UNUSED
+  wire unused_0 = &{1'b0, s1_shifted[INT_W+MAN_W:INT_W]};
+  // verilator lint_on UNUSED
+
+  assign result = s2_result_value;
+endmodule
+`default_nettype wire

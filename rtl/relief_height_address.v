@@ -1,0 +1,46 @@
+// relief_height_address: address of a node's height in the pyramid memory
+// Source     src/units/traversal/height_address.rs (emitted: do not edit)
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    none, combinational
+`default_nettype none
+module relief_height_address #(
+  parameter integer LEVELS = 8   // the map has 2^LEVELS x 2^LEVELS texels
+) (
+  input  wire [$clog2(LEVELS+1)-1:0] level,    // 0 .. LEVELS [levels]
+  input  wire [LEVELS-1:0]           i,        // u of a texel in the node [texels]
+  input  wire [LEVELS-1:0]           j,        // v of a texel in the node [texels]
+  output wire [2*LEVELS:0]           address   // level 0 first, the root last [words]
+);
+  localparam integer LevelW = $clog2(LEVELS + 1);
+  localparam integer Root = LEVELS;
+
+  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  generate
+    if (2 > LEVELS) begin : gen_illegal_0
+      must_hold_2_at_most_LEVELS u_illegal ();
+    end
+    if (LEVELS > 12) begin : gen_illegal_1
+      must_hold_LEVELS_at_most_12 u_illegal ();
+    end
+  endgenerate
+
+  wire [LevelW-1:0]   index_bits = Root[LevelW-1:0] - level;
+  wire [LEVELS:0]     base = {{LEVELS{1'b1}} << index_bits, 1'b0};
+  wire [LEVELS:0]     even = {1'b0, i >> level} | base;
+  wire [LEVELS:0]     odd = {1'b0, j >> level};
+  wire [2*LEVELS+1:0] morton;
+  relief_interleave #(.W(LEVELS + 1)) u_morton (
+    .a     (even),
+    .b     (odd),
+    .result(morton)
+  );
+
+  // Bits that nothing needs, named so that no lint has to be switched off for the rest.
+  // verilator lint_off UNUSED
+  wire unused_0 = &{1'b0, morton[2*LEVELS+1]};
+  // verilator lint_on UNUSED
+
+  assign address = morton[2*LEVELS:0];
+endmodule
+`default_nettype wire

@@ -1,0 +1,76 @@
+// relief_height_banks: on-chip memory in banks, with a write port and two registers a read
+// Source     src/units/traversal/height_banks.rs (emitted: do not edit)
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    2 clocks
+// Throughput one result per clock
+// Note       A read of the word that is being written gives the old word. Written for block RAM
+//            inference.
+`default_nettype none
+module relief_height_banks #(
+  parameter integer ADDR_W = 17,     // address bits
+  parameter integer DATA_W = 8,      // bits of a word
+  parameter integer DEPTH  = 87381,  // words
+  parameter integer BANK_W = 13      // address bits of a bank
+) (
+  input  wire              clk,         // rising edge
+  input  wire              write_en,    // write at the next edge
+  input  wire [ADDR_W-1:0] write_addr,  // where [words]
+  input  wire [DATA_W-1:0] write_data,  // what [bits]
+  input  wire [ADDR_W-1:0] read_addr,   // where to read [words]
+  output wire [DATA_W-1:0] read_data    // the word, two clocks later [bits]
+);
+
+  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  generate
+    if (2 > ADDR_W) begin : gen_illegal_0
+      must_hold_2_at_most_ADDR_W u_illegal ();
+    end
+    if (1 > DATA_W) begin : gen_illegal_1
+      must_hold_1_at_most_DATA_W u_illegal ();
+    end
+    if (1 > DEPTH) begin : gen_illegal_2
+      must_hold_1_at_most_DEPTH u_illegal ();
+    end
+    if (1 > BANK_W) begin : gen_illegal_3
+      must_hold_1_at_most_BANK_W u_illegal ();
+    end
+    if (DEPTH > (1 << ADDR_W)) begin : gen_illegal_4
+      must_hold_DEPTH_at_most_2_to_the_ADDR_W u_illegal ();
+    end
+  endgenerate
+
+  localparam integer WordW = BANK_W < ADDR_W ? BANK_W : ADDR_W - 1;
+  localparam integer BankCount = (DEPTH + (1 << WordW) - 1) >> WordW;
+
+  // Every bank reads. The bank that was asked for is known beside its word, one bit a bank, so that
+  // the selection behind the registers is one AND-OR.
+  genvar g;
+  generate
+    for (g = 0; g < BankCount; g = g + 1) begin : gen_bank
+      localparam integer Index = g;
+      reg  [DATA_W-1:0] mem [0:(1<<WordW)-1];
+      reg  [DATA_W-1:0] read_q;
+      reg  [DATA_W-1:0] out_q;
+      reg               asked_q;
+      reg               asked_out_q;
+      wire [DATA_W-1:0] so_far;
+      wire              written = write_addr[ADDR_W-1:WordW] == Index[ADDR_W-1-WordW:0];
+      always @(posedge clk) begin
+        if (write_en && written) mem[write_addr[WordW-1:0]] <= write_data;
+        read_q      <= mem[read_addr[WordW-1:0]];
+        out_q       <= read_q;
+        asked_q     <= read_addr[ADDR_W-1:WordW] == Index[ADDR_W-1-WordW:0];
+        asked_out_q <= asked_q;
+      end
+      if (g == 0) begin : gen_first
+        assign so_far = {DATA_W{asked_out_q}} & out_q;
+      end else begin : gen_later
+        assign so_far = gen_bank[g-1].so_far | ({DATA_W{asked_out_q}} & out_q);
+      end
+    end
+  endgenerate
+
+  assign read_data = gen_bank[BankCount-1].so_far;
+endmodule
+`default_nettype wire

@@ -1,0 +1,121 @@
+// relief_height_test: parameter at which the ray is in the node and at or below its height
+// Source     src/units/traversal/watertight/height_test.rs (emitted: do not edit)
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    4 clocks
+// Throughput one result per clock
+// Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
+//            0 reads as zero of its sign; results below the smallest normal, after rounding, become
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
+//            out); nearest, ties to even; x - x is +0.
+`default_nettype none
+module relief_height_test #(
+  parameter integer EXP_W    = 7,   // exponent bits
+  parameter integer MAN_W    = 16,  // fraction bits, the hidden one not counted
+  parameter integer HEIGHT_W = 8    // bits of a height code
+) (
+  input  wire                 clk,     // rising edge
+  input  wire                 ce,      // clock enable: registers hold while 0
+  input  wire [HEIGHT_W-1:0]  height,  // largest height in the node [height codes]
+  input  wire [EXP_W+MAN_W:0] t,       // parameter so far [float, height codes]
+  // the larger of t and the height plane's parameter [float, height codes]
+  output wire [EXP_W+MAN_W:0] m,
+  // the ray is below the node's height already: a hit would be on a wall
+  output wire                 below
+);
+  localparam integer FloatW = EXP_W + MAN_W + 1;
+
+  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  generate
+    if (2 > EXP_W) begin : gen_illegal_0
+      must_hold_2_at_most_EXP_W u_illegal ();
+    end
+    if (EXP_W > 11) begin : gen_illegal_1
+      must_hold_EXP_W_at_most_11 u_illegal ();
+    end
+    if (2 > MAN_W) begin : gen_illegal_2
+      must_hold_2_at_most_MAN_W u_illegal ();
+    end
+    if (MAN_W > 28) begin : gen_illegal_3
+      must_hold_MAN_W_at_most_28 u_illegal ();
+    end
+    if (2 > HEIGHT_W) begin : gen_illegal_4
+      must_hold_2_at_most_HEIGHT_W u_illegal ();
+    end
+    if (HEIGHT_W > 16) begin : gen_illegal_5
+      must_hold_HEIGHT_W_at_most_16 u_illegal ();
+    end
+  endgenerate
+
+  // ---- stage 0: depth -------------------------------------------------- height_test.rs
+  // The complement of a code is its distance from the top plane.
+  wire [HEIGHT_W:0] s0_depth = {1'b0, ~height};
+  wire [FloatW-1:0] s2_t_v;
+  relief_fp_from_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(HEIGHT_W + 1)) u_from_int (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s0_depth),
+    .result(s2_t_v)
+  );
+
+  // ---- stage 1: registers ---------------------------------------------- height_test.rs
+  reg [FloatW-1:0] s1_t;
+  always @(posedge clk) begin
+    if (ce) begin
+      s1_t <= t;
+    end
+  end
+
+  // ---- stage 2: registers ---------------------------------------------- height_test.rs
+  reg [FloatW-1:0] s2_t;
+  always @(posedge clk) begin
+    if (ce) begin
+      s2_t <= s1_t;
+    end
+  end
+
+  // ---- stage 2: compare ------------------------------------------------ height_test.rs
+  wire s3_is_before;
+  relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_before (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s2_t),
+    .b     (s2_t_v),
+    .result(s3_is_before)
+  );
+  wire s3_is_below;
+  relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_below (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s2_t_v),
+    .b     (s2_t),
+    .result(s3_is_below)
+  );
+
+  // ---- stage 3: registers ---------------------------------------------- height_test.rs
+  reg [FloatW-1:0] s3_t_v;
+  reg [FloatW-1:0] s3_t;
+  always @(posedge clk) begin
+    if (ce) begin
+      s3_t_v <= s2_t_v;
+      s3_t   <= s2_t;
+    end
+  end
+
+  // ---- stage 3: compare ------------------------------------------------ height_test.rs
+  wire [FloatW-1:0] s3_reach = s3_is_before ? s3_t_v : s3_t;
+
+  // ---- stage 4: registers ---------------------------------------------- height_test.rs
+  reg [FloatW-1:0] s4_reach;
+  reg              s4_is_below;
+  always @(posedge clk) begin
+    if (ce) begin
+      s4_reach    <= s3_reach;
+      s4_is_below <= s3_is_below;
+    end
+  end
+
+  assign m = s4_reach;
+  assign below = s4_is_below;
+endmodule
+`default_nettype wire

@@ -1,0 +1,82 @@
+// relief_hit_delay: a word, delayed beside a pipeline
+// Source     src/units/traversal/stream_delay.rs (emitted: do not edit)
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    7 clocks
+// Throughput one result per clock
+`default_nettype none
+module relief_hit_delay #(
+  parameter integer W = 1   // bits of the word
+) (
+  input  wire         clk,       // rising edge
+  input  wire         ce,        // clock enable: registers hold while 0
+  input  wire [W-1:0] in_data,   // the word [bits]
+  output wire [W-1:0] out_data   // the delayed word [bits]
+);
+
+  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  generate
+    if (1 > W) begin : gen_illegal_0
+      must_hold_1_at_most_W u_illegal ();
+    end
+  endgenerate
+
+  // ---- stage 1: registers --------------------------------------------- stream_delay.rs
+  reg [W-1:0] s1_data;
+  always @(posedge clk) begin
+    if (ce) begin
+      s1_data <= in_data;
+    end
+  end
+
+  // ---- stage 2: registers --------------------------------------------- stream_delay.rs
+  reg [W-1:0] s2_data;
+  always @(posedge clk) begin
+    if (ce) begin
+      s2_data <= s1_data;
+    end
+  end
+
+  // ---- stage 3: registers --------------------------------------------- stream_delay.rs
+  reg [W-1:0] s3_data;
+  always @(posedge clk) begin
+    if (ce) begin
+      s3_data <= s2_data;
+    end
+  end
+
+  // ---- stage 4: registers --------------------------------------------- stream_delay.rs
+  reg [W-1:0] s4_data;
+  always @(posedge clk) begin
+    if (ce) begin
+      s4_data <= s3_data;
+    end
+  end
+
+  // ---- stage 5: registers --------------------------------------------- stream_delay.rs
+  reg [W-1:0] s5_data;
+  always @(posedge clk) begin
+    if (ce) begin
+      s5_data <= s4_data;
+    end
+  end
+
+  // ---- stage 6: registers --------------------------------------------- stream_delay.rs
+  reg [W-1:0] s6_data;
+  always @(posedge clk) begin
+    if (ce) begin
+      s6_data <= s5_data;
+    end
+  end
+
+  // ---- stage 7: registers --------------------------------------------- stream_delay.rs
+  reg [W-1:0] s7_data;
+  always @(posedge clk) begin
+    if (ce) begin
+      s7_data <= s6_data;
+    end
+  end
+
+  assign out_data = s7_data;
+endmodule
+`default_nettype wire

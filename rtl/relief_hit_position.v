@@ -1,0 +1,165 @@
+// relief_hit_position: position of the hit inside its texel: p + d * t - x, kept in [0, 1)
+// Source     src/units/traversal/watertight/hit_position.rs (emitted: do not edit)
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    7 clocks
+// Throughput one result per clock
+// Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
+//            0 reads as zero of its sign; results below the smallest normal, after rounding, become
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
+//            out); nearest, ties to even; x - x is +0.
+`default_nettype none
+module relief_hit_position #(
+  parameter integer EXP_W  = 7,   // exponent bits
+  parameter integer MAN_W  = 16,  // fraction bits, the hidden one not counted
+  parameter integer IDX_W  = 14,  // bits of a signed, unwrapped texel coordinate
+  parameter integer FRAC_W = 12   // fraction bits of the position
+) (
+  input  wire                 clk,       // rising edge
+  input  wire                 ce,        // clock enable: registers hold while 0
+  input  wire [EXP_W+MAN_W:0] p,         // entry point [float, texels]
+  input  wire [EXP_W+MAN_W:0] d,         // direction [float, texels per height code]
+  input  wire [EXP_W+MAN_W:0] t,         // parameter of the hit [float, height codes]
+  input  wire [IDX_W-1:0]     x,         // hit texel, unwrapped [texels]
+  output wire [FRAC_W-1:0]    fraction   // position inside the texel [1/2^FRAC_W texel]
+);
+  localparam integer FloatW = EXP_W + MAN_W + 1;
+
+  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  generate
+    if (2 > EXP_W) begin : gen_illegal_0
+      must_hold_2_at_most_EXP_W u_illegal ();
+    end
+    if (EXP_W > 11) begin : gen_illegal_1
+      must_hold_EXP_W_at_most_11 u_illegal ();
+    end
+    if (2 > MAN_W) begin : gen_illegal_2
+      must_hold_2_at_most_MAN_W u_illegal ();
+    end
+    if (MAN_W > 28) begin : gen_illegal_3
+      must_hold_MAN_W_at_most_28 u_illegal ();
+    end
+    if (IDX_W > 24) begin : gen_illegal_4
+      must_hold_IDX_W_at_most_24 u_illegal ();
+    end
+    if (1 > FRAC_W) begin : gen_illegal_5
+      must_hold_1_at_most_FRAC_W u_illegal ();
+    end
+    if (FRAC_W > 16) begin : gen_illegal_6
+      must_hold_FRAC_W_at_most_16 u_illegal ();
+    end
+    if (2 > IDX_W) begin : gen_illegal_7
+      must_hold_2_at_most_IDX_W u_illegal ();
+    end
+    if (FRAC_W + IDX_W + MAN_W > 60) begin : gen_illegal_8
+      must_hold_FRAC_W_plus_IDX_W_plus_MAN_W_at_most_60 u_illegal ();
+    end
+  endgenerate
+
+  // ---- stage 0: position ---------------------------------------------- hit_position.rs
+  wire [FloatW-1:0] s2_way;
+  relief_fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_mul (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (d),
+    .b     (t),
+    .result(s2_way)
+  );
+
+  // ---- stage 1: registers --------------------------------------------- hit_position.rs
+  reg [FloatW-1:0] s1_p;
+  reg [IDX_W-1:0]  s1_x;
+  always @(posedge clk) begin
+    if (ce) begin
+      s1_p <= p;
+      s1_x <= x;
+    end
+  end
+
+  // ---- stage 2: registers --------------------------------------------- hit_position.rs
+  reg [FloatW-1:0] s2_p;
+  reg [IDX_W-1:0]  s2_x;
+  always @(posedge clk) begin
+    if (ce) begin
+      s2_p <= s1_p;
+      s2_x <= s1_x;
+    end
+  end
+
+  // ---- stage 2: position ---------------------------------------------- hit_position.rs
+  wire [FloatW-1:0] s5_position;
+  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_add (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s2_p),
+    .b     (s2_way),
+    .result(s5_position)
+  );
+
+  // ---- stage 3: registers --------------------------------------------- hit_position.rs
+  reg [IDX_W-1:0] s3_x;
+  always @(posedge clk) begin
+    if (ce) begin
+      s3_x <= s2_x;
+    end
+  end
+
+  // ---- stage 4: registers --------------------------------------------- hit_position.rs
+  reg [IDX_W-1:0] s4_x;
+  always @(posedge clk) begin
+    if (ce) begin
+      s4_x <= s3_x;
+    end
+  end
+
+  // ---- stage 5: registers --------------------------------------------- hit_position.rs
+  reg [IDX_W-1:0] s5_x;
+  always @(posedge clk) begin
+    if (ce) begin
+      s5_x <= s4_x;
+    end
+  end
+
+  // ---- stage 5: position ---------------------------------------------- hit_position.rs
+  wire [FRAC_W+IDX_W-1:0] s7_fixed;
+  relief_fp_to_fixed #(
+    .EXP_W (EXP_W),
+    .MAN_W (MAN_W),
+    .INT_W (FRAC_W + IDX_W),
+    .FRAC_W(FRAC_W)
+  ) u_to_fixed (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s5_position),
+    .result(s7_fixed)
+  );
+
+  // ---- stage 6: registers --------------------------------------------- hit_position.rs
+  reg [IDX_W-1:0] s6_x;
+  always @(posedge clk) begin
+    if (ce) begin
+      s6_x <= s5_x;
+    end
+  end
+
+  // ---- stage 7: registers --------------------------------------------- hit_position.rs
+  reg [IDX_W-1:0] s7_x;
+  always @(posedge clk) begin
+    if (ce) begin
+      s7_x <= s6_x;
+    end
+  end
+
+  // ---- stage 7: clamp ------------------------------------------------- hit_position.rs
+  // A hit on a wall lies exactly on a border: the integer texel decides, the fraction follows.
+  wire [FRAC_W+IDX_W-1:0] s7_corner = {s7_x, {FRAC_W{1'b0}}};
+  wire [FRAC_W+IDX_W:0]   s7_offset =
+      {{1{s7_fixed[FRAC_W+IDX_W-1]}}, s7_fixed} - {{1{s7_corner[FRAC_W+IDX_W-1]}}, s7_corner};
+  wire                    s7_past = |s7_offset[FRAC_W+IDX_W:FRAC_W];
+  wire [FRAC_W-1:0]       s7_low_part = s7_offset[FRAC_W-1:0];
+  wire [FRAC_W-1:0]       s7_kept = s7_offset[FRAC_W+IDX_W] ? {FRAC_W{1'b0}}
+      : s7_past ? {FRAC_W{1'b1}} : s7_low_part;
+
+  assign fraction = s7_kept;
+endmodule
+`default_nettype wire

@@ -1,0 +1,88 @@
+// relief_hit_valid_delay: a valid bit, delayed beside a pipeline
+// Source     src/units/traversal/stream_delay.rs (emitted: do not edit)
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    7 clocks
+// Throughput one result per clock
+`default_nettype none
+module relief_hit_valid_delay (
+  input  wire  clk,        // rising edge
+  input  wire  ce,         // clock enable: registers hold while 0
+  input  wire  rst,        // synchronous, active high; clears valid bits and counts, no data
+  input  wire  in_valid,   // the word counts
+  output wire  out_valid   // the delayed word counts
+);
+
+  // ---- stage 1: registers --------------------------------------------- stream_delay.rs
+  reg s1_valid;
+  always @(posedge clk) begin
+    if (rst) begin
+      s1_valid <= 1'b0;
+    end else if (ce) begin
+      s1_valid <= in_valid;
+    end
+  end
+
+  // ---- stage 2: registers --------------------------------------------- stream_delay.rs
+  reg s2_valid;
+  always @(posedge clk) begin
+    if (rst) begin
+      s2_valid <= 1'b0;
+    end else if (ce) begin
+      s2_valid <= s1_valid;
+    end
+  end
+
+  // ---- stage 3: registers --------------------------------------------- stream_delay.rs
+  reg s3_valid;
+  always @(posedge clk) begin
+    if (rst) begin
+      s3_valid <= 1'b0;
+    end else if (ce) begin
+      s3_valid <= s2_valid;
+    end
+  end
+
+  // ---- stage 4: registers --------------------------------------------- stream_delay.rs
+  reg s4_valid;
+  always @(posedge clk) begin
+    if (rst) begin
+      s4_valid <= 1'b0;
+    end else if (ce) begin
+      s4_valid <= s3_valid;
+    end
+  end
+
+  // ---- stage 5: registers --------------------------------------------- stream_delay.rs
+  reg s5_valid;
+  always @(posedge clk) begin
+    if (rst) begin
+      s5_valid <= 1'b0;
+    end else if (ce) begin
+      s5_valid <= s4_valid;
+    end
+  end
+
+  // ---- stage 6: registers --------------------------------------------- stream_delay.rs
+  reg s6_valid;
+  always @(posedge clk) begin
+    if (rst) begin
+      s6_valid <= 1'b0;
+    end else if (ce) begin
+      s6_valid <= s5_valid;
+    end
+  end
+
+  // ---- stage 7: registers --------------------------------------------- stream_delay.rs
+  reg s7_valid;
+  always @(posedge clk) begin
+    if (rst) begin
+      s7_valid <= 1'b0;
+    end else if (ce) begin
+      s7_valid <= s6_valid;
+    end
+  end
+
+  assign out_valid = s7_valid;
+endmodule
+`default_nettype wire

@@ -1,0 +1,33 @@
+// relief_interleave: two words in Morton order: a in the even bits, b in the odd ones
+// Source     src/units/interleave.rs (emitted: do not edit)
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    none, combinational
+`default_nettype none
+module relief_interleave #(
+  parameter integer W = 9   // bits of each word
+) (
+  input  wire [W-1:0]   a,       // word for the even bits [bits]
+  input  wire [W-1:0]   b,       // word for the odd bits [bits]
+  output wire [2*W-1:0] result   // b[W-1] a[W-1] .. b[0] a[0] [bits]
+);
+
+  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  generate
+    if (1 > W) begin : gen_illegal_0
+      must_hold_1_at_most_W u_illegal ();
+    end
+    if (W > 32) begin : gen_illegal_1
+      must_hold_W_at_most_32 u_illegal ();
+    end
+  endgenerate
+
+  genvar i;
+  generate
+    for (i = 0; i < W; i = i + 1) begin : gen_bit
+      assign result[2*i]   = a[i];
+      assign result[2*i+1] = b[i];
+    end
+  endgenerate
+endmodule
+`default_nettype wire

@@ -1,0 +1,58 @@
+// relief_lzc: number of leading zeros of a word; W when the word is zero
+// Source     src/units/lzc.rs (emitted: do not edit)
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    none, combinational
+`default_nettype none
+module relief_lzc #(
+  parameter integer W = 8   // bits of the word
+) (
+  input  wire [W-1:0]           bits,   // the word [bits]
+  output wire [$clog2(W+1)-1:0] count   // zeros above the topmost 1 [bits]
+);
+  localparam integer CountW = $clog2(W + 1);
+
+  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  generate
+    if (1 > W) begin : gen_illegal_0
+      must_hold_1_at_most_W u_illegal ();
+    end
+    if (W > 64) begin : gen_illegal_1
+      must_hold_W_at_most_64 u_illegal ();
+    end
+  endgenerate
+
+  // Ones below the last bit: the count of an all-zero word comes out as W by itself.
+  localparam integer PadW = 1 << CountW;
+  wire [PadW-1:0] padded = {bits, {(PadW - W){1'b1}}};
+
+  // Level s joins neighbours to groups of 2 << s bits, and knows of each whether it is all zeros
+  // and else how many lead: the upper half's count, or 2^s and the lower half's. The topmost bits
+  // of the count are ready first.
+  genvar s, g;
+  generate
+    for (s = 0; s < CountW; s = s + 1) begin : gen_level
+      localparam integer Groups = PadW >> (s + 1);
+      wire [Groups-1:0]         empty;
+      wire [Groups*(s+1)-1:0]   lead;
+      for (g = 0; g < Groups; g = g + 1) begin : gen_group
+        if (s == 0) begin : gen_first
+          assign empty[g] = ~(padded[2*g+1] | padded[2*g]);
+          assign lead[g]  = ~padded[2*g+1];
+        end else begin : gen_later
+          wire         upper_empty = gen_level[s-1].empty[2*g+1];
+          wire [s-1:0] upper_lead = gen_level[s-1].lead[(2*g+1)*s+:s];
+          wire [s-1:0] lower_lead = gen_level[s-1].lead[2*g*s+:s];
+          assign empty[g]             = upper_empty & gen_level[s-1].empty[2*g];
+          assign lead[g*(s+1)+:(s+1)] = {upper_empty, upper_empty ? lower_lead : upper_lead};
+        end
+      end
+    end
+  endgenerate
+  assign count = gen_level[CountW-1].lead;
+
+  // verilator lint_off UNUSED
+  wire unused_last = &{1'b0, gen_level[CountW-1].empty};
+  // verilator lint_on UNUSED
+endmodule
+`default_nettype wire

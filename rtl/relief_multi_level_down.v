@@ -1,0 +1,66 @@
+// relief_multi_level_down: level and child of a descent: 2 levels until the first crossing, then
+//                          one
+// Source     src/units/traversal/multi_level_down.rs (emitted: do not edit)
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    none, combinational
+`default_nettype none
+module relief_multi_level_down #(
+  parameter integer LEVELS = 8,   // the map has 2^LEVELS x 2^LEVELS texels
+  parameter integer IDX_W  = 14   // bits of a signed, unwrapped texel coordinate
+) (
+  // 1 .. LEVELS (the result is not used at 0) [levels]
+  input  wire [$clog2(LEVELS+1)-1:0] level,
+  input  wire                        crossed,     // the ray has crossed a node boundary already
+  // least texel of the node that is not behind the ray [texels]
+  input  wire [IDX_W-1:0]            x_low,
+  // greatest texel of the node that is not behind the ray [texels]
+  input  wire [IDX_W-1:0]            x_high,
+  input  wire [IDX_W-1:0]            x_hit,       // predicted hit [texels]
+  // least texel of the node that is not behind the ray [texels]
+  input  wire [IDX_W-1:0]            y_low,
+  // greatest texel of the node that is not behind the ray [texels]
+  input  wire [IDX_W-1:0]            y_high,
+  input  wire [IDX_W-1:0]            y_hit,       // predicted hit [texels]
+  output wire [$clog2(LEVELS+1)-1:0] level_down,  // level after the descent [levels]
+  output wire [IDX_W-1:0]            x_down,      // predicted hit, kept between the two [texels]
+  output wire [IDX_W-1:0]            y_down       // predicted hit, kept between the two [texels]
+);
+  localparam integer LevelW = $clog2(LEVELS + 1);
+
+  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  generate
+    if (2 > LEVELS) begin : gen_illegal_0
+      must_hold_2_at_most_LEVELS u_illegal ();
+    end
+    if (LEVELS > 12) begin : gen_illegal_1
+      must_hold_LEVELS_at_most_12 u_illegal ();
+    end
+    if (LEVELS + 2 > IDX_W) begin : gen_illegal_2
+      must_hold_LEVELS_plus_2_at_most_IDX_W u_illegal ();
+    end
+    if (IDX_W > 24) begin : gen_illegal_3
+      must_hold_IDX_W_at_most_24 u_illegal ();
+    end
+  endgenerate
+
+  wire              jump = ~crossed & ~({3'd0, level} < {{(LevelW + 1){1'b0}}, 2'd2});
+  wire [LevelW+2:0] jumped = {3'd0, level} - {{(LevelW + 1){1'b0}}, 2'd2};
+  wire [LevelW-1:0] next_level = jump ? jumped[LevelW-1:0] : (level - {{(LevelW - 1){1'b0}}, 1'b1});
+  wire              x_before = $signed(x_hit) < $signed(x_low);
+  wire              x_behind = $signed(x_high) < $signed(x_hit);
+  wire [IDX_W-1:0]  x_child = x_before ? x_low : x_behind ? x_high : x_hit;
+  wire              y_before = $signed(y_hit) < $signed(y_low);
+  wire              y_behind = $signed(y_high) < $signed(y_hit);
+  wire [IDX_W-1:0]  y_child = y_before ? y_low : y_behind ? y_high : y_hit;
+
+  // Bits that nothing needs, named so that no lint has to be switched off for the rest.
+  // verilator lint_off UNUSED
+  wire unused_0 = &{1'b0, jumped[LevelW+2:LevelW]};
+  // verilator lint_on UNUSED
+
+  assign level_down = next_level;
+  assign x_down = x_child;
+  assign y_down = y_child;
+endmodule
+`default_nettype wire

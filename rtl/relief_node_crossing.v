@@ -1,0 +1,124 @@
+// relief_node_crossing: node crossing test: hit inside the node, or exit plane and parameter
+// Source     src/units/traversal/watertight/node_crossing.rs (emitted: do not edit)
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    2 clocks
+// Throughput one result per clock
+// Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
+//            0 reads as zero of its sign; results below the smallest normal, after rounding, become
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
+//            out); nearest, ties to even; x - x is +0.
+`default_nettype none
+module relief_node_crossing #(
+  parameter integer EXP_W = 7,   // exponent bits
+  parameter integer MAN_W = 16   // fraction bits, the hidden one not counted
+) (
+  input  wire                 clk,        // rising edge
+  input  wire                 ce,         // clock enable: registers hold while 0
+  input  wire [EXP_W+MAN_W:0] t,          // parameter so far [float, height codes]
+  // parameter at which the node's height is met [float, height codes]
+  input  wire [EXP_W+MAN_W:0] m,
+  input  wire [EXP_W+MAN_W:0] t_x,        // parameter of the u exit plane [float, height codes]
+  input  wire [EXP_W+MAN_W:0] t_y,        // parameter of the v exit plane [float, height codes]
+  output wire                 is_inside,  // the height is met before the ray leaves
+  output wire                 x_first,    // the u plane comes first, or both at once
+  // parameter behind the exit plane, never before t [float, height codes]
+  output wire [EXP_W+MAN_W:0] t_next
+);
+  localparam integer FloatW = EXP_W + MAN_W + 1;
+
+  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  generate
+    if (2 > EXP_W) begin : gen_illegal_0
+      must_hold_2_at_most_EXP_W u_illegal ();
+    end
+    if (EXP_W > 11) begin : gen_illegal_1
+      must_hold_EXP_W_at_most_11 u_illegal ();
+    end
+    if (2 > MAN_W) begin : gen_illegal_2
+      must_hold_2_at_most_MAN_W u_illegal ();
+    end
+    if (MAN_W > 28) begin : gen_illegal_3
+      must_hold_MAN_W_at_most_28 u_illegal ();
+    end
+  endgenerate
+
+  // ---- stage 0: compare ---------------------------------------------- node_crossing.rs
+  // All five comparisons at once; the selects follow.
+  wire s1_m_before_x;
+  relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_m_tx (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (m),
+    .b     (t_x),
+    .result(s1_m_before_x)
+  );
+  wire s1_m_before_y;
+  relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_m_ty (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (m),
+    .b     (t_y),
+    .result(s1_m_before_y)
+  );
+  wire s1_y_before_x;
+  relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_ty_tx (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (t_y),
+    .b     (t_x),
+    .result(s1_y_before_x)
+  );
+  wire s1_t_before_x;
+  relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_t_tx (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (t),
+    .b     (t_x),
+    .result(s1_t_before_x)
+  );
+  wire s1_t_before_y;
+  relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_t_ty (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (t),
+    .b     (t_y),
+    .result(s1_t_before_y)
+  );
+
+  // ---- stage 1: registers -------------------------------------------- node_crossing.rs
+  reg [FloatW-1:0] s1_t_y;
+  reg [FloatW-1:0] s1_t_x;
+  reg [FloatW-1:0] s1_t;
+  always @(posedge clk) begin
+    if (ce) begin
+      s1_t_y <= t_y;
+      s1_t_x <= t_x;
+      s1_t   <= t;
+    end
+  end
+
+  // ---- stage 1: select ----------------------------------------------- node_crossing.rs
+  wire [FloatW-1:0] s1_t_exit = s1_y_before_x ? s1_t_y : s1_t_x;
+  wire              s1_t_grows = s1_y_before_x ? s1_t_before_y : s1_t_before_x;
+  wire [FloatW-1:0] s1_t_behind = s1_t_grows ? s1_t_exit : s1_t;
+  wire              s1_in_both = s1_m_before_x & s1_m_before_y;
+  wire              s1_x_not_later = ~s1_y_before_x;
+
+  // ---- stage 2: registers -------------------------------------------- node_crossing.rs
+  reg              s2_in_both;
+  reg              s2_x_not_later;
+  reg [FloatW-1:0] s2_t_behind;
+  always @(posedge clk) begin
+    if (ce) begin
+      s2_in_both     <= s1_in_both;
+      s2_x_not_later <= s1_x_not_later;
+      s2_t_behind    <= s1_t_behind;
+    end
+  end
+
+  assign is_inside = s2_in_both;
+  assign x_first = s2_x_not_later;
+  assign t_next = s2_t_behind;
+endmodule
+`default_nettype wire

@@ -1,0 +1,54 @@
+// relief_node_planes: extent of a node along one axis, and the plane by which the ray leaves
+// Source     src/units/traversal/node_planes.rs (emitted: do not edit)
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    none, combinational
+`default_nettype none
+module relief_node_planes #(
+  parameter integer LEVELS = 8,   // the map has 2^LEVELS x 2^LEVELS texels
+  parameter integer IDX_W  = 14   // bits of a signed, unwrapped texel coordinate
+) (
+  input  wire [$clog2(LEVELS+1)-1:0] level,   // 0 .. LEVELS [levels]
+  input  wire [IDX_W-1:0]            x,       // any texel of the node [texels]
+  input  wire                        neg,     // the ray runs toward smaller coordinates
+  // least texel that a descent may go to: never behind x [texels]
+  output wire [IDX_W-1:0]            low,
+  // greatest texel that a descent may go to: never behind x [texels]
+  output wire [IDX_W-1:0]            high,
+  output wire [IDX_W-1:0]            plane,   // coordinate of the exit plane [texels]
+  output wire [IDX_W-1:0]            beyond,  // the texel just behind the exit plane [texels]
+  output wire                        even     // the plane also bounds the parent node
+);
+
+  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  generate
+    if (2 > LEVELS) begin : gen_illegal_0
+      must_hold_2_at_most_LEVELS u_illegal ();
+    end
+    if (LEVELS > 12) begin : gen_illegal_1
+      must_hold_LEVELS_at_most_12 u_illegal ();
+    end
+    if (LEVELS + 2 > IDX_W) begin : gen_illegal_2
+      must_hold_LEVELS_plus_2_at_most_IDX_W u_illegal ();
+    end
+    if (IDX_W > 24) begin : gen_illegal_3
+      must_hold_IDX_W_at_most_24 u_illegal ();
+    end
+  endgenerate
+
+  wire [IDX_W-1:0] keep = {IDX_W{1'b1}} << level;
+  wire [IDX_W-1:0] first = x & keep;
+  wire [IDX_W-1:0] last = x | ~keep;
+  wire [IDX_W-1:0] side_length = keep & ~{keep[IDX_W-2:0], 1'b0};
+  wire             is_odd = |(first & side_length);
+  wire [IDX_W-1:0] side = neg ? first : last;
+  wire [IDX_W-1:0] exit_plane = side + {{(IDX_W - 1){1'b0}}, ~neg};
+  wire [IDX_W-1:0] next = neg ? (first - {{(IDX_W - 1){1'b0}}, 1'b1}) : exit_plane;
+
+  assign low = neg ? first : x;
+  assign high = neg ? x : last;
+  assign plane = exit_plane;
+  assign beyond = next;
+  assign even = is_odd ^ neg;
+endmodule
+`default_nettype wire

@@ -1,0 +1,162 @@
+// relief_plane_time: ray parameter at which the ray meets a plane: (plane - p) * r
+// Source     src/units/traversal/watertight/plane_time.rs (emitted: do not edit)
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    8 clocks
+// Throughput one result per clock
+// Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
+//            0 reads as zero of its sign; results below the smallest normal, after rounding, become
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
+//            out); nearest, ties to even; x - x is +0.
+`default_nettype none
+module relief_plane_time #(
+  parameter integer EXP_W = 7,   // exponent bits
+  parameter integer MAN_W = 16,  // fraction bits, the hidden one not counted
+  parameter integer IDX_W = 14   // bits of a signed, unwrapped texel coordinate
+) (
+  input  wire                 clk,    // rising edge
+  input  wire                 ce,     // clock enable: registers hold while 0
+  input  wire [IDX_W-1:0]     plane,  // coordinate of the plane, signed [texels]
+  input  wire [EXP_W+MAN_W:0] p,      // coordinate of the entry point [float, texels]
+  input  wire [EXP_W+MAN_W:0] r,      // slope's reciprocal [float, height codes per texel]
+  input  wire                 never,  // the ray does not move along this axis
+  output wire [EXP_W+MAN_W:0] t       // infinity if never [float, height codes]
+);
+  localparam integer FloatW = EXP_W + MAN_W + 1;
+
+  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  generate
+    if (2 > EXP_W) begin : gen_illegal_0
+      must_hold_2_at_most_EXP_W u_illegal ();
+    end
+    if (EXP_W > 11) begin : gen_illegal_1
+      must_hold_EXP_W_at_most_11 u_illegal ();
+    end
+    if (2 > MAN_W) begin : gen_illegal_2
+      must_hold_2_at_most_MAN_W u_illegal ();
+    end
+    if (MAN_W > 28) begin : gen_illegal_3
+      must_hold_MAN_W_at_most_28 u_illegal ();
+    end
+    if (IDX_W > 24) begin : gen_illegal_4
+      must_hold_IDX_W_at_most_24 u_illegal ();
+    end
+    if (2 > IDX_W) begin : gen_illegal_5
+      must_hold_2_at_most_IDX_W u_illegal ();
+    end
+  endgenerate
+
+  // ---- stage 0: distance ------------------------------------------------ plane_time.rs
+  wire [FloatW-1:0] s2_plane_float;
+  relief_fp_from_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IDX_W)) u_from_int (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (plane),
+    .result(s2_plane_float)
+  );
+  wire [FloatW-1:0] s0_minus_p = {~p[FloatW-1], p[FloatW-2:0]};
+
+  // ---- stage 1: registers ----------------------------------------------- plane_time.rs
+  reg [FloatW-1:0] s1_minus_p;
+  reg [FloatW-1:0] s1_r;
+  reg              s1_never;
+  always @(posedge clk) begin
+    if (ce) begin
+      s1_minus_p <= s0_minus_p;
+      s1_r       <= r;
+      s1_never   <= never;
+    end
+  end
+
+  // ---- stage 2: registers ----------------------------------------------- plane_time.rs
+  reg [FloatW-1:0] s2_minus_p;
+  reg [FloatW-1:0] s2_r;
+  reg              s2_never;
+  always @(posedge clk) begin
+    if (ce) begin
+      s2_minus_p <= s1_minus_p;
+      s2_r       <= s1_r;
+      s2_never   <= s1_never;
+    end
+  end
+
+  // ---- stage 2: distance ------------------------------------------------ plane_time.rs
+  wire [FloatW-1:0] s5_distance;
+  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_sub (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s2_plane_float),
+    .b     (s2_minus_p),
+    .result(s5_distance)
+  );
+
+  // ---- stage 3: registers ----------------------------------------------- plane_time.rs
+  reg [FloatW-1:0] s3_r;
+  reg              s3_never;
+  always @(posedge clk) begin
+    if (ce) begin
+      s3_r     <= s2_r;
+      s3_never <= s2_never;
+    end
+  end
+
+  // ---- stage 4: registers ----------------------------------------------- plane_time.rs
+  reg [FloatW-1:0] s4_r;
+  reg              s4_never;
+  always @(posedge clk) begin
+    if (ce) begin
+      s4_r     <= s3_r;
+      s4_never <= s3_never;
+    end
+  end
+
+  // ---- stage 5: registers ----------------------------------------------- plane_time.rs
+  reg [FloatW-1:0] s5_r;
+  reg              s5_never;
+  always @(posedge clk) begin
+    if (ce) begin
+      s5_r     <= s4_r;
+      s5_never <= s4_never;
+    end
+  end
+
+  // ---- stage 5: parameter ----------------------------------------------- plane_time.rs
+  wire [FloatW-1:0] s7_product;
+  relief_fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_mul (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s5_distance),
+    .b     (s5_r),
+    .result(s7_product)
+  );
+
+  // ---- stage 6: registers ----------------------------------------------- plane_time.rs
+  reg s6_never;
+  always @(posedge clk) begin
+    if (ce) begin
+      s6_never <= s5_never;
+    end
+  end
+
+  // ---- stage 7: registers ----------------------------------------------- plane_time.rs
+  reg s7_never;
+  always @(posedge clk) begin
+    if (ce) begin
+      s7_never <= s6_never;
+    end
+  end
+
+  // ---- stage 7: parameter ----------------------------------------------- plane_time.rs
+  wire [FloatW-1:0] s7_when_met = s7_never ? {1'b0, {EXP_W{1'b1}}, {MAN_W{1'b0}}} : s7_product;
+
+  // ---- stage 8: registers ----------------------------------------------- plane_time.rs
+  reg [FloatW-1:0] s8_when_met;
+  always @(posedge clk) begin
+    if (ce) begin
+      s8_when_met <= s7_when_met;
+    end
+  end
+
+  assign t = s8_when_met;
+endmodule
+`default_nettype wire

@@ -1,0 +1,108 @@
+// relief_predicted_hit: texel coordinate reached at parameter m: floor(p_back + d * m)
+// Source     src/units/traversal/watertight/predicted_hit.rs (emitted: do not edit)
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    7 clocks
+// Throughput one result per clock
+// Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
+//            0 reads as zero of its sign; results below the smallest normal, after rounding, become
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
+//            out); nearest, ties to even; x - x is +0.
+`default_nettype none
+module relief_predicted_hit #(
+  parameter integer EXP_W = 7,   // exponent bits
+  parameter integer MAN_W = 16,  // fraction bits, the hidden one not counted
+  parameter integer IDX_W = 14   // bits of a signed, unwrapped texel coordinate
+) (
+  input  wire                 clk,     // rising edge
+  input  wire                 ce,      // clock enable: registers hold while 0
+  input  wire [EXP_W+MAN_W:0] p_back,  // entry point, biased backwards [float, texels]
+  input  wire [EXP_W+MAN_W:0] d,       // direction [float, texels per height code]
+  input  wire [EXP_W+MAN_W:0] m,       // parameter [float, height codes]
+  output wire [IDX_W-1:0]     e        // signed coordinate [texels]
+);
+  localparam integer FloatW = EXP_W + MAN_W + 1;
+
+  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  generate
+    if (2 > EXP_W) begin : gen_illegal_0
+      must_hold_2_at_most_EXP_W u_illegal ();
+    end
+    if (EXP_W > 11) begin : gen_illegal_1
+      must_hold_EXP_W_at_most_11 u_illegal ();
+    end
+    if (2 > MAN_W) begin : gen_illegal_2
+      must_hold_2_at_most_MAN_W u_illegal ();
+    end
+    if (MAN_W > 28) begin : gen_illegal_3
+      must_hold_MAN_W_at_most_28 u_illegal ();
+    end
+    if (IDX_W > 24) begin : gen_illegal_4
+      must_hold_IDX_W_at_most_24 u_illegal ();
+    end
+    if (2 > IDX_W) begin : gen_illegal_5
+      must_hold_2_at_most_IDX_W u_illegal ();
+    end
+  endgenerate
+
+  // ---- stage 0: way -------------------------------------------------- predicted_hit.rs
+  // The position is rounded down to its texel; the bias keeps it from lying ahead of the ray.
+  wire [FloatW-1:0] s2_way;
+  relief_fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_mul (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (d),
+    .b     (m),
+    .result(s2_way)
+  );
+
+  // ---- stage 1: registers -------------------------------------------- predicted_hit.rs
+  reg [FloatW-1:0] s1_p_back;
+  always @(posedge clk) begin
+    if (ce) begin
+      s1_p_back <= p_back;
+    end
+  end
+
+  // ---- stage 2: registers -------------------------------------------- predicted_hit.rs
+  reg [FloatW-1:0] s2_p_back;
+  always @(posedge clk) begin
+    if (ce) begin
+      s2_p_back <= s1_p_back;
+    end
+  end
+
+  // ---- stage 2: way -------------------------------------------------- predicted_hit.rs
+  // The position is rounded down to its texel; the bias keeps it from lying ahead of the ray.
+  wire [FloatW-1:0] s5_position;
+  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_add (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s2_p_back),
+    .b     (s2_way),
+    .result(s5_position)
+  );
+
+  // ---- stage 3: registers -------------------------------------------- predicted_hit.rs
+
+  // ---- stage 4: registers -------------------------------------------- predicted_hit.rs
+
+  // ---- stage 5: registers -------------------------------------------- predicted_hit.rs
+
+  // ---- stage 5: way -------------------------------------------------- predicted_hit.rs
+  // The position is rounded down to its texel; the bias keeps it from lying ahead of the ray.
+  wire [IDX_W-1:0] s7_texel;
+  relief_fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IDX_W)) u_to_int (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s5_position),
+    .result(s7_texel)
+  );
+
+  // ---- stage 6: registers -------------------------------------------- predicted_hit.rs
+
+  // ---- stage 7: registers -------------------------------------------- predicted_hit.rs
+
+  assign e = s7_texel;
+endmodule
+`default_nettype wire

@@ -1,0 +1,1032 @@
+// relief_ray_setup: a ray's constants, from texture coordinates to texels and height codes
+// Source     src/units/traversal/watertight/ray_setup.rs (emitted: do not edit)
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    21 clocks
+// Throughput one result per clock
+// Note       A ray that can't be traced (see ok) has all other outputs 0.
+// Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
+//            0 reads as zero of its sign; results below the smallest normal, after rounding, become
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
+//            out); nearest, ties to even; x - x is +0.
+`default_nettype none
+module relief_ray_setup #(
+  parameter integer EXP_W    = 7,   // exponent bits
+  parameter integer MAN_W    = 16,  // fraction bits, the hidden one not counted
+  parameter integer LEVELS   = 8,   // the map has 2^LEVELS x 2^LEVELS texels
+  parameter integer HEIGHT_W = 8,   // bits of a height code
+  parameter integer TILE_W   = 4    // a ray travels less than 2^TILE_W tiles along each axis
+) (
+  input  wire                        clk,      // rising edge
+  input  wire                        ce,       // clock enable: registers hold while 0
+  // entry point at the top plane, 0 <= u < 1 [float, tiles]
+  input  wire [EXP_W+MAN_W:0]        u,
+  // entry point at the top plane, 0 <= v < 1 [float, tiles]
+  input  wire [EXP_W+MAN_W:0]        v,
+  // u travelled while the height falls from 1 to 0 [float, tiles]
+  input  wire [EXP_W+MAN_W:0]        du,
+  // v travelled while the height falls from 1 to 0 [float, tiles]
+  input  wire [EXP_W+MAN_W:0]        dv,
+  // the ray can be traced: finite, entry in the tile, direction below 2^TILE_W
+  output wire                        ok,
+  output wire [$clog2(LEVELS+1)-1:0] level,    // level of the first iteration [levels]
+  output wire [EXP_W+MAN_W:0]        p_x,      // entry point [float, texels]
+  output wire [EXP_W+MAN_W:0]        pb_x,     // entry point, biased backwards [float, texels]
+  output wire [EXP_W+MAN_W:0]        d_x,      // direction [float, texels per height code]
+  // reciprocal direction [float, height codes per texel]
+  output wire [EXP_W+MAN_W:0]        r_x,
+  output wire                        never_x,  // the ray does not move along this axis
+  output wire                        neg_x,    // it runs toward smaller coordinates
+  output wire [LEVELS+TILE_W+1:0]    first_x,  // texel of the entry point [texels]
+  output wire [EXP_W+MAN_W:0]        p_y,      // entry point [float, texels]
+  output wire [EXP_W+MAN_W:0]        pb_y,     // entry point, biased backwards [float, texels]
+  output wire [EXP_W+MAN_W:0]        d_y,      // direction [float, texels per height code]
+  // reciprocal direction [float, height codes per texel]
+  output wire [EXP_W+MAN_W:0]        r_y,
+  output wire                        never_y,  // the ray does not move along this axis
+  output wire                        neg_y,    // it runs toward smaller coordinates
+  output wire [LEVELS+TILE_W+1:0]    first_y   // texel of the entry point [texels]
+);
+  localparam integer FloatW = EXP_W + MAN_W + 1;
+  localparam integer LevelW = $clog2(LEVELS + 1);
+  localparam integer IdxW = LEVELS + TILE_W + 2;
+  localparam integer OneExp = (1 << (EXP_W - 1)) - 1;
+  localparam integer FarExp = TILE_W + (1 << (EXP_W - 1)) - 1;
+  localparam integer Grow = LEVELS;
+  localparam integer MExp = HEIGHT_W + (1 << (EXP_W - 1)) - 2;
+  localparam integer MFrac = (1 << MAN_W) - (1 << (MAN_W - HEIGHT_W + 1));
+  localparam integer RecipExp = (1 << (EXP_W - 1)) - HEIGHT_W - 1;
+  localparam [63:0] RecipFrac =
+      (((64'd1 << HEIGHT_W) +
+      (64'd1 << (HEIGHT_W + MAN_W + 1)) - 64'd1) / (64'd2 * (64'd1 << HEIGHT_W) - 64'd2));
+  localparam integer Least = LEVELS + (1 << (EXP_W - 1)) + 1;
+  localparam integer Ulps = MAN_W + 1;
+
+  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  generate
+    if (2 > EXP_W) begin : gen_illegal_0
+      must_hold_2_at_most_EXP_W u_illegal ();
+    end
+    if (EXP_W > 11) begin : gen_illegal_1
+      must_hold_EXP_W_at_most_11 u_illegal ();
+    end
+    if (16 > MAN_W) begin : gen_illegal_2
+      must_hold_16_at_most_MAN_W u_illegal ();
+    end
+    if (MAN_W > 28) begin : gen_illegal_3
+      must_hold_MAN_W_at_most_28 u_illegal ();
+    end
+    if (2 > LEVELS) begin : gen_illegal_4
+      must_hold_2_at_most_LEVELS u_illegal ();
+    end
+    if (LEVELS > 12) begin : gen_illegal_5
+      must_hold_LEVELS_at_most_12 u_illegal ();
+    end
+    if (2 > HEIGHT_W) begin : gen_illegal_6
+      must_hold_2_at_most_HEIGHT_W u_illegal ();
+    end
+    if (HEIGHT_W > 16) begin : gen_illegal_7
+      must_hold_HEIGHT_W_at_most_16 u_illegal ();
+    end
+    if (HEIGHT_W > MAN_W + 1) begin : gen_illegal_8
+      must_hold_HEIGHT_W_at_most_MAN_W_plus_1 u_illegal ();
+    end
+    if (1 > TILE_W) begin : gen_illegal_9
+      must_hold_1_at_most_TILE_W u_illegal ();
+    end
+    if (TILE_W > 8) begin : gen_illegal_10
+      must_hold_TILE_W_at_most_8 u_illegal ();
+    end
+    if (LEVELS + TILE_W + 2 > 24) begin : gen_illegal_11
+      must_hold_LEVELS_plus_TILE_W_plus_2_at_most_24 u_illegal ();
+    end
+    if (LEVELS + TILE_W + 1 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_12
+      must_hold_LEVELS_plus_TILE_W_plus_1_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
+    end
+    if (HEIGHT_W + 2 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_13
+      must_hold_HEIGHT_W_plus_2_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
+    end
+    if (MAN_W > LEVELS + (1 << (EXP_W - 1)) - 1) begin : gen_illegal_14
+      must_hold_MAN_W_at_most_LEVELS_plus_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
+    end
+    if (EXP_W > 11) begin : gen_illegal_15
+      must_hold_EXP_W_at_most_11 u_illegal ();
+    end
+    if (MAN_W > 28) begin : gen_illegal_16
+      must_hold_MAN_W_at_most_28 u_illegal ();
+    end
+    if (EXP_W > 11) begin : gen_illegal_17
+      must_hold_EXP_W_at_most_11 u_illegal ();
+    end
+    if (MAN_W > 28) begin : gen_illegal_18
+      must_hold_MAN_W_at_most_28 u_illegal ();
+    end
+  endgenerate
+
+  // ---- stage 0: x_scale -------------------------------------------------- ray_setup.rs
+  // Times 2^LEVELS: the exponent grows; zeros stay zeros.
+  wire              s0_x_p_in_sign = u[FloatW-1];
+  wire [EXP_W-1:0]  s0_x_p_in_exp = u[EXP_W+MAN_W-1:MAN_W];
+  wire [MAN_W-1:0]  s0_x_p_in_frac = u[MAN_W-1:0];
+  wire              s0_x_p_in_is_zero = ~(|s0_x_p_in_exp);
+  wire              s0_x_p_in_exp_ones = &s0_x_p_in_exp;
+  wire              s0_x_p_in_frac_some = |s0_x_p_in_frac;
+  wire              s0_x_p_in_is_inf = s0_x_p_in_exp_ones & ~s0_x_p_in_frac_some;
+  wire              s0_x_p_in_is_nan = s0_x_p_in_exp_ones & s0_x_p_in_frac_some;
+  wire              s0_x_d_in_sign = du[FloatW-1];
+  wire [EXP_W-1:0]  s0_x_d_in_exp = du[EXP_W+MAN_W-1:MAN_W];
+  wire [MAN_W-1:0]  s0_x_d_in_frac = du[MAN_W-1:0];
+  wire              s0_x_d_in_is_zero = ~(|s0_x_d_in_exp);
+  wire              s0_x_d_in_exp_ones = &s0_x_d_in_exp;
+  wire              s0_x_d_in_frac_some = |s0_x_d_in_frac;
+  wire              s0_x_d_in_is_inf = s0_x_d_in_exp_ones & ~s0_x_d_in_frac_some;
+  wire              s0_x_d_in_is_nan = s0_x_d_in_exp_ones & s0_x_d_in_frac_some;
+  wire              s0_x_ok =
+      (s0_x_p_in_is_zero | (~s0_x_p_in_sign & (s0_x_p_in_exp < OneExp[EXP_W-1:0]))) &
+      (s0_x_d_in_exp < FarExp[EXP_W-1:0]);
+  wire [FloatW-1:0] s0_x_p =
+      {1'b0, {s0_x_p_in_exp + Grow[EXP_W-1:0], s0_x_p_in_frac} &
+      {(EXP_W + MAN_W){~s0_x_p_in_is_zero}}};
+  wire [FloatW-1:0] s0_x_dn =
+      {s0_x_d_in_sign, {s0_x_d_in_exp + Grow[EXP_W-1:0], s0_x_d_in_frac} &
+      {(EXP_W + MAN_W){~s0_x_d_in_is_zero}}};
+
+  // ---- stage 0: x_bias --------------------------------------------------- ray_setup.rs
+  // A power of two above the position estimate's error, subtracted against the direction.
+  wire s0_x_forward = ~s0_x_d_in_sign;
+
+  // ---- stage 0: y_scale -------------------------------------------------- ray_setup.rs
+  // Times 2^LEVELS: the exponent grows; zeros stay zeros.
+  wire              s0_y_p_in_sign = v[FloatW-1];
+  wire [EXP_W-1:0]  s0_y_p_in_exp = v[EXP_W+MAN_W-1:MAN_W];
+  wire [MAN_W-1:0]  s0_y_p_in_frac = v[MAN_W-1:0];
+  wire              s0_y_p_in_is_zero = ~(|s0_y_p_in_exp);
+  wire              s0_y_p_in_exp_ones = &s0_y_p_in_exp;
+  wire              s0_y_p_in_frac_some = |s0_y_p_in_frac;
+  wire              s0_y_p_in_is_inf = s0_y_p_in_exp_ones & ~s0_y_p_in_frac_some;
+  wire              s0_y_p_in_is_nan = s0_y_p_in_exp_ones & s0_y_p_in_frac_some;
+  wire              s0_y_d_in_sign = dv[FloatW-1];
+  wire [EXP_W-1:0]  s0_y_d_in_exp = dv[EXP_W+MAN_W-1:MAN_W];
+  wire [MAN_W-1:0]  s0_y_d_in_frac = dv[MAN_W-1:0];
+  wire              s0_y_d_in_is_zero = ~(|s0_y_d_in_exp);
+  wire              s0_y_d_in_exp_ones = &s0_y_d_in_exp;
+  wire              s0_y_d_in_frac_some = |s0_y_d_in_frac;
+  wire              s0_y_d_in_is_inf = s0_y_d_in_exp_ones & ~s0_y_d_in_frac_some;
+  wire              s0_y_d_in_is_nan = s0_y_d_in_exp_ones & s0_y_d_in_frac_some;
+  wire              s0_y_ok =
+      (s0_y_p_in_is_zero | (~s0_y_p_in_sign & (s0_y_p_in_exp < OneExp[EXP_W-1:0]))) &
+      (s0_y_d_in_exp < FarExp[EXP_W-1:0]);
+  wire [FloatW-1:0] s0_y_p =
+      {1'b0, {s0_y_p_in_exp + Grow[EXP_W-1:0], s0_y_p_in_frac} &
+      {(EXP_W + MAN_W){~s0_y_p_in_is_zero}}};
+  wire [FloatW-1:0] s0_y_dn =
+      {s0_y_d_in_sign, {s0_y_d_in_exp + Grow[EXP_W-1:0], s0_y_d_in_frac} &
+      {(EXP_W + MAN_W){~s0_y_d_in_is_zero}}};
+
+  // ---- stage 0: y_bias --------------------------------------------------- ray_setup.rs
+  // A power of two above the position estimate's error, subtracted against the direction.
+  wire s0_y_forward = ~s0_y_d_in_sign;
+
+  // ---- stage 0: level ---------------------------------------------------- ray_setup.rs
+  wire s0_is_ok = s0_x_ok & s0_y_ok;
+
+  // ---- stage 1: registers ------------------------------------------------ ray_setup.rs
+  reg [FloatW-1:0] s1_x_p;
+  reg [FloatW-1:0] s1_x_dn;
+  reg              s1_x_d_in_is_zero;
+  reg              s1_x_forward;
+  reg [FloatW-1:0] s1_y_p;
+  reg [FloatW-1:0] s1_y_dn;
+  reg              s1_y_d_in_is_zero;
+  reg              s1_y_forward;
+  reg              s1_is_ok;
+  reg              s1_x_d_in_sign;
+  reg              s1_y_d_in_sign;
+  always @(posedge clk) begin
+    if (ce) begin
+      s1_x_p            <= s0_x_p;
+      s1_x_dn           <= s0_x_dn;
+      s1_x_d_in_is_zero <= s0_x_d_in_is_zero;
+      s1_x_forward      <= s0_x_forward;
+      s1_y_p            <= s0_y_p;
+      s1_y_dn           <= s0_y_dn;
+      s1_y_d_in_is_zero <= s0_y_d_in_is_zero;
+      s1_y_forward      <= s0_y_forward;
+      s1_is_ok          <= s0_is_ok;
+      s1_x_d_in_sign    <= s0_x_d_in_sign;
+      s1_y_d_in_sign    <= s0_y_d_in_sign;
+    end
+  end
+
+  // ---- stage 1: x_slope -------------------------------------------------- ray_setup.rs
+  // In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.
+  wire [FloatW-1:0] s21_x_r;
+  relief_fp_div #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_x_div (
+    .clk   (clk),
+    .ce    (ce),
+    .a     ({1'b0, MExp[EXP_W-1:0], MFrac[MAN_W-1:0]}),
+    .b     (s1_x_dn),
+    .result(s21_x_r)
+  );
+  wire [FloatW-1:0] s3_x_d;
+  relief_fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_x_mul (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s1_x_dn),
+    .b     ({1'b0, RecipExp[EXP_W-1:0], RecipFrac[MAN_W-1:0]}),
+    .result(s3_x_d)
+  );
+
+  // ---- stage 1: x_bias --------------------------------------------------- ray_setup.rs
+  // A power of two above the position estimate's error, subtracted against the direction.
+  wire [EXP_W:0]    s1_x_reach = {1'b0, s1_x_dn[EXP_W+MAN_W-1:MAN_W]} + {{(EXP_W - 2){1'b0}}, 3'd5};
+  wire [EXP_W:0]    s1_x_bias_top = (Least[EXP_W:0] < s1_x_reach) ? s1_x_reach : Least[EXP_W:0];
+  wire [EXP_W:0]    s1_x_bias_exp = s1_x_bias_top - Ulps[EXP_W:0];
+  wire [FloatW-1:0] s1_x_bias = {s1_x_forward, s1_x_bias_exp[EXP_W-1:0], {MAN_W{1'b0}}};
+
+  // ---- stage 1: x_texels ------------------------------------------------- ray_setup.rs
+  wire [IdxW-1:0] s3_x_first;
+  relief_fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW)) u_x_first (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s1_x_p),
+    .result(s3_x_first)
+  );
+  wire [FloatW-1:0] s4_x_end;
+  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_x_end (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s1_x_p),
+    .b     (s1_x_dn),
+    .result(s4_x_end)
+  );
+
+  // ---- stage 1: y_slope -------------------------------------------------- ray_setup.rs
+  // In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.
+  wire [FloatW-1:0] s21_y_r;
+  relief_fp_div #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_y_div (
+    .clk   (clk),
+    .ce    (ce),
+    .a     ({1'b0, MExp[EXP_W-1:0], MFrac[MAN_W-1:0]}),
+    .b     (s1_y_dn),
+    .result(s21_y_r)
+  );
+  wire [FloatW-1:0] s3_y_d;
+  relief_fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_y_mul (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s1_y_dn),
+    .b     ({1'b0, RecipExp[EXP_W-1:0], RecipFrac[MAN_W-1:0]}),
+    .result(s3_y_d)
+  );
+
+  // ---- stage 1: y_bias --------------------------------------------------- ray_setup.rs
+  // A power of two above the position estimate's error, subtracted against the direction.
+  wire [EXP_W:0]    s1_y_reach = {1'b0, s1_y_dn[EXP_W+MAN_W-1:MAN_W]} + {{(EXP_W - 2){1'b0}}, 3'd5};
+  wire [EXP_W:0]    s1_y_bias_top = (Least[EXP_W:0] < s1_y_reach) ? s1_y_reach : Least[EXP_W:0];
+  wire [EXP_W:0]    s1_y_bias_exp = s1_y_bias_top - Ulps[EXP_W:0];
+  wire [FloatW-1:0] s1_y_bias = {s1_y_forward, s1_y_bias_exp[EXP_W-1:0], {MAN_W{1'b0}}};
+
+  // ---- stage 1: y_texels ------------------------------------------------- ray_setup.rs
+  wire [IdxW-1:0] s3_y_first;
+  relief_fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW)) u_y_first (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s1_y_p),
+    .result(s3_y_first)
+  );
+  wire [FloatW-1:0] s4_y_end;
+  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_y_end (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s1_y_p),
+    .b     (s1_y_dn),
+    .result(s4_y_end)
+  );
+
+  // ---- stage 2: registers ------------------------------------------------ ray_setup.rs
+  reg              s2_x_d_in_is_zero;
+  reg [FloatW-1:0] s2_x_bias;
+  reg [FloatW-1:0] s2_x_p;
+  reg              s2_y_d_in_is_zero;
+  reg [FloatW-1:0] s2_y_bias;
+  reg [FloatW-1:0] s2_y_p;
+  reg              s2_is_ok;
+  reg              s2_x_d_in_sign;
+  reg              s2_y_d_in_sign;
+  always @(posedge clk) begin
+    if (ce) begin
+      s2_x_d_in_is_zero <= s1_x_d_in_is_zero;
+      s2_x_bias         <= s1_x_bias;
+      s2_x_p            <= s1_x_p;
+      s2_y_d_in_is_zero <= s1_y_d_in_is_zero;
+      s2_y_bias         <= s1_y_bias;
+      s2_y_p            <= s1_y_p;
+      s2_is_ok          <= s1_is_ok;
+      s2_x_d_in_sign    <= s1_x_d_in_sign;
+      s2_y_d_in_sign    <= s1_y_d_in_sign;
+    end
+  end
+
+  // ---- stage 2: x_bias --------------------------------------------------- ray_setup.rs
+  // A power of two above the position estimate's error, subtracted against the direction.
+  wire [FloatW-1:0] s5_x_pb;
+  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_x_back (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s2_x_p),
+    .b     (s2_x_bias),
+    .result(s5_x_pb)
+  );
+
+  // ---- stage 2: y_bias --------------------------------------------------- ray_setup.rs
+  // A power of two above the position estimate's error, subtracted against the direction.
+  wire [FloatW-1:0] s5_y_pb;
+  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_y_back (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s2_y_p),
+    .b     (s2_y_bias),
+    .result(s5_y_pb)
+  );
+
+  // ---- stage 3: registers ------------------------------------------------ ray_setup.rs
+  reg              s3_x_d_in_is_zero;
+  reg              s3_y_d_in_is_zero;
+  reg              s3_is_ok;
+  reg [FloatW-1:0] s3_x_p;
+  reg              s3_x_d_in_sign;
+  reg [FloatW-1:0] s3_y_p;
+  reg              s3_y_d_in_sign;
+  always @(posedge clk) begin
+    if (ce) begin
+      s3_x_d_in_is_zero <= s2_x_d_in_is_zero;
+      s3_y_d_in_is_zero <= s2_y_d_in_is_zero;
+      s3_is_ok          <= s2_is_ok;
+      s3_x_p            <= s2_x_p;
+      s3_x_d_in_sign    <= s2_x_d_in_sign;
+      s3_y_p            <= s2_y_p;
+      s3_y_d_in_sign    <= s2_y_d_in_sign;
+    end
+  end
+
+  // ---- stage 4: registers ------------------------------------------------ ray_setup.rs
+  reg              s4_x_d_in_is_zero;
+  reg              s4_y_d_in_is_zero;
+  reg [IdxW-1:0]   s4_x_first;
+  reg [IdxW-1:0]   s4_y_first;
+  reg              s4_is_ok;
+  reg [FloatW-1:0] s4_x_p;
+  reg [FloatW-1:0] s4_x_d;
+  reg              s4_x_d_in_sign;
+  reg [FloatW-1:0] s4_y_p;
+  reg [FloatW-1:0] s4_y_d;
+  reg              s4_y_d_in_sign;
+  always @(posedge clk) begin
+    if (ce) begin
+      s4_x_d_in_is_zero <= s3_x_d_in_is_zero;
+      s4_y_d_in_is_zero <= s3_y_d_in_is_zero;
+      s4_x_first        <= s3_x_first;
+      s4_y_first        <= s3_y_first;
+      s4_is_ok          <= s3_is_ok;
+      s4_x_p            <= s3_x_p;
+      s4_x_d            <= s3_x_d;
+      s4_x_d_in_sign    <= s3_x_d_in_sign;
+      s4_y_p            <= s3_y_p;
+      s4_y_d            <= s3_y_d;
+      s4_y_d_in_sign    <= s3_y_d_in_sign;
+    end
+  end
+
+  // ---- stage 4: x_texels ------------------------------------------------- ray_setup.rs
+  wire [IdxW-1:0] s6_x_last;
+  relief_fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW)) u_x_last (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s4_x_end),
+    .result(s6_x_last)
+  );
+
+  // ---- stage 4: y_texels ------------------------------------------------- ray_setup.rs
+  wire [IdxW-1:0] s6_y_last;
+  relief_fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW)) u_y_last (
+    .clk   (clk),
+    .ce    (ce),
+    .a     (s4_y_end),
+    .result(s6_y_last)
+  );
+
+  // ---- stage 5: registers ------------------------------------------------ ray_setup.rs
+  reg              s5_x_d_in_is_zero;
+  reg              s5_y_d_in_is_zero;
+  reg [IdxW-1:0]   s5_x_first;
+  reg [IdxW-1:0]   s5_y_first;
+  reg              s5_is_ok;
+  reg [FloatW-1:0] s5_x_p;
+  reg [FloatW-1:0] s5_x_d;
+  reg              s5_x_d_in_sign;
+  reg [FloatW-1:0] s5_y_p;
+  reg [FloatW-1:0] s5_y_d;
+  reg              s5_y_d_in_sign;
+  always @(posedge clk) begin
+    if (ce) begin
+      s5_x_d_in_is_zero <= s4_x_d_in_is_zero;
+      s5_y_d_in_is_zero <= s4_y_d_in_is_zero;
+      s5_x_first        <= s4_x_first;
+      s5_y_first        <= s4_y_first;
+      s5_is_ok          <= s4_is_ok;
+      s5_x_p            <= s4_x_p;
+      s5_x_d            <= s4_x_d;
+      s5_x_d_in_sign    <= s4_x_d_in_sign;
+      s5_y_p            <= s4_y_p;
+      s5_y_d            <= s4_y_d;
+      s5_y_d_in_sign    <= s4_y_d_in_sign;
+    end
+  end
+
+  // ---- stage 6: registers ------------------------------------------------ ray_setup.rs
+  reg              s6_x_d_in_is_zero;
+  reg              s6_y_d_in_is_zero;
+  reg [IdxW-1:0]   s6_x_first;
+  reg [IdxW-1:0]   s6_y_first;
+  reg              s6_is_ok;
+  reg [FloatW-1:0] s6_x_p;
+  reg [FloatW-1:0] s6_x_pb;
+  reg [FloatW-1:0] s6_x_d;
+  reg              s6_x_d_in_sign;
+  reg [FloatW-1:0] s6_y_p;
+  reg [FloatW-1:0] s6_y_pb;
+  reg [FloatW-1:0] s6_y_d;
+  reg              s6_y_d_in_sign;
+  always @(posedge clk) begin
+    if (ce) begin
+      s6_x_d_in_is_zero <= s5_x_d_in_is_zero;
+      s6_y_d_in_is_zero <= s5_y_d_in_is_zero;
+      s6_x_first        <= s5_x_first;
+      s6_y_first        <= s5_y_first;
+      s6_is_ok          <= s5_is_ok;
+      s6_x_p            <= s5_x_p;
+      s6_x_pb           <= s5_x_pb;
+      s6_x_d            <= s5_x_d;
+      s6_x_d_in_sign    <= s5_x_d_in_sign;
+      s6_y_p            <= s5_y_p;
+      s6_y_pb           <= s5_y_pb;
+      s6_y_d            <= s5_y_d;
+      s6_y_d_in_sign    <= s5_y_d_in_sign;
+    end
+  end
+
+  // ---- stage 6: level ---------------------------------------------------- ray_setup.rs
+  wire [LevelW-1:0] s6_start;
+  relief_start_level #(.LEVELS(LEVELS), .IDX_W(IdxW)) u_start_level (
+    .x    (s6_x_first),
+    .y    (s6_y_first),
+    .x_end(s6_x_last),
+    .y_end(s6_y_last),
+    .level(s6_start)
+  );
+
+  // ---- stage 7: registers ------------------------------------------------ ray_setup.rs
+  reg              s7_x_d_in_is_zero;
+  reg              s7_y_d_in_is_zero;
+  reg              s7_is_ok;
+  reg [LevelW-1:0] s7_start;
+  reg [FloatW-1:0] s7_x_p;
+  reg [FloatW-1:0] s7_x_pb;
+  reg [FloatW-1:0] s7_x_d;
+  reg              s7_x_d_in_sign;
+  reg [IdxW-1:0]   s7_x_first;
+  reg [FloatW-1:0] s7_y_p;
+  reg [FloatW-1:0] s7_y_pb;
+  reg [FloatW-1:0] s7_y_d;
+  reg              s7_y_d_in_sign;
+  reg [IdxW-1:0]   s7_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s7_x_d_in_is_zero <= s6_x_d_in_is_zero;
+      s7_y_d_in_is_zero <= s6_y_d_in_is_zero;
+      s7_is_ok          <= s6_is_ok;
+      s7_start          <= s6_start;
+      s7_x_p            <= s6_x_p;
+      s7_x_pb           <= s6_x_pb;
+      s7_x_d            <= s6_x_d;
+      s7_x_d_in_sign    <= s6_x_d_in_sign;
+      s7_x_first        <= s6_x_first;
+      s7_y_p            <= s6_y_p;
+      s7_y_pb           <= s6_y_pb;
+      s7_y_d            <= s6_y_d;
+      s7_y_d_in_sign    <= s6_y_d_in_sign;
+      s7_y_first        <= s6_y_first;
+    end
+  end
+
+  // ---- stage 8: registers ------------------------------------------------ ray_setup.rs
+  reg              s8_x_d_in_is_zero;
+  reg              s8_y_d_in_is_zero;
+  reg              s8_is_ok;
+  reg [LevelW-1:0] s8_start;
+  reg [FloatW-1:0] s8_x_p;
+  reg [FloatW-1:0] s8_x_pb;
+  reg [FloatW-1:0] s8_x_d;
+  reg              s8_x_d_in_sign;
+  reg [IdxW-1:0]   s8_x_first;
+  reg [FloatW-1:0] s8_y_p;
+  reg [FloatW-1:0] s8_y_pb;
+  reg [FloatW-1:0] s8_y_d;
+  reg              s8_y_d_in_sign;
+  reg [IdxW-1:0]   s8_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s8_x_d_in_is_zero <= s7_x_d_in_is_zero;
+      s8_y_d_in_is_zero <= s7_y_d_in_is_zero;
+      s8_is_ok          <= s7_is_ok;
+      s8_start          <= s7_start;
+      s8_x_p            <= s7_x_p;
+      s8_x_pb           <= s7_x_pb;
+      s8_x_d            <= s7_x_d;
+      s8_x_d_in_sign    <= s7_x_d_in_sign;
+      s8_x_first        <= s7_x_first;
+      s8_y_p            <= s7_y_p;
+      s8_y_pb           <= s7_y_pb;
+      s8_y_d            <= s7_y_d;
+      s8_y_d_in_sign    <= s7_y_d_in_sign;
+      s8_y_first        <= s7_y_first;
+    end
+  end
+
+  // ---- stage 9: registers ------------------------------------------------ ray_setup.rs
+  reg              s9_x_d_in_is_zero;
+  reg              s9_y_d_in_is_zero;
+  reg              s9_is_ok;
+  reg [LevelW-1:0] s9_start;
+  reg [FloatW-1:0] s9_x_p;
+  reg [FloatW-1:0] s9_x_pb;
+  reg [FloatW-1:0] s9_x_d;
+  reg              s9_x_d_in_sign;
+  reg [IdxW-1:0]   s9_x_first;
+  reg [FloatW-1:0] s9_y_p;
+  reg [FloatW-1:0] s9_y_pb;
+  reg [FloatW-1:0] s9_y_d;
+  reg              s9_y_d_in_sign;
+  reg [IdxW-1:0]   s9_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s9_x_d_in_is_zero <= s8_x_d_in_is_zero;
+      s9_y_d_in_is_zero <= s8_y_d_in_is_zero;
+      s9_is_ok          <= s8_is_ok;
+      s9_start          <= s8_start;
+      s9_x_p            <= s8_x_p;
+      s9_x_pb           <= s8_x_pb;
+      s9_x_d            <= s8_x_d;
+      s9_x_d_in_sign    <= s8_x_d_in_sign;
+      s9_x_first        <= s8_x_first;
+      s9_y_p            <= s8_y_p;
+      s9_y_pb           <= s8_y_pb;
+      s9_y_d            <= s8_y_d;
+      s9_y_d_in_sign    <= s8_y_d_in_sign;
+      s9_y_first        <= s8_y_first;
+    end
+  end
+
+  // ---- stage 10: registers ----------------------------------------------- ray_setup.rs
+  reg              s10_x_d_in_is_zero;
+  reg              s10_y_d_in_is_zero;
+  reg              s10_is_ok;
+  reg [LevelW-1:0] s10_start;
+  reg [FloatW-1:0] s10_x_p;
+  reg [FloatW-1:0] s10_x_pb;
+  reg [FloatW-1:0] s10_x_d;
+  reg              s10_x_d_in_sign;
+  reg [IdxW-1:0]   s10_x_first;
+  reg [FloatW-1:0] s10_y_p;
+  reg [FloatW-1:0] s10_y_pb;
+  reg [FloatW-1:0] s10_y_d;
+  reg              s10_y_d_in_sign;
+  reg [IdxW-1:0]   s10_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s10_x_d_in_is_zero <= s9_x_d_in_is_zero;
+      s10_y_d_in_is_zero <= s9_y_d_in_is_zero;
+      s10_is_ok          <= s9_is_ok;
+      s10_start          <= s9_start;
+      s10_x_p            <= s9_x_p;
+      s10_x_pb           <= s9_x_pb;
+      s10_x_d            <= s9_x_d;
+      s10_x_d_in_sign    <= s9_x_d_in_sign;
+      s10_x_first        <= s9_x_first;
+      s10_y_p            <= s9_y_p;
+      s10_y_pb           <= s9_y_pb;
+      s10_y_d            <= s9_y_d;
+      s10_y_d_in_sign    <= s9_y_d_in_sign;
+      s10_y_first        <= s9_y_first;
+    end
+  end
+
+  // ---- stage 11: registers ----------------------------------------------- ray_setup.rs
+  reg              s11_x_d_in_is_zero;
+  reg              s11_y_d_in_is_zero;
+  reg              s11_is_ok;
+  reg [LevelW-1:0] s11_start;
+  reg [FloatW-1:0] s11_x_p;
+  reg [FloatW-1:0] s11_x_pb;
+  reg [FloatW-1:0] s11_x_d;
+  reg              s11_x_d_in_sign;
+  reg [IdxW-1:0]   s11_x_first;
+  reg [FloatW-1:0] s11_y_p;
+  reg [FloatW-1:0] s11_y_pb;
+  reg [FloatW-1:0] s11_y_d;
+  reg              s11_y_d_in_sign;
+  reg [IdxW-1:0]   s11_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s11_x_d_in_is_zero <= s10_x_d_in_is_zero;
+      s11_y_d_in_is_zero <= s10_y_d_in_is_zero;
+      s11_is_ok          <= s10_is_ok;
+      s11_start          <= s10_start;
+      s11_x_p            <= s10_x_p;
+      s11_x_pb           <= s10_x_pb;
+      s11_x_d            <= s10_x_d;
+      s11_x_d_in_sign    <= s10_x_d_in_sign;
+      s11_x_first        <= s10_x_first;
+      s11_y_p            <= s10_y_p;
+      s11_y_pb           <= s10_y_pb;
+      s11_y_d            <= s10_y_d;
+      s11_y_d_in_sign    <= s10_y_d_in_sign;
+      s11_y_first        <= s10_y_first;
+    end
+  end
+
+  // ---- stage 12: registers ----------------------------------------------- ray_setup.rs
+  reg              s12_x_d_in_is_zero;
+  reg              s12_y_d_in_is_zero;
+  reg              s12_is_ok;
+  reg [LevelW-1:0] s12_start;
+  reg [FloatW-1:0] s12_x_p;
+  reg [FloatW-1:0] s12_x_pb;
+  reg [FloatW-1:0] s12_x_d;
+  reg              s12_x_d_in_sign;
+  reg [IdxW-1:0]   s12_x_first;
+  reg [FloatW-1:0] s12_y_p;
+  reg [FloatW-1:0] s12_y_pb;
+  reg [FloatW-1:0] s12_y_d;
+  reg              s12_y_d_in_sign;
+  reg [IdxW-1:0]   s12_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s12_x_d_in_is_zero <= s11_x_d_in_is_zero;
+      s12_y_d_in_is_zero <= s11_y_d_in_is_zero;
+      s12_is_ok          <= s11_is_ok;
+      s12_start          <= s11_start;
+      s12_x_p            <= s11_x_p;
+      s12_x_pb           <= s11_x_pb;
+      s12_x_d            <= s11_x_d;
+      s12_x_d_in_sign    <= s11_x_d_in_sign;
+      s12_x_first        <= s11_x_first;
+      s12_y_p            <= s11_y_p;
+      s12_y_pb           <= s11_y_pb;
+      s12_y_d            <= s11_y_d;
+      s12_y_d_in_sign    <= s11_y_d_in_sign;
+      s12_y_first        <= s11_y_first;
+    end
+  end
+
+  // ---- stage 13: registers ----------------------------------------------- ray_setup.rs
+  reg              s13_x_d_in_is_zero;
+  reg              s13_y_d_in_is_zero;
+  reg              s13_is_ok;
+  reg [LevelW-1:0] s13_start;
+  reg [FloatW-1:0] s13_x_p;
+  reg [FloatW-1:0] s13_x_pb;
+  reg [FloatW-1:0] s13_x_d;
+  reg              s13_x_d_in_sign;
+  reg [IdxW-1:0]   s13_x_first;
+  reg [FloatW-1:0] s13_y_p;
+  reg [FloatW-1:0] s13_y_pb;
+  reg [FloatW-1:0] s13_y_d;
+  reg              s13_y_d_in_sign;
+  reg [IdxW-1:0]   s13_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s13_x_d_in_is_zero <= s12_x_d_in_is_zero;
+      s13_y_d_in_is_zero <= s12_y_d_in_is_zero;
+      s13_is_ok          <= s12_is_ok;
+      s13_start          <= s12_start;
+      s13_x_p            <= s12_x_p;
+      s13_x_pb           <= s12_x_pb;
+      s13_x_d            <= s12_x_d;
+      s13_x_d_in_sign    <= s12_x_d_in_sign;
+      s13_x_first        <= s12_x_first;
+      s13_y_p            <= s12_y_p;
+      s13_y_pb           <= s12_y_pb;
+      s13_y_d            <= s12_y_d;
+      s13_y_d_in_sign    <= s12_y_d_in_sign;
+      s13_y_first        <= s12_y_first;
+    end
+  end
+
+  // ---- stage 14: registers ----------------------------------------------- ray_setup.rs
+  reg              s14_x_d_in_is_zero;
+  reg              s14_y_d_in_is_zero;
+  reg              s14_is_ok;
+  reg [LevelW-1:0] s14_start;
+  reg [FloatW-1:0] s14_x_p;
+  reg [FloatW-1:0] s14_x_pb;
+  reg [FloatW-1:0] s14_x_d;
+  reg              s14_x_d_in_sign;
+  reg [IdxW-1:0]   s14_x_first;
+  reg [FloatW-1:0] s14_y_p;
+  reg [FloatW-1:0] s14_y_pb;
+  reg [FloatW-1:0] s14_y_d;
+  reg              s14_y_d_in_sign;
+  reg [IdxW-1:0]   s14_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s14_x_d_in_is_zero <= s13_x_d_in_is_zero;
+      s14_y_d_in_is_zero <= s13_y_d_in_is_zero;
+      s14_is_ok          <= s13_is_ok;
+      s14_start          <= s13_start;
+      s14_x_p            <= s13_x_p;
+      s14_x_pb           <= s13_x_pb;
+      s14_x_d            <= s13_x_d;
+      s14_x_d_in_sign    <= s13_x_d_in_sign;
+      s14_x_first        <= s13_x_first;
+      s14_y_p            <= s13_y_p;
+      s14_y_pb           <= s13_y_pb;
+      s14_y_d            <= s13_y_d;
+      s14_y_d_in_sign    <= s13_y_d_in_sign;
+      s14_y_first        <= s13_y_first;
+    end
+  end
+
+  // ---- stage 15: registers ----------------------------------------------- ray_setup.rs
+  reg              s15_x_d_in_is_zero;
+  reg              s15_y_d_in_is_zero;
+  reg              s15_is_ok;
+  reg [LevelW-1:0] s15_start;
+  reg [FloatW-1:0] s15_x_p;
+  reg [FloatW-1:0] s15_x_pb;
+  reg [FloatW-1:0] s15_x_d;
+  reg              s15_x_d_in_sign;
+  reg [IdxW-1:0]   s15_x_first;
+  reg [FloatW-1:0] s15_y_p;
+  reg [FloatW-1:0] s15_y_pb;
+  reg [FloatW-1:0] s15_y_d;
+  reg              s15_y_d_in_sign;
+  reg [IdxW-1:0]   s15_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s15_x_d_in_is_zero <= s14_x_d_in_is_zero;
+      s15_y_d_in_is_zero <= s14_y_d_in_is_zero;
+      s15_is_ok          <= s14_is_ok;
+      s15_start          <= s14_start;
+      s15_x_p            <= s14_x_p;
+      s15_x_pb           <= s14_x_pb;
+      s15_x_d            <= s14_x_d;
+      s15_x_d_in_sign    <= s14_x_d_in_sign;
+      s15_x_first        <= s14_x_first;
+      s15_y_p            <= s14_y_p;
+      s15_y_pb           <= s14_y_pb;
+      s15_y_d            <= s14_y_d;
+      s15_y_d_in_sign    <= s14_y_d_in_sign;
+      s15_y_first        <= s14_y_first;
+    end
+  end
+
+  // ---- stage 16: registers ----------------------------------------------- ray_setup.rs
+  reg              s16_x_d_in_is_zero;
+  reg              s16_y_d_in_is_zero;
+  reg              s16_is_ok;
+  reg [LevelW-1:0] s16_start;
+  reg [FloatW-1:0] s16_x_p;
+  reg [FloatW-1:0] s16_x_pb;
+  reg [FloatW-1:0] s16_x_d;
+  reg              s16_x_d_in_sign;
+  reg [IdxW-1:0]   s16_x_first;
+  reg [FloatW-1:0] s16_y_p;
+  reg [FloatW-1:0] s16_y_pb;
+  reg [FloatW-1:0] s16_y_d;
+  reg              s16_y_d_in_sign;
+  reg [IdxW-1:0]   s16_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s16_x_d_in_is_zero <= s15_x_d_in_is_zero;
+      s16_y_d_in_is_zero <= s15_y_d_in_is_zero;
+      s16_is_ok          <= s15_is_ok;
+      s16_start          <= s15_start;
+      s16_x_p            <= s15_x_p;
+      s16_x_pb           <= s15_x_pb;
+      s16_x_d            <= s15_x_d;
+      s16_x_d_in_sign    <= s15_x_d_in_sign;
+      s16_x_first        <= s15_x_first;
+      s16_y_p            <= s15_y_p;
+      s16_y_pb           <= s15_y_pb;
+      s16_y_d            <= s15_y_d;
+      s16_y_d_in_sign    <= s15_y_d_in_sign;
+      s16_y_first        <= s15_y_first;
+    end
+  end
+
+  // ---- stage 17: registers ----------------------------------------------- ray_setup.rs
+  reg              s17_x_d_in_is_zero;
+  reg              s17_y_d_in_is_zero;
+  reg              s17_is_ok;
+  reg [LevelW-1:0] s17_start;
+  reg [FloatW-1:0] s17_x_p;
+  reg [FloatW-1:0] s17_x_pb;
+  reg [FloatW-1:0] s17_x_d;
+  reg              s17_x_d_in_sign;
+  reg [IdxW-1:0]   s17_x_first;
+  reg [FloatW-1:0] s17_y_p;
+  reg [FloatW-1:0] s17_y_pb;
+  reg [FloatW-1:0] s17_y_d;
+  reg              s17_y_d_in_sign;
+  reg [IdxW-1:0]   s17_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s17_x_d_in_is_zero <= s16_x_d_in_is_zero;
+      s17_y_d_in_is_zero <= s16_y_d_in_is_zero;
+      s17_is_ok          <= s16_is_ok;
+      s17_start          <= s16_start;
+      s17_x_p            <= s16_x_p;
+      s17_x_pb           <= s16_x_pb;
+      s17_x_d            <= s16_x_d;
+      s17_x_d_in_sign    <= s16_x_d_in_sign;
+      s17_x_first        <= s16_x_first;
+      s17_y_p            <= s16_y_p;
+      s17_y_pb           <= s16_y_pb;
+      s17_y_d            <= s16_y_d;
+      s17_y_d_in_sign    <= s16_y_d_in_sign;
+      s17_y_first        <= s16_y_first;
+    end
+  end
+
+  // ---- stage 18: registers ----------------------------------------------- ray_setup.rs
+  reg              s18_x_d_in_is_zero;
+  reg              s18_y_d_in_is_zero;
+  reg              s18_is_ok;
+  reg [LevelW-1:0] s18_start;
+  reg [FloatW-1:0] s18_x_p;
+  reg [FloatW-1:0] s18_x_pb;
+  reg [FloatW-1:0] s18_x_d;
+  reg              s18_x_d_in_sign;
+  reg [IdxW-1:0]   s18_x_first;
+  reg [FloatW-1:0] s18_y_p;
+  reg [FloatW-1:0] s18_y_pb;
+  reg [FloatW-1:0] s18_y_d;
+  reg              s18_y_d_in_sign;
+  reg [IdxW-1:0]   s18_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s18_x_d_in_is_zero <= s17_x_d_in_is_zero;
+      s18_y_d_in_is_zero <= s17_y_d_in_is_zero;
+      s18_is_ok          <= s17_is_ok;
+      s18_start          <= s17_start;
+      s18_x_p            <= s17_x_p;
+      s18_x_pb           <= s17_x_pb;
+      s18_x_d            <= s17_x_d;
+      s18_x_d_in_sign    <= s17_x_d_in_sign;
+      s18_x_first        <= s17_x_first;
+      s18_y_p            <= s17_y_p;
+      s18_y_pb           <= s17_y_pb;
+      s18_y_d            <= s17_y_d;
+      s18_y_d_in_sign    <= s17_y_d_in_sign;
+      s18_y_first        <= s17_y_first;
+    end
+  end
+
+  // ---- stage 19: registers ----------------------------------------------- ray_setup.rs
+  reg              s19_x_d_in_is_zero;
+  reg              s19_y_d_in_is_zero;
+  reg              s19_is_ok;
+  reg [LevelW-1:0] s19_start;
+  reg [FloatW-1:0] s19_x_p;
+  reg [FloatW-1:0] s19_x_pb;
+  reg [FloatW-1:0] s19_x_d;
+  reg              s19_x_d_in_sign;
+  reg [IdxW-1:0]   s19_x_first;
+  reg [FloatW-1:0] s19_y_p;
+  reg [FloatW-1:0] s19_y_pb;
+  reg [FloatW-1:0] s19_y_d;
+  reg              s19_y_d_in_sign;
+  reg [IdxW-1:0]   s19_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s19_x_d_in_is_zero <= s18_x_d_in_is_zero;
+      s19_y_d_in_is_zero <= s18_y_d_in_is_zero;
+      s19_is_ok          <= s18_is_ok;
+      s19_start          <= s18_start;
+      s19_x_p            <= s18_x_p;
+      s19_x_pb           <= s18_x_pb;
+      s19_x_d            <= s18_x_d;
+      s19_x_d_in_sign    <= s18_x_d_in_sign;
+      s19_x_first        <= s18_x_first;
+      s19_y_p            <= s18_y_p;
+      s19_y_pb           <= s18_y_pb;
+      s19_y_d            <= s18_y_d;
+      s19_y_d_in_sign    <= s18_y_d_in_sign;
+      s19_y_first        <= s18_y_first;
+    end
+  end
+
+  // ---- stage 20: registers ----------------------------------------------- ray_setup.rs
+  reg              s20_x_d_in_is_zero;
+  reg              s20_y_d_in_is_zero;
+  reg              s20_is_ok;
+  reg [LevelW-1:0] s20_start;
+  reg [FloatW-1:0] s20_x_p;
+  reg [FloatW-1:0] s20_x_pb;
+  reg [FloatW-1:0] s20_x_d;
+  reg              s20_x_d_in_sign;
+  reg [IdxW-1:0]   s20_x_first;
+  reg [FloatW-1:0] s20_y_p;
+  reg [FloatW-1:0] s20_y_pb;
+  reg [FloatW-1:0] s20_y_d;
+  reg              s20_y_d_in_sign;
+  reg [IdxW-1:0]   s20_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s20_x_d_in_is_zero <= s19_x_d_in_is_zero;
+      s20_y_d_in_is_zero <= s19_y_d_in_is_zero;
+      s20_is_ok          <= s19_is_ok;
+      s20_start          <= s19_start;
+      s20_x_p            <= s19_x_p;
+      s20_x_pb           <= s19_x_pb;
+      s20_x_d            <= s19_x_d;
+      s20_x_d_in_sign    <= s19_x_d_in_sign;
+      s20_x_first        <= s19_x_first;
+      s20_y_p            <= s19_y_p;
+      s20_y_pb           <= s19_y_pb;
+      s20_y_d            <= s19_y_d;
+      s20_y_d_in_sign    <= s19_y_d_in_sign;
+      s20_y_first        <= s19_y_first;
+    end
+  end
+
+  // ---- stage 21: registers ----------------------------------------------- ray_setup.rs
+  reg              s21_x_d_in_is_zero;
+  reg              s21_y_d_in_is_zero;
+  reg              s21_is_ok;
+  reg [LevelW-1:0] s21_start;
+  reg [FloatW-1:0] s21_x_p;
+  reg [FloatW-1:0] s21_x_pb;
+  reg [FloatW-1:0] s21_x_d;
+  reg              s21_x_d_in_sign;
+  reg [IdxW-1:0]   s21_x_first;
+  reg [FloatW-1:0] s21_y_p;
+  reg [FloatW-1:0] s21_y_pb;
+  reg [FloatW-1:0] s21_y_d;
+  reg              s21_y_d_in_sign;
+  reg [IdxW-1:0]   s21_y_first;
+  always @(posedge clk) begin
+    if (ce) begin
+      s21_x_d_in_is_zero <= s20_x_d_in_is_zero;
+      s21_y_d_in_is_zero <= s20_y_d_in_is_zero;
+      s21_is_ok          <= s20_is_ok;
+      s21_start          <= s20_start;
+      s21_x_p            <= s20_x_p;
+      s21_x_pb           <= s20_x_pb;
+      s21_x_d            <= s20_x_d;
+      s21_x_d_in_sign    <= s20_x_d_in_sign;
+      s21_x_first        <= s20_x_first;
+      s21_y_p            <= s20_y_p;
+      s21_y_pb           <= s20_y_pb;
+      s21_y_d            <= s20_y_d;
+      s21_y_d_in_sign    <= s20_y_d_in_sign;
+      s21_y_first        <= s20_y_first;
+    end
+  end
+
+  // ---- stage 21: x_slope ------------------------------------------------- ray_setup.rs
+  // In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.
+  wire s21_x_never = (&s21_x_r[EXP_W+MAN_W-1:MAN_W]) | s21_x_d_in_is_zero;
+
+  // ---- stage 21: y_slope ------------------------------------------------- ray_setup.rs
+  // In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.
+  wire s21_y_never = (&s21_y_r[EXP_W+MAN_W-1:MAN_W]) | s21_y_d_in_is_zero;
+
+  // Bits that nothing needs, named so that no lint has to be switched off for the rest.
+  // verilator lint_off UNUSED
+  wire unused_0 = &{1'b0, {s0_x_p_in_is_inf, s0_x_p_in_is_nan, s0_x_d_in_is_inf, s0_x_d_in_is_nan}};
+  wire unused_1 = &{1'b0, s1_x_bias_exp[EXP_W]};
+  wire unused_2 = &{1'b0, {s0_y_p_in_is_inf, s0_y_p_in_is_nan, s0_y_d_in_is_inf, s0_y_d_in_is_nan}};
+  wire unused_3 = &{1'b0, s1_y_bias_exp[EXP_W]};
+  // verilator lint_on UNUSED
+
+  assign ok = s21_is_ok;
+  assign level = s21_start & {($clog2(LEVELS + 1)){s21_is_ok}};
+  assign p_x = s21_x_p & {(EXP_W + MAN_W + 1){s21_is_ok}};
+  assign pb_x = s21_x_pb & {(EXP_W + MAN_W + 1){s21_is_ok}};
+  assign d_x = s21_x_d & {(EXP_W + MAN_W + 1){s21_is_ok}};
+  assign r_x = s21_x_r & {(EXP_W + MAN_W + 1){s21_is_ok}};
+  assign never_x = s21_x_never & (s21_is_ok);
+  assign neg_x = s21_x_d_in_sign & (s21_is_ok);
+  assign first_x = s21_x_first & {IdxW{s21_is_ok}};
+  assign p_y = s21_y_p & {(EXP_W + MAN_W + 1){s21_is_ok}};
+  assign pb_y = s21_y_pb & {(EXP_W + MAN_W + 1){s21_is_ok}};
+  assign d_y = s21_y_d & {(EXP_W + MAN_W + 1){s21_is_ok}};
+  assign r_y = s21_y_r & {(EXP_W + MAN_W + 1){s21_is_ok}};
+  assign never_y = s21_y_never & (s21_is_ok);
+  assign neg_y = s21_y_d_in_sign & (s21_is_ok);
+  assign first_y = s21_y_first & {IdxW{s21_is_ok}};
+endmodule
+`default_nettype wire

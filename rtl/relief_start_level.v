@@ -1,0 +1,49 @@
+// relief_start_level: lowest level at which one node holds both ends of the ray
+// Source     src/units/traversal/start_level.rs (emitted: do not edit)
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    none, combinational
+`default_nettype none
+module relief_start_level #(
+  parameter integer LEVELS = 8,   // the map has 2^LEVELS x 2^LEVELS texels
+  parameter integer IDX_W  = 14   // bits of a signed, unwrapped texel coordinate
+) (
+  input  wire [IDX_W-1:0]            x,      // u of the entry [texels]
+  input  wire [IDX_W-1:0]            y,      // v of the entry [texels]
+  input  wire [IDX_W-1:0]            x_end,  // u of the exit [texels]
+  input  wire [IDX_W-1:0]            y_end,  // v of the exit [texels]
+  // 0: both in one texel; LEVELS: the root (also across tiles) [levels]
+  output wire [$clog2(LEVELS+1)-1:0] level
+);
+  localparam integer LevelW = $clog2(LEVELS + 1);
+  localparam integer Root = LEVELS;
+
+  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  generate
+    if (2 > LEVELS) begin : gen_illegal_0
+      must_hold_2_at_most_LEVELS u_illegal ();
+    end
+    if (LEVELS > 12) begin : gen_illegal_1
+      must_hold_LEVELS_at_most_12 u_illegal ();
+    end
+    if (LEVELS + 2 > IDX_W) begin : gen_illegal_2
+      must_hold_LEVELS_plus_2_at_most_IDX_W u_illegal ();
+    end
+    if (IDX_W > 24) begin : gen_illegal_3
+      must_hold_IDX_W_at_most_24 u_illegal ();
+    end
+  endgenerate
+
+  wire [IDX_W-1:0]  differ = (x ^ x_end) | (y ^ y_end);
+  wire              other_tile = |differ[IDX_W-1:LEVELS];
+  wire [LEVELS-1:0] low_part = differ[LEVELS-1:0];
+  wire [LevelW-1:0] lead;
+  relief_lzc #(.W(LEVELS)) u_lzc (
+    .bits (low_part),
+    .count(lead)
+  );
+  wire [LevelW-1:0] start = other_tile ? Root[LevelW-1:0] : (Root[LevelW-1:0] - lead);
+
+  assign level = start;
+endmodule
+`default_nettype wire

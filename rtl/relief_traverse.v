@@ -1,0 +1,2391 @@
+// relief_traverse: traces rays against a height field: a looping pipeline, one node a clock
+// Source     src/units/traversal/traverse.rs (emitted: do not edit)
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    varies; valid/ready on both sides
+// Throughput one iteration (one node) per clock; a ray takes as many iterations as its path needs
+// Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
+//            0 reads as zero of its sign; results below the smallest normal, after rounding, become
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
+//            out); nearest, ties to even; x - x is +0.
+`default_nettype none
+module relief_traverse #(
+  parameter integer EXP_W      = 7,      // exponent bits
+  parameter integer MAN_W      = 16,     // fraction bits, the hidden one not counted
+  parameter integer LEVELS     = 8,      // the map has 2^LEVELS x 2^LEVELS texels
+  parameter integer HEIGHT_W   = 8,      // bits of a height code
+  parameter integer TILE_W     = 4,      // a ray travels less than 2^TILE_W tiles along each axis
+  parameter integer FRAC_W     = 12,     // fraction bits of the hit position
+  parameter integer TAG_W      = 8,      // bits of a ray's tag
+  parameter integer STEP_LIMIT = 65535   // iterations after which a ray is given up
+) (
+  input  wire                 clk,            // rising edge
+  // synchronous, active high; clears valid bits and counts, no data
+  input  wire                 rst,
+  // write a word of the pyramid (while no ray is inside)
+  input  wire                 load_en,
+  input  wire [2*LEVELS:0]    load_addr,      // where: level 0 first, the root last [words]
+  input  wire [HEIGHT_W-1:0]  load_data,      // largest height in that node [height codes]
+  input  wire                 in_valid,       // a ray is offered
+  output wire                 in_ready,       // it is taken at the next edge
+  input  wire [TAG_W-1:0]     in_tag,         // comes back with the result [bits]
+  // entry point at the top plane, 0 <= u < 1 [float, tiles]
+  input  wire [EXP_W+MAN_W:0] in_u,
+  // entry point at the top plane, 0 <= v < 1 [float, tiles]
+  input  wire [EXP_W+MAN_W:0] in_v,
+  // u travelled while the height falls from 1 to 0 [float, tiles]
+  input  wire [EXP_W+MAN_W:0] in_du,
+  // v travelled while the height falls from 1 to 0 [float, tiles]
+  input  wire [EXP_W+MAN_W:0] in_dv,
+  output wire                 out_valid,      // a result is offered
+  input  wire                 out_ready,      // it is taken at the next edge
+  output wire [TAG_W-1:0]     out_tag,        // tag of the ray [bits]
+  output wire [LEVELS-1:0]    out_i,          // hit texel, column (u) [texels]
+  output wire [LEVELS-1:0]    out_j,          // hit texel, row (v) [texels]
+  output wire [FRAC_W-1:0]    out_fu,         // position in the texel along u [1/2^FRAC_W texel]
+  output wire [FRAC_W-1:0]    out_fv,         // position in the texel along v [1/2^FRAC_W texel]
+  // ray parameter: 0 at the top plane [float, height codes]
+  output wire [EXP_W+MAN_W:0] out_t,
+  output wire                 out_wall,       // the hit is on the side of a texel
+  // given up: STEP_LIMIT reached, or not a ray (steps 0)
+  output wire                 out_limit,
+  output wire [15:0]          out_steps,      // nodes visited [iterations]
+  output wire [15:0]          out_crossings,  // of these, node crossings [iterations]
+  output wire [15:0]          out_ups,        // levels gone up [levels]
+  // the slot that starts now holds a ray: counts the loop's load
+  output wire                 slot_busy
+);
+  localparam integer FloatW = EXP_W + MAN_W + 1;
+  localparam integer LevelW = $clog2(LEVELS + 1);
+  localparam integer IdxW = LEVELS + TILE_W + 2;
+  localparam integer StepsBeforeLast = STEP_LIMIT - 1;
+
+  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  generate
+    if (2 > EXP_W) begin : gen_illegal_0
+      must_hold_2_at_most_EXP_W u_illegal ();
+    end
+    if (EXP_W > 11) begin : gen_illegal_1
+      must_hold_EXP_W_at_most_11 u_illegal ();
+    end
+    if (7 > MAN_W) begin : gen_illegal_2
+      must_hold_7_at_most_MAN_W u_illegal ();
+    end
+    if (MAN_W > 28) begin : gen_illegal_3
+      must_hold_MAN_W_at_most_28 u_illegal ();
+    end
+    if (2 > LEVELS) begin : gen_illegal_4
+      must_hold_2_at_most_LEVELS u_illegal ();
+    end
+    if (LEVELS > 12) begin : gen_illegal_5
+      must_hold_LEVELS_at_most_12 u_illegal ();
+    end
+    if (2 > HEIGHT_W) begin : gen_illegal_6
+      must_hold_2_at_most_HEIGHT_W u_illegal ();
+    end
+    if (HEIGHT_W > 16) begin : gen_illegal_7
+      must_hold_HEIGHT_W_at_most_16 u_illegal ();
+    end
+    if (HEIGHT_W > MAN_W + 1) begin : gen_illegal_8
+      must_hold_HEIGHT_W_at_most_MAN_W_plus_1 u_illegal ();
+    end
+    if (1 > TILE_W) begin : gen_illegal_9
+      must_hold_1_at_most_TILE_W u_illegal ();
+    end
+    if (TILE_W > 8) begin : gen_illegal_10
+      must_hold_TILE_W_at_most_8 u_illegal ();
+    end
+    if (LEVELS + TILE_W + 2 > 24) begin : gen_illegal_11
+      must_hold_LEVELS_plus_TILE_W_plus_2_at_most_24 u_illegal ();
+    end
+    if (LEVELS + TILE_W + 1 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_12
+      must_hold_LEVELS_plus_TILE_W_plus_1_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
+    end
+    if (HEIGHT_W + 2 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_13
+      must_hold_HEIGHT_W_plus_2_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
+    end
+    if (MAN_W > LEVELS + (1 << (EXP_W - 1)) - 1) begin : gen_illegal_14
+      must_hold_MAN_W_at_most_LEVELS_plus_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
+    end
+    if (1 > FRAC_W) begin : gen_illegal_15
+      must_hold_1_at_most_FRAC_W u_illegal ();
+    end
+    if (FRAC_W > 16) begin : gen_illegal_16
+      must_hold_FRAC_W_at_most_16 u_illegal ();
+    end
+    if (1 > TAG_W) begin : gen_illegal_17
+      must_hold_1_at_most_TAG_W u_illegal ();
+    end
+    if (TAG_W > 32) begin : gen_illegal_18
+      must_hold_TAG_W_at_most_32 u_illegal ();
+    end
+    if (1 > STEP_LIMIT) begin : gen_illegal_19
+      must_hold_1_at_most_STEP_LIMIT u_illegal ();
+    end
+    if (STEP_LIMIT > 65535) begin : gen_illegal_20
+      must_hold_STEP_LIMIT_at_most_65535 u_illegal ();
+    end
+    if (FRAC_W + LEVELS + MAN_W + TILE_W + 2 > 60) begin : gen_illegal_21
+      must_hold_FRAC_W_plus_LEVELS_plus_MAN_W_plus_TILE_W_plus_2_at_most_60 u_illegal ();
+    end
+  endgenerate
+
+  // ---- state that comes back from the last stage, and handshakes
+  reg              s0_back_valid;
+  reg [TAG_W-1:0]  s0_back_tag;
+  reg [FloatW-1:0] s0_back_p_x;
+  reg [FloatW-1:0] s0_back_pb_x;
+  reg [FloatW-1:0] s0_back_d_x;
+  reg [FloatW-1:0] s0_back_r_x;
+  reg              s0_back_never_x;
+  reg              s0_back_neg_x;
+  reg [FloatW-1:0] s0_back_p_y;
+  reg [FloatW-1:0] s0_back_pb_y;
+  reg [FloatW-1:0] s0_back_d_y;
+  reg [FloatW-1:0] s0_back_r_y;
+  reg              s0_back_never_y;
+  reg              s0_back_neg_y;
+  reg [LevelW-1:0] s0_back_level;
+  reg [IdxW-1:0]   s0_back_x;
+  reg [IdxW-1:0]   s0_back_y;
+  reg [FloatW-1:0] s0_back_t;
+  reg              s0_back_done;
+  reg              s0_back_wall;
+  reg              s0_back_limit;
+  reg [15:0]       s0_back_steps;
+  reg [15:0]       s0_back_crossings;
+  reg [15:0]       s0_back_ups;
+  reg              s0_back_crossed;
+  wire hit_valid;
+  wire hit_room;
+  wire setup_valid;
+  wire setup_room;
+
+  // ---- stage 0: leave ----------------------------------------------------- traverse.rs
+  // A ray that is done leaves when the output pipeline moves.
+  wire s0_leaves = s0_back_valid & s0_back_done & hit_room;
+  wire s0_is_free = ~s0_back_valid | s0_leaves;
+
+  // ---- stage 0: set up ---------------------------------------------------- traverse.rs
+  // The setup pipeline holds while its ray finds no free slot.
+  wire              s0_set_ok;
+  wire [LevelW-1:0] s0_set_level;
+  wire [FloatW-1:0] s0_set_p_x;
+  wire [FloatW-1:0] s0_set_pb_x;
+  wire [FloatW-1:0] s0_set_d_x;
+  wire [FloatW-1:0] s0_set_r_x;
+  wire              s0_set_never_x;
+  wire              s0_set_neg_x;
+  wire [IdxW-1:0]   s0_set_first_x;
+  wire [FloatW-1:0] s0_set_p_y;
+  wire [FloatW-1:0] s0_set_pb_y;
+  wire [FloatW-1:0] s0_set_d_y;
+  wire [FloatW-1:0] s0_set_r_y;
+  wire              s0_set_never_y;
+  wire              s0_set_neg_y;
+  wire [IdxW-1:0]   s0_set_first_y;
+  relief_ray_setup #(
+    .EXP_W   (EXP_W),
+    .MAN_W   (MAN_W),
+    .LEVELS  (LEVELS),
+    .HEIGHT_W(HEIGHT_W),
+    .TILE_W  (TILE_W)
+  ) u_setup (
+    .clk    (clk),
+    .ce     (setup_room),
+    .u      (in_u),
+    .v      (in_v),
+    .du     (in_du),
+    .dv     (in_dv),
+    .ok     (s0_set_ok),
+    .level  (s0_set_level),
+    .p_x    (s0_set_p_x),
+    .pb_x   (s0_set_pb_x),
+    .d_x    (s0_set_d_x),
+    .r_x    (s0_set_r_x),
+    .never_x(s0_set_never_x),
+    .neg_x  (s0_set_neg_x),
+    .first_x(s0_set_first_x),
+    .p_y    (s0_set_p_y),
+    .pb_y   (s0_set_pb_y),
+    .d_y    (s0_set_d_y),
+    .r_y    (s0_set_r_y),
+    .never_y(s0_set_never_y),
+    .neg_y  (s0_set_neg_y),
+    .first_y(s0_set_first_y)
+  );
+  wire             s0_is_set;
+  wire [TAG_W-1:0] s0_set_tag;
+  relief_setup_delay #(.W(TAG_W)) u_setup_delay (
+    .clk      (clk),
+    .ce       (setup_room),
+    .rst      (rst),
+    .in_valid (in_valid),
+    .out_valid(s0_is_set),
+    .in_data  (in_tag),
+    .out_data (s0_set_tag)
+  );
+  wire setup_skid_ready;
+  wire s0_setup_tracked;
+  wire s0_setup_skid_first;
+  wire s0_setup_skid_second;
+  wire s0_setup_skid_turn;
+  relief_stream_skid u_setup_skid (
+    .clk        (clk),
+    .rst        (rst),
+    .in_valid   (s0_is_set),
+    .in_ready   (setup_skid_ready),
+    .out_valid  (s0_setup_tracked),
+    .out_ready  (s0_is_free),
+    .first_open (s0_setup_skid_first),
+    .second_open(s0_setup_skid_second),
+    .turn       (s0_setup_skid_turn)
+  );
+  wire s0_new_ok;
+  relief_word_skid #(.W(1)) u_setup_skid_new_ok (
+    .clk        (clk),
+    .first_open (s0_setup_skid_first),
+    .second_open(s0_setup_skid_second),
+    .turn       (s0_setup_skid_turn),
+    .in_data    (s0_set_ok),
+    .out_data   (s0_new_ok)
+  );
+  wire [LevelW-1:0] s0_new_level;
+  relief_word_skid #(.W($clog2(LEVELS + 1))) u_setup_skid_new_level (
+    .clk        (clk),
+    .first_open (s0_setup_skid_first),
+    .second_open(s0_setup_skid_second),
+    .turn       (s0_setup_skid_turn),
+    .in_data    (s0_set_level),
+    .out_data   (s0_new_level)
+  );
+  wire [FloatW-1:0] s0_new_p_x;
+  relief_word_skid #(.W(EXP_W + MAN_W + 1)) u_setup_skid_new_p_x (
+    .clk        (clk),
+    .first_open (s0_setup_skid_first),
+    .second_open(s0_setup_skid_second),
+    .turn       (s0_setup_skid_turn),
+    .in_data    (s0_set_p_x),
+    .out_data   (s0_new_p_x)
+  );
+  wire [FloatW-1:0] s0_new_pb_x;
+  relief_word_skid #(.W(EXP_W + MAN_W + 1)) u_setup_skid_new_pb_x (
+    .clk        (clk),
+    .first_open (s0_setup_skid_first),
+    .second_open(s0_setup_skid_second),
+    .turn       (s0_setup_skid_turn),
+    .in_data    (s0_set_pb_x),
+    .out_data   (s0_new_pb_x)
+  );
+  wire [FloatW-1:0] s0_new_d_x;
+  relief_word_skid #(.W(EXP_W + MAN_W + 1)) u_setup_skid_new_d_x (
+    .clk        (clk),
+    .first_open (s0_setup_skid_first),
+    .second_open(s0_setup_skid_second),
+    .turn       (s0_setup_skid_turn),
+    .in_data    (s0_set_d_x),
+    .out_data   (s0_new_d_x)
+  );
+  wire [FloatW-1:0] s0_new_r_x;
+  relief_word_skid #(.W(EXP_W + MAN_W + 1)) u_setup_skid_new_r_x (
+    .clk        (clk),
+    .first_open (s0_setup_skid_first),
+    .second_open(s0_setup_skid_second),
+    .turn       (s0_setup_skid_turn),
+    .in_data    (s0_set_r_x),
+    .out_data   (s0_new_r_x)
+  );
+  wire s0_new_never_x;
+  relief_word_skid #(.W(1)) u_setup_skid_new_never_x (
+    .clk        (clk),
+    .first_open (s0_setup_skid_first),
+    .second_open(s0_setup_skid_second),
+    .turn       (s0_setup_skid_turn),
+    .in_data    (s0_set_never_x),
+    .out_data   (s0_new_never_x)
+  );
+  wire s0_new_neg_x;
+  relief_word_skid #(.W(1)) u_setup_skid_new_neg_x (
+    .clk        (clk),
+    .first_open (s0_setup_skid_first),
+    .second_open(s0_setup_skid_second),
+    .turn       (s0_setup_skid_turn),
+    .in_data    (s0_set_neg_x),
+    .out_data   (s0_new_neg_x)
+  );
+  wire [IdxW-1:0] s0_new_first_x;
+  relief_word_skid #(.W(LEVELS + TILE_W + 2)) u_setup_skid_new_first_x (
+    .clk        (clk),
+    .first_open (s0_setup_skid_first),
+    .second_open(s0_setup_skid_second),
+    .turn       (s0_setup_skid_turn),
+    .in_data    (s0_set_first_x),
+    .out_data   (s0_new_first_x)
+  );
+  wire [FloatW-1:0] s0_new_p_y;
+  relief_word_skid #(.W(EXP_W + MAN_W + 1)) u_setup_skid_new_p_y (
+    .clk        (clk),
+    .first_open (s0_setup_skid_first),
+    .second_open(s0_setup_skid_second),
+    .turn       (s0_setup_skid_turn),
+    .in_data    (s0_set_p_y),
+    .out_data   (s0_new_p_y)
+  );
+  wire [FloatW-1:0] s0_new_pb_y;
+  relief_word_skid #(.W(EXP_W + MAN_W + 1)) u_setup_skid_new_pb_y (
+    .clk        (clk),
+    .first_open (s0_setup_skid_first),
+    .second_open(s0_setup_skid_second),
+    .turn       (s0_setup_skid_turn),
+    .in_data    (s0_set_pb_y),
+    .out_data   (s0_new_pb_y)
+  );
+  wire [FloatW-1:0] s0_new_d_y;
+  relief_word_skid #(.W(EXP_W + MAN_W + 1)) u_setup_skid_new_d_y (
+    .clk        (clk),
+    .first_open (s0_setup_skid_first),
+    .second_open(s0_setup_skid_second),
+    .turn       (s0_setup_skid_turn),
+    .in_data    (s0_set_d_y),
+    .out_data   (s0_new_d_y)
+  );
+  wire [FloatW-1:0] s0_new_r_y;
+  relief_word_skid #(.W(EXP_W + MAN_W + 1)) u_setup_skid_new_r_y (
+    .clk        (clk),
+    .first_open (s0_setup_skid_first),
+    .second_open(s0_setup_skid_second),
+    .turn       (s0_setup_skid_turn),
+    .in_data    (s0_set_r_y),
+    .out_data   (s0_new_r_y)
+  );
+  wire s0_new_never_y;
+  relief_word_skid #(.W(1)) u_setup_skid_new_never_y (
+    .clk        (clk),
+    .first_open (s0_setup_skid_first),
+    .second_open(s0_setup_skid_second),
+    .turn       (s0_setup_skid_turn),
+    .in_data    (s0_set_never_y),
+    .out_data   (s0_new_never_y)
+  );
+  wire s0_new_neg_y;
+  relief_word_skid #(.W(1)) u_setup_skid_new_neg_y (
+    .clk        (clk),
+    .first_open (s0_setup_skid_first),
+    .second_open(s0_setup_skid_second),
+    .turn       (s0_setup_skid_turn),
+    .in_data    (s0_set_neg_y),
+    .out_data   (s0_new_neg_y)
+  );
+  wire [IdxW-1:0] s0_new_first_y;
+  relief_word_skid #(.W(LEVELS + TILE_W + 2)) u_setup_skid_new_first_y (
+    .clk        (clk),
+    .first_open (s0_setup_skid_first),
+    .second_open(s0_setup_skid_second),
+    .turn       (s0_setup_skid_turn),
+    .in_data    (s0_set_first_y),
+    .out_data   (s0_new_first_y)
+  );
+  wire [TAG_W-1:0] s0_new_tag;
+  relief_word_skid #(.W(TAG_W)) u_setup_skid_new_tag (
+    .clk        (clk),
+    .first_open (s0_setup_skid_first),
+    .second_open(s0_setup_skid_second),
+    .turn       (s0_setup_skid_turn),
+    .in_data    (s0_set_tag),
+    .out_data   (s0_new_tag)
+  );
+  wire s0_admits = setup_valid & s0_is_free;
+
+  // ---- stage 0: slot ------------------------------------------------------ traverse.rs
+  // The new ray, or the one that comes back.
+  wire s0_new_refused = ~s0_new_ok;
+  wire s0_keeps = (s0_back_valid & ~s0_leaves) | s0_admits;
+
+  // ---- stage 0: result ---------------------------------------------------- traverse.rs
+  // The ray that leaves, from the state registers.
+  wire [FRAC_W-1:0] hit_fu;
+  relief_hit_position #(.EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .FRAC_W(FRAC_W)) u_hit_u (
+    .clk     (clk),
+    .ce      (hit_room),
+    .p       (s0_back_p_x),
+    .d       (s0_back_d_x),
+    .t       (s0_back_t),
+    .x       (s0_back_x),
+    .fraction(hit_fu)
+  );
+  wire [FRAC_W-1:0] hit_fv;
+  relief_hit_position #(.EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .FRAC_W(FRAC_W)) u_hit_v (
+    .clk     (clk),
+    .ce      (hit_room),
+    .p       (s0_back_p_y),
+    .d       (s0_back_d_y),
+    .t       (s0_back_t),
+    .x       (s0_back_y),
+    .fraction(hit_fv)
+  );
+  wire [TAG_W-1:0] hit_tag;
+  relief_hit_delay #(.W(TAG_W)) u_hit_tag (
+    .clk     (clk),
+    .ce      (hit_room),
+    .in_data (s0_back_tag),
+    .out_data(hit_tag)
+  );
+  wire [LEVELS-1:0] hit_i;
+  relief_hit_delay #(.W(LEVELS)) u_hit_i (
+    .clk     (clk),
+    .ce      (hit_room),
+    .in_data (s0_back_x[LEVELS-1:0]),
+    .out_data(hit_i)
+  );
+  wire [LEVELS-1:0] hit_j;
+  relief_hit_delay #(.W(LEVELS)) u_hit_j (
+    .clk     (clk),
+    .ce      (hit_room),
+    .in_data (s0_back_y[LEVELS-1:0]),
+    .out_data(hit_j)
+  );
+  wire [FloatW-1:0] hit_t;
+  relief_hit_delay #(.W(FloatW)) u_hit_t (
+    .clk     (clk),
+    .ce      (hit_room),
+    .in_data (s0_back_t),
+    .out_data(hit_t)
+  );
+  wire hit_wall;
+  relief_hit_delay #(.W(1)) u_hit_wall (
+    .clk     (clk),
+    .ce      (hit_room),
+    .in_data (s0_back_wall),
+    .out_data(hit_wall)
+  );
+  wire hit_limit;
+  relief_hit_delay #(.W(1)) u_hit_limit (
+    .clk     (clk),
+    .ce      (hit_room),
+    .in_data (s0_back_limit),
+    .out_data(hit_limit)
+  );
+  wire [15:0] hit_steps;
+  relief_hit_delay #(.W(16)) u_hit_steps (
+    .clk     (clk),
+    .ce      (hit_room),
+    .in_data (s0_back_steps),
+    .out_data(hit_steps)
+  );
+  wire [15:0] hit_crossings;
+  relief_hit_delay #(.W(16)) u_hit_crossings (
+    .clk     (clk),
+    .ce      (hit_room),
+    .in_data (s0_back_crossings),
+    .out_data(hit_crossings)
+  );
+  wire [15:0] hit_ups;
+  relief_hit_delay #(.W(16)) u_hit_ups (
+    .clk     (clk),
+    .ce      (hit_room),
+    .in_data (s0_back_ups),
+    .out_data(hit_ups)
+  );
+  wire hit_tracked;
+  relief_hit_valid_delay u_hit_valid (
+    .clk      (clk),
+    .ce       (hit_room),
+    .rst      (rst),
+    .in_valid (s0_leaves),
+    .out_valid(hit_tracked)
+  );
+
+  // ---- stage 0: wait ------------------------------------------------------ traverse.rs
+  // A result that nobody takes yet.
+  wire hit_skid_ready;
+  wire hit_waits;
+  wire s0_hit_skid_first;
+  wire s0_hit_skid_second;
+  wire s0_hit_skid_turn;
+  relief_stream_skid u_hit_skid (
+    .clk        (clk),
+    .rst        (rst),
+    .in_valid   (hit_tracked),
+    .in_ready   (hit_skid_ready),
+    .out_valid  (hit_waits),
+    .out_ready  (out_ready),
+    .first_open (s0_hit_skid_first),
+    .second_open(s0_hit_skid_second),
+    .turn       (s0_hit_skid_turn)
+  );
+  wire [TAG_W-1:0] s0_waiting_tag;
+  relief_word_skid #(.W(TAG_W)) u_hit_skid_waiting_tag (
+    .clk        (clk),
+    .first_open (s0_hit_skid_first),
+    .second_open(s0_hit_skid_second),
+    .turn       (s0_hit_skid_turn),
+    .in_data    (hit_tag),
+    .out_data   (s0_waiting_tag)
+  );
+  wire [LEVELS-1:0] s0_waiting_i;
+  relief_word_skid #(.W(LEVELS)) u_hit_skid_waiting_i (
+    .clk        (clk),
+    .first_open (s0_hit_skid_first),
+    .second_open(s0_hit_skid_second),
+    .turn       (s0_hit_skid_turn),
+    .in_data    (hit_i),
+    .out_data   (s0_waiting_i)
+  );
+  wire [LEVELS-1:0] s0_waiting_j;
+  relief_word_skid #(.W(LEVELS)) u_hit_skid_waiting_j (
+    .clk        (clk),
+    .first_open (s0_hit_skid_first),
+    .second_open(s0_hit_skid_second),
+    .turn       (s0_hit_skid_turn),
+    .in_data    (hit_j),
+    .out_data   (s0_waiting_j)
+  );
+  wire [FloatW-1:0] s0_waiting_t;
+  relief_word_skid #(.W(FloatW)) u_hit_skid_waiting_t (
+    .clk        (clk),
+    .first_open (s0_hit_skid_first),
+    .second_open(s0_hit_skid_second),
+    .turn       (s0_hit_skid_turn),
+    .in_data    (hit_t),
+    .out_data   (s0_waiting_t)
+  );
+  wire s0_waiting_wall;
+  relief_word_skid #(.W(1)) u_hit_skid_waiting_wall (
+    .clk        (clk),
+    .first_open (s0_hit_skid_first),
+    .second_open(s0_hit_skid_second),
+    .turn       (s0_hit_skid_turn),
+    .in_data    (hit_wall),
+    .out_data   (s0_waiting_wall)
+  );
+  wire s0_waiting_limit;
+  relief_word_skid #(.W(1)) u_hit_skid_waiting_limit (
+    .clk        (clk),
+    .first_open (s0_hit_skid_first),
+    .second_open(s0_hit_skid_second),
+    .turn       (s0_hit_skid_turn),
+    .in_data    (hit_limit),
+    .out_data   (s0_waiting_limit)
+  );
+  wire [15:0] s0_waiting_steps;
+  relief_word_skid #(.W(16)) u_hit_skid_waiting_steps (
+    .clk        (clk),
+    .first_open (s0_hit_skid_first),
+    .second_open(s0_hit_skid_second),
+    .turn       (s0_hit_skid_turn),
+    .in_data    (hit_steps),
+    .out_data   (s0_waiting_steps)
+  );
+  wire [15:0] s0_waiting_crossings;
+  relief_word_skid #(.W(16)) u_hit_skid_waiting_crossings (
+    .clk        (clk),
+    .first_open (s0_hit_skid_first),
+    .second_open(s0_hit_skid_second),
+    .turn       (s0_hit_skid_turn),
+    .in_data    (hit_crossings),
+    .out_data   (s0_waiting_crossings)
+  );
+  wire [15:0] s0_waiting_ups;
+  relief_word_skid #(.W(16)) u_hit_skid_waiting_ups (
+    .clk        (clk),
+    .first_open (s0_hit_skid_first),
+    .second_open(s0_hit_skid_second),
+    .turn       (s0_hit_skid_turn),
+    .in_data    (hit_ups),
+    .out_data   (s0_waiting_ups)
+  );
+  wire [FRAC_W-1:0] s0_waiting_fu;
+  relief_word_skid #(.W(FRAC_W)) u_hit_skid_waiting_fu (
+    .clk        (clk),
+    .first_open (s0_hit_skid_first),
+    .second_open(s0_hit_skid_second),
+    .turn       (s0_hit_skid_turn),
+    .in_data    (hit_fu),
+    .out_data   (s0_waiting_fu)
+  );
+  wire [FRAC_W-1:0] s0_waiting_fv;
+  relief_word_skid #(.W(FRAC_W)) u_hit_skid_waiting_fv (
+    .clk        (clk),
+    .first_open (s0_hit_skid_first),
+    .second_open(s0_hit_skid_second),
+    .turn       (s0_hit_skid_turn),
+    .in_data    (hit_fv),
+    .out_data   (s0_waiting_fv)
+  );
+
+  // ---- stage 1: registers ------------------------------------------------- traverse.rs
+  reg [TAG_W-1:0]  s1_back_tag;
+  reg [FloatW-1:0] s1_back_p_x;
+  reg [FloatW-1:0] s1_back_pb_x;
+  reg [FloatW-1:0] s1_back_d_x;
+  reg [FloatW-1:0] s1_back_r_x;
+  reg              s1_back_never_x;
+  reg              s1_back_neg_x;
+  reg [FloatW-1:0] s1_back_p_y;
+  reg [FloatW-1:0] s1_back_pb_y;
+  reg [FloatW-1:0] s1_back_d_y;
+  reg [FloatW-1:0] s1_back_r_y;
+  reg              s1_back_never_y;
+  reg              s1_back_neg_y;
+  reg [LevelW-1:0] s1_back_level;
+  reg [IdxW-1:0]   s1_back_x;
+  reg [IdxW-1:0]   s1_back_y;
+  reg [FloatW-1:0] s1_back_t;
+  reg              s1_back_done;
+  reg              s1_back_wall;
+  reg              s1_back_limit;
+  reg [15:0]       s1_back_steps;
+  reg [15:0]       s1_back_crossings;
+  reg [15:0]       s1_back_ups;
+  reg              s1_back_crossed;
+  reg              s1_admits;
+  reg [TAG_W-1:0]  s1_new_tag;
+  reg [FloatW-1:0] s1_new_p_x;
+  reg [FloatW-1:0] s1_new_pb_x;
+  reg [FloatW-1:0] s1_new_d_x;
+  reg [FloatW-1:0] s1_new_r_x;
+  reg              s1_new_never_x;
+  reg              s1_new_neg_x;
+  reg [FloatW-1:0] s1_new_p_y;
+  reg [FloatW-1:0] s1_new_pb_y;
+  reg [FloatW-1:0] s1_new_d_y;
+  reg [FloatW-1:0] s1_new_r_y;
+  reg              s1_new_never_y;
+  reg              s1_new_neg_y;
+  reg [LevelW-1:0] s1_new_level;
+  reg [IdxW-1:0]   s1_new_first_x;
+  reg [IdxW-1:0]   s1_new_first_y;
+  reg              s1_new_refused;
+  reg              s1_valid;
+  always @(posedge clk) begin
+    s1_back_tag       <= s0_back_tag;
+    s1_back_p_x       <= s0_back_p_x;
+    s1_back_pb_x      <= s0_back_pb_x;
+    s1_back_d_x       <= s0_back_d_x;
+    s1_back_r_x       <= s0_back_r_x;
+    s1_back_never_x   <= s0_back_never_x;
+    s1_back_neg_x     <= s0_back_neg_x;
+    s1_back_p_y       <= s0_back_p_y;
+    s1_back_pb_y      <= s0_back_pb_y;
+    s1_back_d_y       <= s0_back_d_y;
+    s1_back_r_y       <= s0_back_r_y;
+    s1_back_never_y   <= s0_back_never_y;
+    s1_back_neg_y     <= s0_back_neg_y;
+    s1_back_level     <= s0_back_level;
+    s1_back_x         <= s0_back_x;
+    s1_back_y         <= s0_back_y;
+    s1_back_t         <= s0_back_t;
+    s1_back_done      <= s0_back_done;
+    s1_back_wall      <= s0_back_wall;
+    s1_back_limit     <= s0_back_limit;
+    s1_back_steps     <= s0_back_steps;
+    s1_back_crossings <= s0_back_crossings;
+    s1_back_ups       <= s0_back_ups;
+    s1_back_crossed   <= s0_back_crossed;
+    s1_admits         <= s0_admits;
+    s1_new_tag        <= s0_new_tag;
+    s1_new_p_x        <= s0_new_p_x;
+    s1_new_pb_x       <= s0_new_pb_x;
+    s1_new_d_x        <= s0_new_d_x;
+    s1_new_r_x        <= s0_new_r_x;
+    s1_new_never_x    <= s0_new_never_x;
+    s1_new_neg_x      <= s0_new_neg_x;
+    s1_new_p_y        <= s0_new_p_y;
+    s1_new_pb_y       <= s0_new_pb_y;
+    s1_new_d_y        <= s0_new_d_y;
+    s1_new_r_y        <= s0_new_r_y;
+    s1_new_never_y    <= s0_new_never_y;
+    s1_new_neg_y      <= s0_new_neg_y;
+    s1_new_level      <= s0_new_level;
+    s1_new_first_x    <= s0_new_first_x;
+    s1_new_first_y    <= s0_new_first_y;
+    s1_new_refused    <= s0_new_refused;
+  end
+  always @(posedge clk) begin
+    if (rst) begin
+      s1_valid <= 1'b0;
+    end else begin
+      s1_valid <= s0_keeps;
+    end
+  end
+
+  // ---- stage 1: slot ------------------------------------------------------ traverse.rs
+  // The new ray, or the one that comes back.
+  wire [TAG_W-1:0]  s1_tag = s1_admits ? s1_new_tag : s1_back_tag;
+  wire [FloatW-1:0] s1_p_x = s1_admits ? s1_new_p_x : s1_back_p_x;
+  wire [FloatW-1:0] s1_pb_x = s1_admits ? s1_new_pb_x : s1_back_pb_x;
+  wire [FloatW-1:0] s1_d_x = s1_admits ? s1_new_d_x : s1_back_d_x;
+  wire [FloatW-1:0] s1_r_x = s1_admits ? s1_new_r_x : s1_back_r_x;
+  wire              s1_never_x = s1_admits ? s1_new_never_x : s1_back_never_x;
+  wire              s1_neg_x = s1_admits ? s1_new_neg_x : s1_back_neg_x;
+  wire [FloatW-1:0] s1_p_y = s1_admits ? s1_new_p_y : s1_back_p_y;
+  wire [FloatW-1:0] s1_pb_y = s1_admits ? s1_new_pb_y : s1_back_pb_y;
+  wire [FloatW-1:0] s1_d_y = s1_admits ? s1_new_d_y : s1_back_d_y;
+  wire [FloatW-1:0] s1_r_y = s1_admits ? s1_new_r_y : s1_back_r_y;
+  wire              s1_never_y = s1_admits ? s1_new_never_y : s1_back_never_y;
+  wire              s1_neg_y = s1_admits ? s1_new_neg_y : s1_back_neg_y;
+  wire [LevelW-1:0] s1_level = s1_admits ? s1_new_level : s1_back_level;
+  wire [IdxW-1:0]   s1_x = s1_admits ? s1_new_first_x : s1_back_x;
+  wire [IdxW-1:0]   s1_y = s1_admits ? s1_new_first_y : s1_back_y;
+  wire [FloatW-1:0] s1_t = s1_admits ? {FloatW{1'b0}} : s1_back_t;
+  wire              s1_done = s1_admits ? s1_new_refused : s1_back_done;
+  wire              s1_wall = s1_admits ? 1'b0 : s1_back_wall;
+  wire              s1_limit = s1_admits ? s1_new_refused : s1_back_limit;
+  wire [15:0]       s1_steps = s1_admits ? 16'd0 : s1_back_steps;
+  wire [15:0]       s1_crossings = s1_admits ? 16'd0 : s1_back_crossings;
+  wire [15:0]       s1_ups = s1_admits ? 16'd0 : s1_back_ups;
+  wire              s1_has_crossed = s1_admits ? 1'b0 : s1_back_crossed;
+
+  // ---- stage 2: registers ------------------------------------------------- traverse.rs
+  reg              s2_valid;
+  reg [TAG_W-1:0]  s2_tag;
+  reg [FloatW-1:0] s2_p_x;
+  reg [FloatW-1:0] s2_pb_x;
+  reg [FloatW-1:0] s2_d_x;
+  reg [FloatW-1:0] s2_r_x;
+  reg              s2_never_x;
+  reg              s2_neg_x;
+  reg [FloatW-1:0] s2_p_y;
+  reg [FloatW-1:0] s2_pb_y;
+  reg [FloatW-1:0] s2_d_y;
+  reg [FloatW-1:0] s2_r_y;
+  reg              s2_never_y;
+  reg              s2_neg_y;
+  reg [LevelW-1:0] s2_level;
+  reg [IdxW-1:0]   s2_x;
+  reg [IdxW-1:0]   s2_y;
+  reg [FloatW-1:0] s2_t;
+  reg              s2_done;
+  reg              s2_wall;
+  reg              s2_limit;
+  reg [15:0]       s2_steps;
+  reg [15:0]       s2_crossings;
+  reg [15:0]       s2_ups;
+  reg              s2_has_crossed;
+  always @(posedge clk) begin
+    s2_tag         <= s1_tag;
+    s2_p_x         <= s1_p_x;
+    s2_pb_x        <= s1_pb_x;
+    s2_d_x         <= s1_d_x;
+    s2_r_x         <= s1_r_x;
+    s2_never_x     <= s1_never_x;
+    s2_neg_x       <= s1_neg_x;
+    s2_p_y         <= s1_p_y;
+    s2_pb_y        <= s1_pb_y;
+    s2_d_y         <= s1_d_y;
+    s2_r_y         <= s1_r_y;
+    s2_never_y     <= s1_never_y;
+    s2_neg_y       <= s1_neg_y;
+    s2_level       <= s1_level;
+    s2_x           <= s1_x;
+    s2_y           <= s1_y;
+    s2_t           <= s1_t;
+    s2_done        <= s1_done;
+    s2_wall        <= s1_wall;
+    s2_limit       <= s1_limit;
+    s2_steps       <= s1_steps;
+    s2_crossings   <= s1_crossings;
+    s2_ups         <= s1_ups;
+    s2_has_crossed <= s1_has_crossed;
+  end
+  always @(posedge clk) begin
+    if (rst) begin
+      s2_valid <= 1'b0;
+    end else begin
+      s2_valid <= s1_valid;
+    end
+  end
+
+  // ---- stage 2: node ------------------------------------------------------ traverse.rs
+  // Extent and exit planes of the node, and its place in memory.
+  wire [IdxW-1:0] s2_x_low;
+  wire [IdxW-1:0] s2_x_high;
+  wire [IdxW-1:0] s2_x_plane;
+  wire [IdxW-1:0] s2_x_beyond;
+  wire            s2_x_even;
+  relief_node_planes #(.LEVELS(LEVELS), .IDX_W(IdxW)) u_planes_x (
+    .level (s2_level),
+    .x     (s2_x),
+    .neg   (s2_neg_x),
+    .low   (s2_x_low),
+    .high  (s2_x_high),
+    .plane (s2_x_plane),
+    .beyond(s2_x_beyond),
+    .even  (s2_x_even)
+  );
+  wire [IdxW-1:0] s2_y_low;
+  wire [IdxW-1:0] s2_y_high;
+  wire [IdxW-1:0] s2_y_plane;
+  wire [IdxW-1:0] s2_y_beyond;
+  wire            s2_y_even;
+  relief_node_planes #(.LEVELS(LEVELS), .IDX_W(IdxW)) u_planes_y (
+    .level (s2_level),
+    .x     (s2_y),
+    .neg   (s2_neg_y),
+    .low   (s2_y_low),
+    .high  (s2_y_high),
+    .plane (s2_y_plane),
+    .beyond(s2_y_beyond),
+    .even  (s2_y_even)
+  );
+  wire [2*LEVELS:0] s2_address;
+  relief_height_address #(.LEVELS(LEVELS)) u_address (
+    .level  (s2_level),
+    .i      (s2_x[LEVELS-1:0]),
+    .j      (s2_y[LEVELS-1:0]),
+    .address(s2_address)
+  );
+
+  // ---- stage 2: step limit ------------------------------------------------ traverse.rs
+  // A ray that is done takes no more steps.
+  wire        s2_moves = ~s2_done;
+  wire [15:0] s2_steps_next = s2_steps + {15'd0, s2_moves};
+  wire        s2_last_step = s2_steps == StepsBeforeLast[15:0];
+
+  // ---- stage 3: registers ------------------------------------------------- traverse.rs
+  reg [IdxW-1:0]   s3_x_low;
+  reg [IdxW-1:0]   s3_x_high;
+  reg [IdxW-1:0]   s3_x_plane;
+  reg [IdxW-1:0]   s3_x_beyond;
+  reg              s3_x_even;
+  reg [IdxW-1:0]   s3_y_low;
+  reg [IdxW-1:0]   s3_y_high;
+  reg [IdxW-1:0]   s3_y_plane;
+  reg [IdxW-1:0]   s3_y_beyond;
+  reg              s3_y_even;
+  reg [2*LEVELS:0] s3_address;
+  reg [FloatW-1:0] s3_p_x;
+  reg [FloatW-1:0] s3_r_x;
+  reg              s3_never_x;
+  reg [FloatW-1:0] s3_p_y;
+  reg [FloatW-1:0] s3_r_y;
+  reg              s3_never_y;
+  reg [FloatW-1:0] s3_t;
+  reg [FloatW-1:0] s3_pb_x;
+  reg [FloatW-1:0] s3_d_x;
+  reg [FloatW-1:0] s3_pb_y;
+  reg [FloatW-1:0] s3_d_y;
+  reg [LevelW-1:0] s3_level;
+  reg              s3_has_crossed;
+  reg [IdxW-1:0]   s3_x;
+  reg [IdxW-1:0]   s3_y;
+  reg              s3_last_step;
+  reg              s3_moves;
+  reg              s3_done;
+  reg              s3_wall;
+  reg              s3_limit;
+  reg [15:0]       s3_crossings;
+  reg [15:0]       s3_ups;
+  reg              s3_valid;
+  reg [TAG_W-1:0]  s3_tag;
+  reg              s3_neg_x;
+  reg              s3_neg_y;
+  reg [15:0]       s3_steps_next;
+  always @(posedge clk) begin
+    s3_x_low       <= s2_x_low;
+    s3_x_high      <= s2_x_high;
+    s3_x_plane     <= s2_x_plane;
+    s3_x_beyond    <= s2_x_beyond;
+    s3_x_even      <= s2_x_even;
+    s3_y_low       <= s2_y_low;
+    s3_y_high      <= s2_y_high;
+    s3_y_plane     <= s2_y_plane;
+    s3_y_beyond    <= s2_y_beyond;
+    s3_y_even      <= s2_y_even;
+    s3_address     <= s2_address;
+    s3_p_x         <= s2_p_x;
+    s3_r_x         <= s2_r_x;
+    s3_never_x     <= s2_never_x;
+    s3_p_y         <= s2_p_y;
+    s3_r_y         <= s2_r_y;
+    s3_never_y     <= s2_never_y;
+    s3_t           <= s2_t;
+    s3_pb_x        <= s2_pb_x;
+    s3_d_x         <= s2_d_x;
+    s3_pb_y        <= s2_pb_y;
+    s3_d_y         <= s2_d_y;
+    s3_level       <= s2_level;
+    s3_has_crossed <= s2_has_crossed;
+    s3_x           <= s2_x;
+    s3_y           <= s2_y;
+    s3_last_step   <= s2_last_step;
+    s3_moves       <= s2_moves;
+    s3_done        <= s2_done;
+    s3_wall        <= s2_wall;
+    s3_limit       <= s2_limit;
+    s3_crossings   <= s2_crossings;
+    s3_ups         <= s2_ups;
+    s3_tag         <= s2_tag;
+    s3_neg_x       <= s2_neg_x;
+    s3_neg_y       <= s2_neg_y;
+    s3_steps_next  <= s2_steps_next;
+  end
+  always @(posedge clk) begin
+    if (rst) begin
+      s3_valid <= 1'b0;
+    end else begin
+      s3_valid <= s2_valid;
+    end
+  end
+
+  // ---- stage 3: height ---------------------------------------------------- traverse.rs
+  wire [HEIGHT_W-1:0] s5_height;
+  relief_height_banks #(
+    .ADDR_W(2 * LEVELS + 1),
+    .DATA_W(HEIGHT_W),
+    .DEPTH (((1 << (2 * LEVELS + 2)) - 1) / 3),
+    .BANK_W(13)
+  ) u_heights (
+    .clk       (clk),
+    .write_en  (load_en),
+    .write_addr(load_addr),
+    .write_data(load_data),
+    .read_addr (s3_address),
+    .read_data (s5_height)
+  );
+
+  // ---- stage 3: plane parameters ------------------------------------------ traverse.rs
+  wire [FloatW-1:0] s11_t_x;
+  relief_plane_time #(.EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW)) u_time_x (
+    .clk  (clk),
+    .ce   (1'b1),
+    .plane(s3_x_plane),
+    .p    (s3_p_x),
+    .r    (s3_r_x),
+    .never(s3_never_x),
+    .t    (s11_t_x)
+  );
+  wire [FloatW-1:0] s11_t_y;
+  relief_plane_time #(.EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW)) u_time_y (
+    .clk  (clk),
+    .ce   (1'b1),
+    .plane(s3_y_plane),
+    .p    (s3_p_y),
+    .r    (s3_r_y),
+    .never(s3_never_y),
+    .t    (s11_t_y)
+  );
+
+  // ---- stage 4: registers ------------------------------------------------- traverse.rs
+  reg [FloatW-1:0] s4_t;
+  reg [FloatW-1:0] s4_pb_x;
+  reg [FloatW-1:0] s4_d_x;
+  reg [FloatW-1:0] s4_pb_y;
+  reg [FloatW-1:0] s4_d_y;
+  reg [LevelW-1:0] s4_level;
+  reg              s4_has_crossed;
+  reg [IdxW-1:0]   s4_x_low;
+  reg [IdxW-1:0]   s4_x_high;
+  reg [IdxW-1:0]   s4_y_low;
+  reg [IdxW-1:0]   s4_y_high;
+  reg              s4_x_even;
+  reg              s4_y_even;
+  reg [IdxW-1:0]   s4_x;
+  reg [IdxW-1:0]   s4_y;
+  reg [IdxW-1:0]   s4_x_beyond;
+  reg [IdxW-1:0]   s4_y_beyond;
+  reg              s4_last_step;
+  reg              s4_moves;
+  reg              s4_done;
+  reg              s4_wall;
+  reg              s4_limit;
+  reg [15:0]       s4_crossings;
+  reg [15:0]       s4_ups;
+  reg              s4_valid;
+  reg [TAG_W-1:0]  s4_tag;
+  reg [FloatW-1:0] s4_p_x;
+  reg [FloatW-1:0] s4_r_x;
+  reg              s4_never_x;
+  reg              s4_neg_x;
+  reg [FloatW-1:0] s4_p_y;
+  reg [FloatW-1:0] s4_r_y;
+  reg              s4_never_y;
+  reg              s4_neg_y;
+  reg [15:0]       s4_steps_next;
+  always @(posedge clk) begin
+    s4_t           <= s3_t;
+    s4_pb_x        <= s3_pb_x;
+    s4_d_x         <= s3_d_x;
+    s4_pb_y        <= s3_pb_y;
+    s4_d_y         <= s3_d_y;
+    s4_level       <= s3_level;
+    s4_has_crossed <= s3_has_crossed;
+    s4_x_low       <= s3_x_low;
+    s4_x_high      <= s3_x_high;
+    s4_y_low       <= s3_y_low;
+    s4_y_high      <= s3_y_high;
+    s4_x_even      <= s3_x_even;
+    s4_y_even      <= s3_y_even;
+    s4_x           <= s3_x;
+    s4_y           <= s3_y;
+    s4_x_beyond    <= s3_x_beyond;
+    s4_y_beyond    <= s3_y_beyond;
+    s4_last_step   <= s3_last_step;
+    s4_moves       <= s3_moves;
+    s4_done        <= s3_done;
+    s4_wall        <= s3_wall;
+    s4_limit       <= s3_limit;
+    s4_crossings   <= s3_crossings;
+    s4_ups         <= s3_ups;
+    s4_tag         <= s3_tag;
+    s4_p_x         <= s3_p_x;
+    s4_r_x         <= s3_r_x;
+    s4_never_x     <= s3_never_x;
+    s4_neg_x       <= s3_neg_x;
+    s4_p_y         <= s3_p_y;
+    s4_r_y         <= s3_r_y;
+    s4_never_y     <= s3_never_y;
+    s4_neg_y       <= s3_neg_y;
+    s4_steps_next  <= s3_steps_next;
+  end
+  always @(posedge clk) begin
+    if (rst) begin
+      s4_valid <= 1'b0;
+    end else begin
+      s4_valid <= s3_valid;
+    end
+  end
+
+  // ---- stage 5: registers ------------------------------------------------- traverse.rs
+  reg [FloatW-1:0] s5_t;
+  reg [FloatW-1:0] s5_pb_x;
+  reg [FloatW-1:0] s5_d_x;
+  reg [FloatW-1:0] s5_pb_y;
+  reg [FloatW-1:0] s5_d_y;
+  reg [LevelW-1:0] s5_level;
+  reg              s5_has_crossed;
+  reg [IdxW-1:0]   s5_x_low;
+  reg [IdxW-1:0]   s5_x_high;
+  reg [IdxW-1:0]   s5_y_low;
+  reg [IdxW-1:0]   s5_y_high;
+  reg              s5_x_even;
+  reg              s5_y_even;
+  reg [IdxW-1:0]   s5_x;
+  reg [IdxW-1:0]   s5_y;
+  reg [IdxW-1:0]   s5_x_beyond;
+  reg [IdxW-1:0]   s5_y_beyond;
+  reg              s5_last_step;
+  reg              s5_moves;
+  reg              s5_done;
+  reg              s5_wall;
+  reg              s5_limit;
+  reg [15:0]       s5_crossings;
+  reg [15:0]       s5_ups;
+  reg              s5_valid;
+  reg [TAG_W-1:0]  s5_tag;
+  reg [FloatW-1:0] s5_p_x;
+  reg [FloatW-1:0] s5_r_x;
+  reg              s5_never_x;
+  reg              s5_neg_x;
+  reg [FloatW-1:0] s5_p_y;
+  reg [FloatW-1:0] s5_r_y;
+  reg              s5_never_y;
+  reg              s5_neg_y;
+  reg [15:0]       s5_steps_next;
+  always @(posedge clk) begin
+    s5_t           <= s4_t;
+    s5_pb_x        <= s4_pb_x;
+    s5_d_x         <= s4_d_x;
+    s5_pb_y        <= s4_pb_y;
+    s5_d_y         <= s4_d_y;
+    s5_level       <= s4_level;
+    s5_has_crossed <= s4_has_crossed;
+    s5_x_low       <= s4_x_low;
+    s5_x_high      <= s4_x_high;
+    s5_y_low       <= s4_y_low;
+    s5_y_high      <= s4_y_high;
+    s5_x_even      <= s4_x_even;
+    s5_y_even      <= s4_y_even;
+    s5_x           <= s4_x;
+    s5_y           <= s4_y;
+    s5_x_beyond    <= s4_x_beyond;
+    s5_y_beyond    <= s4_y_beyond;
+    s5_last_step   <= s4_last_step;
+    s5_moves       <= s4_moves;
+    s5_done        <= s4_done;
+    s5_wall        <= s4_wall;
+    s5_limit       <= s4_limit;
+    s5_crossings   <= s4_crossings;
+    s5_ups         <= s4_ups;
+    s5_tag         <= s4_tag;
+    s5_p_x         <= s4_p_x;
+    s5_r_x         <= s4_r_x;
+    s5_never_x     <= s4_never_x;
+    s5_neg_x       <= s4_neg_x;
+    s5_p_y         <= s4_p_y;
+    s5_r_y         <= s4_r_y;
+    s5_never_y     <= s4_never_y;
+    s5_neg_y       <= s4_neg_y;
+    s5_steps_next  <= s4_steps_next;
+  end
+  always @(posedge clk) begin
+    if (rst) begin
+      s5_valid <= 1'b0;
+    end else begin
+      s5_valid <= s4_valid;
+    end
+  end
+
+  // ---- stage 6: registers ------------------------------------------------- traverse.rs
+  reg [HEIGHT_W-1:0] s6_height;
+  reg [FloatW-1:0]   s6_t;
+  reg [FloatW-1:0]   s6_pb_x;
+  reg [FloatW-1:0]   s6_d_x;
+  reg [FloatW-1:0]   s6_pb_y;
+  reg [FloatW-1:0]   s6_d_y;
+  reg [LevelW-1:0]   s6_level;
+  reg                s6_has_crossed;
+  reg [IdxW-1:0]     s6_x_low;
+  reg [IdxW-1:0]     s6_x_high;
+  reg [IdxW-1:0]     s6_y_low;
+  reg [IdxW-1:0]     s6_y_high;
+  reg                s6_x_even;
+  reg                s6_y_even;
+  reg [IdxW-1:0]     s6_x;
+  reg [IdxW-1:0]     s6_y;
+  reg [IdxW-1:0]     s6_x_beyond;
+  reg [IdxW-1:0]     s6_y_beyond;
+  reg                s6_last_step;
+  reg                s6_moves;
+  reg                s6_done;
+  reg                s6_wall;
+  reg                s6_limit;
+  reg [15:0]         s6_crossings;
+  reg [15:0]         s6_ups;
+  reg                s6_valid;
+  reg [TAG_W-1:0]    s6_tag;
+  reg [FloatW-1:0]   s6_p_x;
+  reg [FloatW-1:0]   s6_r_x;
+  reg                s6_never_x;
+  reg                s6_neg_x;
+  reg [FloatW-1:0]   s6_p_y;
+  reg [FloatW-1:0]   s6_r_y;
+  reg                s6_never_y;
+  reg                s6_neg_y;
+  reg [15:0]         s6_steps_next;
+  always @(posedge clk) begin
+    s6_height      <= s5_height;
+    s6_t           <= s5_t;
+    s6_pb_x        <= s5_pb_x;
+    s6_d_x         <= s5_d_x;
+    s6_pb_y        <= s5_pb_y;
+    s6_d_y         <= s5_d_y;
+    s6_level       <= s5_level;
+    s6_has_crossed <= s5_has_crossed;
+    s6_x_low       <= s5_x_low;
+    s6_x_high      <= s5_x_high;
+    s6_y_low       <= s5_y_low;
+    s6_y_high      <= s5_y_high;
+    s6_x_even      <= s5_x_even;
+    s6_y_even      <= s5_y_even;
+    s6_x           <= s5_x;
+    s6_y           <= s5_y;
+    s6_x_beyond    <= s5_x_beyond;
+    s6_y_beyond    <= s5_y_beyond;
+    s6_last_step   <= s5_last_step;
+    s6_moves       <= s5_moves;
+    s6_done        <= s5_done;
+    s6_wall        <= s5_wall;
+    s6_limit       <= s5_limit;
+    s6_crossings   <= s5_crossings;
+    s6_ups         <= s5_ups;
+    s6_tag         <= s5_tag;
+    s6_p_x         <= s5_p_x;
+    s6_r_x         <= s5_r_x;
+    s6_never_x     <= s5_never_x;
+    s6_neg_x       <= s5_neg_x;
+    s6_p_y         <= s5_p_y;
+    s6_r_y         <= s5_r_y;
+    s6_never_y     <= s5_never_y;
+    s6_neg_y       <= s5_neg_y;
+    s6_steps_next  <= s5_steps_next;
+  end
+  always @(posedge clk) begin
+    if (rst) begin
+      s6_valid <= 1'b0;
+    end else begin
+      s6_valid <= s5_valid;
+    end
+  end
+
+  // ---- stage 6: height test ----------------------------------------------- traverse.rs
+  wire [FloatW-1:0] s10_m;
+  wire              s10_below;
+  relief_height_test #(.EXP_W(EXP_W), .MAN_W(MAN_W), .HEIGHT_W(HEIGHT_W)) u_height_test (
+    .clk   (clk),
+    .ce    (1'b1),
+    .height(s6_height),
+    .t     (s6_t),
+    .m     (s10_m),
+    .below (s10_below)
+  );
+
+  // ---- stage 7: registers ------------------------------------------------- traverse.rs
+  reg [FloatW-1:0] s7_pb_x;
+  reg [FloatW-1:0] s7_d_x;
+  reg [FloatW-1:0] s7_pb_y;
+  reg [FloatW-1:0] s7_d_y;
+  reg [FloatW-1:0] s7_t;
+  reg [LevelW-1:0] s7_level;
+  reg              s7_has_crossed;
+  reg [IdxW-1:0]   s7_x_low;
+  reg [IdxW-1:0]   s7_x_high;
+  reg [IdxW-1:0]   s7_y_low;
+  reg [IdxW-1:0]   s7_y_high;
+  reg              s7_x_even;
+  reg              s7_y_even;
+  reg [IdxW-1:0]   s7_x;
+  reg [IdxW-1:0]   s7_y;
+  reg [IdxW-1:0]   s7_x_beyond;
+  reg [IdxW-1:0]   s7_y_beyond;
+  reg              s7_last_step;
+  reg              s7_moves;
+  reg              s7_done;
+  reg              s7_wall;
+  reg              s7_limit;
+  reg [15:0]       s7_crossings;
+  reg [15:0]       s7_ups;
+  reg              s7_valid;
+  reg [TAG_W-1:0]  s7_tag;
+  reg [FloatW-1:0] s7_p_x;
+  reg [FloatW-1:0] s7_r_x;
+  reg              s7_never_x;
+  reg              s7_neg_x;
+  reg [FloatW-1:0] s7_p_y;
+  reg [FloatW-1:0] s7_r_y;
+  reg              s7_never_y;
+  reg              s7_neg_y;
+  reg [15:0]       s7_steps_next;
+  always @(posedge clk) begin
+    s7_pb_x        <= s6_pb_x;
+    s7_d_x         <= s6_d_x;
+    s7_pb_y        <= s6_pb_y;
+    s7_d_y         <= s6_d_y;
+    s7_t           <= s6_t;
+    s7_level       <= s6_level;
+    s7_has_crossed <= s6_has_crossed;
+    s7_x_low       <= s6_x_low;
+    s7_x_high      <= s6_x_high;
+    s7_y_low       <= s6_y_low;
+    s7_y_high      <= s6_y_high;
+    s7_x_even      <= s6_x_even;
+    s7_y_even      <= s6_y_even;
+    s7_x           <= s6_x;
+    s7_y           <= s6_y;
+    s7_x_beyond    <= s6_x_beyond;
+    s7_y_beyond    <= s6_y_beyond;
+    s7_last_step   <= s6_last_step;
+    s7_moves       <= s6_moves;
+    s7_done        <= s6_done;
+    s7_wall        <= s6_wall;
+    s7_limit       <= s6_limit;
+    s7_crossings   <= s6_crossings;
+    s7_ups         <= s6_ups;
+    s7_tag         <= s6_tag;
+    s7_p_x         <= s6_p_x;
+    s7_r_x         <= s6_r_x;
+    s7_never_x     <= s6_never_x;
+    s7_neg_x       <= s6_neg_x;
+    s7_p_y         <= s6_p_y;
+    s7_r_y         <= s6_r_y;
+    s7_never_y     <= s6_never_y;
+    s7_neg_y       <= s6_neg_y;
+    s7_steps_next  <= s6_steps_next;
+  end
+  always @(posedge clk) begin
+    if (rst) begin
+      s7_valid <= 1'b0;
+    end else begin
+      s7_valid <= s6_valid;
+    end
+  end
+
+  // ---- stage 8: registers ------------------------------------------------- traverse.rs
+  reg [FloatW-1:0] s8_pb_x;
+  reg [FloatW-1:0] s8_d_x;
+  reg [FloatW-1:0] s8_pb_y;
+  reg [FloatW-1:0] s8_d_y;
+  reg [FloatW-1:0] s8_t;
+  reg [LevelW-1:0] s8_level;
+  reg              s8_has_crossed;
+  reg [IdxW-1:0]   s8_x_low;
+  reg [IdxW-1:0]   s8_x_high;
+  reg [IdxW-1:0]   s8_y_low;
+  reg [IdxW-1:0]   s8_y_high;
+  reg              s8_x_even;
+  reg              s8_y_even;
+  reg [IdxW-1:0]   s8_x;
+  reg [IdxW-1:0]   s8_y;
+  reg [IdxW-1:0]   s8_x_beyond;
+  reg [IdxW-1:0]   s8_y_beyond;
+  reg              s8_last_step;
+  reg              s8_moves;
+  reg              s8_done;
+  reg              s8_wall;
+  reg              s8_limit;
+  reg [15:0]       s8_crossings;
+  reg [15:0]       s8_ups;
+  reg              s8_valid;
+  reg [TAG_W-1:0]  s8_tag;
+  reg [FloatW-1:0] s8_p_x;
+  reg [FloatW-1:0] s8_r_x;
+  reg              s8_never_x;
+  reg              s8_neg_x;
+  reg [FloatW-1:0] s8_p_y;
+  reg [FloatW-1:0] s8_r_y;
+  reg              s8_never_y;
+  reg              s8_neg_y;
+  reg [15:0]       s8_steps_next;
+  always @(posedge clk) begin
+    s8_pb_x        <= s7_pb_x;
+    s8_d_x         <= s7_d_x;
+    s8_pb_y        <= s7_pb_y;
+    s8_d_y         <= s7_d_y;
+    s8_t           <= s7_t;
+    s8_level       <= s7_level;
+    s8_has_crossed <= s7_has_crossed;
+    s8_x_low       <= s7_x_low;
+    s8_x_high      <= s7_x_high;
+    s8_y_low       <= s7_y_low;
+    s8_y_high      <= s7_y_high;
+    s8_x_even      <= s7_x_even;
+    s8_y_even      <= s7_y_even;
+    s8_x           <= s7_x;
+    s8_y           <= s7_y;
+    s8_x_beyond    <= s7_x_beyond;
+    s8_y_beyond    <= s7_y_beyond;
+    s8_last_step   <= s7_last_step;
+    s8_moves       <= s7_moves;
+    s8_done        <= s7_done;
+    s8_wall        <= s7_wall;
+    s8_limit       <= s7_limit;
+    s8_crossings   <= s7_crossings;
+    s8_ups         <= s7_ups;
+    s8_tag         <= s7_tag;
+    s8_p_x         <= s7_p_x;
+    s8_r_x         <= s7_r_x;
+    s8_never_x     <= s7_never_x;
+    s8_neg_x       <= s7_neg_x;
+    s8_p_y         <= s7_p_y;
+    s8_r_y         <= s7_r_y;
+    s8_never_y     <= s7_never_y;
+    s8_neg_y       <= s7_neg_y;
+    s8_steps_next  <= s7_steps_next;
+  end
+  always @(posedge clk) begin
+    if (rst) begin
+      s8_valid <= 1'b0;
+    end else begin
+      s8_valid <= s7_valid;
+    end
+  end
+
+  // ---- stage 9: registers ------------------------------------------------- traverse.rs
+  reg [FloatW-1:0] s9_pb_x;
+  reg [FloatW-1:0] s9_d_x;
+  reg [FloatW-1:0] s9_pb_y;
+  reg [FloatW-1:0] s9_d_y;
+  reg [FloatW-1:0] s9_t;
+  reg [LevelW-1:0] s9_level;
+  reg              s9_has_crossed;
+  reg [IdxW-1:0]   s9_x_low;
+  reg [IdxW-1:0]   s9_x_high;
+  reg [IdxW-1:0]   s9_y_low;
+  reg [IdxW-1:0]   s9_y_high;
+  reg              s9_x_even;
+  reg              s9_y_even;
+  reg [IdxW-1:0]   s9_x;
+  reg [IdxW-1:0]   s9_y;
+  reg [IdxW-1:0]   s9_x_beyond;
+  reg [IdxW-1:0]   s9_y_beyond;
+  reg              s9_last_step;
+  reg              s9_moves;
+  reg              s9_done;
+  reg              s9_wall;
+  reg              s9_limit;
+  reg [15:0]       s9_crossings;
+  reg [15:0]       s9_ups;
+  reg              s9_valid;
+  reg [TAG_W-1:0]  s9_tag;
+  reg [FloatW-1:0] s9_p_x;
+  reg [FloatW-1:0] s9_r_x;
+  reg              s9_never_x;
+  reg              s9_neg_x;
+  reg [FloatW-1:0] s9_p_y;
+  reg [FloatW-1:0] s9_r_y;
+  reg              s9_never_y;
+  reg              s9_neg_y;
+  reg [15:0]       s9_steps_next;
+  always @(posedge clk) begin
+    s9_pb_x        <= s8_pb_x;
+    s9_d_x         <= s8_d_x;
+    s9_pb_y        <= s8_pb_y;
+    s9_d_y         <= s8_d_y;
+    s9_t           <= s8_t;
+    s9_level       <= s8_level;
+    s9_has_crossed <= s8_has_crossed;
+    s9_x_low       <= s8_x_low;
+    s9_x_high      <= s8_x_high;
+    s9_y_low       <= s8_y_low;
+    s9_y_high      <= s8_y_high;
+    s9_x_even      <= s8_x_even;
+    s9_y_even      <= s8_y_even;
+    s9_x           <= s8_x;
+    s9_y           <= s8_y;
+    s9_x_beyond    <= s8_x_beyond;
+    s9_y_beyond    <= s8_y_beyond;
+    s9_last_step   <= s8_last_step;
+    s9_moves       <= s8_moves;
+    s9_done        <= s8_done;
+    s9_wall        <= s8_wall;
+    s9_limit       <= s8_limit;
+    s9_crossings   <= s8_crossings;
+    s9_ups         <= s8_ups;
+    s9_tag         <= s8_tag;
+    s9_p_x         <= s8_p_x;
+    s9_r_x         <= s8_r_x;
+    s9_never_x     <= s8_never_x;
+    s9_neg_x       <= s8_neg_x;
+    s9_p_y         <= s8_p_y;
+    s9_r_y         <= s8_r_y;
+    s9_never_y     <= s8_never_y;
+    s9_neg_y       <= s8_neg_y;
+    s9_steps_next  <= s8_steps_next;
+  end
+  always @(posedge clk) begin
+    if (rst) begin
+      s9_valid <= 1'b0;
+    end else begin
+      s9_valid <= s8_valid;
+    end
+  end
+
+  // ---- stage 10: registers ------------------------------------------------ traverse.rs
+  reg [FloatW-1:0] s10_pb_x;
+  reg [FloatW-1:0] s10_d_x;
+  reg [FloatW-1:0] s10_pb_y;
+  reg [FloatW-1:0] s10_d_y;
+  reg [FloatW-1:0] s10_t;
+  reg [LevelW-1:0] s10_level;
+  reg              s10_has_crossed;
+  reg [IdxW-1:0]   s10_x_low;
+  reg [IdxW-1:0]   s10_x_high;
+  reg [IdxW-1:0]   s10_y_low;
+  reg [IdxW-1:0]   s10_y_high;
+  reg              s10_x_even;
+  reg              s10_y_even;
+  reg [IdxW-1:0]   s10_x;
+  reg [IdxW-1:0]   s10_y;
+  reg [IdxW-1:0]   s10_x_beyond;
+  reg [IdxW-1:0]   s10_y_beyond;
+  reg              s10_last_step;
+  reg              s10_moves;
+  reg              s10_done;
+  reg              s10_wall;
+  reg              s10_limit;
+  reg [15:0]       s10_crossings;
+  reg [15:0]       s10_ups;
+  reg              s10_valid;
+  reg [TAG_W-1:0]  s10_tag;
+  reg [FloatW-1:0] s10_p_x;
+  reg [FloatW-1:0] s10_r_x;
+  reg              s10_never_x;
+  reg              s10_neg_x;
+  reg [FloatW-1:0] s10_p_y;
+  reg [FloatW-1:0] s10_r_y;
+  reg              s10_never_y;
+  reg              s10_neg_y;
+  reg [15:0]       s10_steps_next;
+  always @(posedge clk) begin
+    s10_pb_x        <= s9_pb_x;
+    s10_d_x         <= s9_d_x;
+    s10_pb_y        <= s9_pb_y;
+    s10_d_y         <= s9_d_y;
+    s10_t           <= s9_t;
+    s10_level       <= s9_level;
+    s10_has_crossed <= s9_has_crossed;
+    s10_x_low       <= s9_x_low;
+    s10_x_high      <= s9_x_high;
+    s10_y_low       <= s9_y_low;
+    s10_y_high      <= s9_y_high;
+    s10_x_even      <= s9_x_even;
+    s10_y_even      <= s9_y_even;
+    s10_x           <= s9_x;
+    s10_y           <= s9_y;
+    s10_x_beyond    <= s9_x_beyond;
+    s10_y_beyond    <= s9_y_beyond;
+    s10_last_step   <= s9_last_step;
+    s10_moves       <= s9_moves;
+    s10_done        <= s9_done;
+    s10_wall        <= s9_wall;
+    s10_limit       <= s9_limit;
+    s10_crossings   <= s9_crossings;
+    s10_ups         <= s9_ups;
+    s10_tag         <= s9_tag;
+    s10_p_x         <= s9_p_x;
+    s10_r_x         <= s9_r_x;
+    s10_never_x     <= s9_never_x;
+    s10_neg_x       <= s9_neg_x;
+    s10_p_y         <= s9_p_y;
+    s10_r_y         <= s9_r_y;
+    s10_never_y     <= s9_never_y;
+    s10_neg_y       <= s9_neg_y;
+    s10_steps_next  <= s9_steps_next;
+  end
+  always @(posedge clk) begin
+    if (rst) begin
+      s10_valid <= 1'b0;
+    end else begin
+      s10_valid <= s9_valid;
+    end
+  end
+
+  // ---- stage 10: predicted hit -------------------------------------------- traverse.rs
+  wire [IdxW-1:0] s17_x_hit;
+  relief_predicted_hit #(.EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW)) u_predict_x (
+    .clk   (clk),
+    .ce    (1'b1),
+    .p_back(s10_pb_x),
+    .d     (s10_d_x),
+    .m     (s10_m),
+    .e     (s17_x_hit)
+  );
+  wire [IdxW-1:0] s17_y_hit;
+  relief_predicted_hit #(.EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW)) u_predict_y (
+    .clk   (clk),
+    .ce    (1'b1),
+    .p_back(s10_pb_y),
+    .d     (s10_d_y),
+    .m     (s10_m),
+    .e     (s17_y_hit)
+  );
+
+  // ---- stage 11: registers ------------------------------------------------ traverse.rs
+  reg [FloatW-1:0] s11_t;
+  reg [FloatW-1:0] s11_m;
+  reg [LevelW-1:0] s11_level;
+  reg              s11_has_crossed;
+  reg [IdxW-1:0]   s11_x_low;
+  reg [IdxW-1:0]   s11_x_high;
+  reg [IdxW-1:0]   s11_y_low;
+  reg [IdxW-1:0]   s11_y_high;
+  reg              s11_x_even;
+  reg              s11_y_even;
+  reg [IdxW-1:0]   s11_x;
+  reg [IdxW-1:0]   s11_y;
+  reg [IdxW-1:0]   s11_x_beyond;
+  reg [IdxW-1:0]   s11_y_beyond;
+  reg              s11_last_step;
+  reg              s11_moves;
+  reg              s11_done;
+  reg              s11_below;
+  reg              s11_wall;
+  reg              s11_limit;
+  reg [15:0]       s11_crossings;
+  reg [15:0]       s11_ups;
+  reg              s11_valid;
+  reg [TAG_W-1:0]  s11_tag;
+  reg [FloatW-1:0] s11_p_x;
+  reg [FloatW-1:0] s11_pb_x;
+  reg [FloatW-1:0] s11_d_x;
+  reg [FloatW-1:0] s11_r_x;
+  reg              s11_never_x;
+  reg              s11_neg_x;
+  reg [FloatW-1:0] s11_p_y;
+  reg [FloatW-1:0] s11_pb_y;
+  reg [FloatW-1:0] s11_d_y;
+  reg [FloatW-1:0] s11_r_y;
+  reg              s11_never_y;
+  reg              s11_neg_y;
+  reg [15:0]       s11_steps_next;
+  always @(posedge clk) begin
+    s11_t           <= s10_t;
+    s11_m           <= s10_m;
+    s11_level       <= s10_level;
+    s11_has_crossed <= s10_has_crossed;
+    s11_x_low       <= s10_x_low;
+    s11_x_high      <= s10_x_high;
+    s11_y_low       <= s10_y_low;
+    s11_y_high      <= s10_y_high;
+    s11_x_even      <= s10_x_even;
+    s11_y_even      <= s10_y_even;
+    s11_x           <= s10_x;
+    s11_y           <= s10_y;
+    s11_x_beyond    <= s10_x_beyond;
+    s11_y_beyond    <= s10_y_beyond;
+    s11_last_step   <= s10_last_step;
+    s11_moves       <= s10_moves;
+    s11_done        <= s10_done;
+    s11_below       <= s10_below;
+    s11_wall        <= s10_wall;
+    s11_limit       <= s10_limit;
+    s11_crossings   <= s10_crossings;
+    s11_ups         <= s10_ups;
+    s11_tag         <= s10_tag;
+    s11_p_x         <= s10_p_x;
+    s11_pb_x        <= s10_pb_x;
+    s11_d_x         <= s10_d_x;
+    s11_r_x         <= s10_r_x;
+    s11_never_x     <= s10_never_x;
+    s11_neg_x       <= s10_neg_x;
+    s11_p_y         <= s10_p_y;
+    s11_pb_y        <= s10_pb_y;
+    s11_d_y         <= s10_d_y;
+    s11_r_y         <= s10_r_y;
+    s11_never_y     <= s10_never_y;
+    s11_neg_y       <= s10_neg_y;
+    s11_steps_next  <= s10_steps_next;
+  end
+  always @(posedge clk) begin
+    if (rst) begin
+      s11_valid <= 1'b0;
+    end else begin
+      s11_valid <= s10_valid;
+    end
+  end
+
+  // ---- stage 11: node crossing -------------------------------------------- traverse.rs
+  wire              s13_is_inside;
+  wire              s13_x_first;
+  wire [FloatW-1:0] s13_t_next;
+  relief_node_crossing #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_crossing (
+    .clk      (clk),
+    .ce       (1'b1),
+    .t        (s11_t),
+    .m        (s11_m),
+    .t_x      (s11_t_x),
+    .t_y      (s11_t_y),
+    .is_inside(s13_is_inside),
+    .x_first  (s13_x_first),
+    .t_next   (s13_t_next)
+  );
+
+  // ---- stage 12: registers ------------------------------------------------ traverse.rs
+  reg [LevelW-1:0] s12_level;
+  reg              s12_has_crossed;
+  reg [IdxW-1:0]   s12_x_low;
+  reg [IdxW-1:0]   s12_x_high;
+  reg [IdxW-1:0]   s12_y_low;
+  reg [IdxW-1:0]   s12_y_high;
+  reg              s12_x_even;
+  reg              s12_y_even;
+  reg [IdxW-1:0]   s12_x;
+  reg [IdxW-1:0]   s12_y;
+  reg [FloatW-1:0] s12_m;
+  reg [IdxW-1:0]   s12_x_beyond;
+  reg [IdxW-1:0]   s12_y_beyond;
+  reg              s12_last_step;
+  reg              s12_moves;
+  reg              s12_done;
+  reg [FloatW-1:0] s12_t;
+  reg              s12_below;
+  reg              s12_wall;
+  reg              s12_limit;
+  reg [15:0]       s12_crossings;
+  reg [15:0]       s12_ups;
+  reg              s12_valid;
+  reg [TAG_W-1:0]  s12_tag;
+  reg [FloatW-1:0] s12_p_x;
+  reg [FloatW-1:0] s12_pb_x;
+  reg [FloatW-1:0] s12_d_x;
+  reg [FloatW-1:0] s12_r_x;
+  reg              s12_never_x;
+  reg              s12_neg_x;
+  reg [FloatW-1:0] s12_p_y;
+  reg [FloatW-1:0] s12_pb_y;
+  reg [FloatW-1:0] s12_d_y;
+  reg [FloatW-1:0] s12_r_y;
+  reg              s12_never_y;
+  reg              s12_neg_y;
+  reg [15:0]       s12_steps_next;
+  always @(posedge clk) begin
+    s12_level       <= s11_level;
+    s12_has_crossed <= s11_has_crossed;
+    s12_x_low       <= s11_x_low;
+    s12_x_high      <= s11_x_high;
+    s12_y_low       <= s11_y_low;
+    s12_y_high      <= s11_y_high;
+    s12_x_even      <= s11_x_even;
+    s12_y_even      <= s11_y_even;
+    s12_x           <= s11_x;
+    s12_y           <= s11_y;
+    s12_m           <= s11_m;
+    s12_x_beyond    <= s11_x_beyond;
+    s12_y_beyond    <= s11_y_beyond;
+    s12_last_step   <= s11_last_step;
+    s12_moves       <= s11_moves;
+    s12_done        <= s11_done;
+    s12_t           <= s11_t;
+    s12_below       <= s11_below;
+    s12_wall        <= s11_wall;
+    s12_limit       <= s11_limit;
+    s12_crossings   <= s11_crossings;
+    s12_ups         <= s11_ups;
+    s12_tag         <= s11_tag;
+    s12_p_x         <= s11_p_x;
+    s12_pb_x        <= s11_pb_x;
+    s12_d_x         <= s11_d_x;
+    s12_r_x         <= s11_r_x;
+    s12_never_x     <= s11_never_x;
+    s12_neg_x       <= s11_neg_x;
+    s12_p_y         <= s11_p_y;
+    s12_pb_y        <= s11_pb_y;
+    s12_d_y         <= s11_d_y;
+    s12_r_y         <= s11_r_y;
+    s12_never_y     <= s11_never_y;
+    s12_neg_y       <= s11_neg_y;
+    s12_steps_next  <= s11_steps_next;
+  end
+  always @(posedge clk) begin
+    if (rst) begin
+      s12_valid <= 1'b0;
+    end else begin
+      s12_valid <= s11_valid;
+    end
+  end
+
+  // ---- stage 13: registers ------------------------------------------------ traverse.rs
+  reg [LevelW-1:0] s13_level;
+  reg              s13_has_crossed;
+  reg [IdxW-1:0]   s13_x_low;
+  reg [IdxW-1:0]   s13_x_high;
+  reg [IdxW-1:0]   s13_y_low;
+  reg [IdxW-1:0]   s13_y_high;
+  reg              s13_x_even;
+  reg              s13_y_even;
+  reg [IdxW-1:0]   s13_x;
+  reg [IdxW-1:0]   s13_y;
+  reg [FloatW-1:0] s13_m;
+  reg [IdxW-1:0]   s13_x_beyond;
+  reg [IdxW-1:0]   s13_y_beyond;
+  reg              s13_last_step;
+  reg              s13_moves;
+  reg              s13_done;
+  reg [FloatW-1:0] s13_t;
+  reg              s13_below;
+  reg              s13_wall;
+  reg              s13_limit;
+  reg [15:0]       s13_crossings;
+  reg [15:0]       s13_ups;
+  reg              s13_valid;
+  reg [TAG_W-1:0]  s13_tag;
+  reg [FloatW-1:0] s13_p_x;
+  reg [FloatW-1:0] s13_pb_x;
+  reg [FloatW-1:0] s13_d_x;
+  reg [FloatW-1:0] s13_r_x;
+  reg              s13_never_x;
+  reg              s13_neg_x;
+  reg [FloatW-1:0] s13_p_y;
+  reg [FloatW-1:0] s13_pb_y;
+  reg [FloatW-1:0] s13_d_y;
+  reg [FloatW-1:0] s13_r_y;
+  reg              s13_never_y;
+  reg              s13_neg_y;
+  reg [15:0]       s13_steps_next;
+  always @(posedge clk) begin
+    s13_level       <= s12_level;
+    s13_has_crossed <= s12_has_crossed;
+    s13_x_low       <= s12_x_low;
+    s13_x_high      <= s12_x_high;
+    s13_y_low       <= s12_y_low;
+    s13_y_high      <= s12_y_high;
+    s13_x_even      <= s12_x_even;
+    s13_y_even      <= s12_y_even;
+    s13_x           <= s12_x;
+    s13_y           <= s12_y;
+    s13_m           <= s12_m;
+    s13_x_beyond    <= s12_x_beyond;
+    s13_y_beyond    <= s12_y_beyond;
+    s13_last_step   <= s12_last_step;
+    s13_moves       <= s12_moves;
+    s13_done        <= s12_done;
+    s13_t           <= s12_t;
+    s13_below       <= s12_below;
+    s13_wall        <= s12_wall;
+    s13_limit       <= s12_limit;
+    s13_crossings   <= s12_crossings;
+    s13_ups         <= s12_ups;
+    s13_tag         <= s12_tag;
+    s13_p_x         <= s12_p_x;
+    s13_pb_x        <= s12_pb_x;
+    s13_d_x         <= s12_d_x;
+    s13_r_x         <= s12_r_x;
+    s13_never_x     <= s12_never_x;
+    s13_neg_x       <= s12_neg_x;
+    s13_p_y         <= s12_p_y;
+    s13_pb_y        <= s12_pb_y;
+    s13_d_y         <= s12_d_y;
+    s13_r_y         <= s12_r_y;
+    s13_never_y     <= s12_never_y;
+    s13_neg_y       <= s12_neg_y;
+    s13_steps_next  <= s12_steps_next;
+  end
+  always @(posedge clk) begin
+    if (rst) begin
+      s13_valid <= 1'b0;
+    end else begin
+      s13_valid <= s12_valid;
+    end
+  end
+
+  // ---- stage 13: level up ------------------------------------------------- traverse.rs
+  wire s13_even = s13_x_first ? s13_x_even : s13_y_even;
+
+  // ---- stage 14: registers ------------------------------------------------ traverse.rs
+  reg [LevelW-1:0] s14_level;
+  reg              s14_has_crossed;
+  reg [IdxW-1:0]   s14_x_low;
+  reg [IdxW-1:0]   s14_x_high;
+  reg [IdxW-1:0]   s14_y_low;
+  reg [IdxW-1:0]   s14_y_high;
+  reg              s14_even;
+  reg [IdxW-1:0]   s14_x;
+  reg [IdxW-1:0]   s14_y;
+  reg              s14_is_inside;
+  reg              s14_x_first;
+  reg [FloatW-1:0] s14_t_next;
+  reg [FloatW-1:0] s14_m;
+  reg [IdxW-1:0]   s14_x_beyond;
+  reg [IdxW-1:0]   s14_y_beyond;
+  reg              s14_last_step;
+  reg              s14_moves;
+  reg              s14_done;
+  reg [FloatW-1:0] s14_t;
+  reg              s14_below;
+  reg              s14_wall;
+  reg              s14_limit;
+  reg [15:0]       s14_crossings;
+  reg [15:0]       s14_ups;
+  reg              s14_valid;
+  reg [TAG_W-1:0]  s14_tag;
+  reg [FloatW-1:0] s14_p_x;
+  reg [FloatW-1:0] s14_pb_x;
+  reg [FloatW-1:0] s14_d_x;
+  reg [FloatW-1:0] s14_r_x;
+  reg              s14_never_x;
+  reg              s14_neg_x;
+  reg [FloatW-1:0] s14_p_y;
+  reg [FloatW-1:0] s14_pb_y;
+  reg [FloatW-1:0] s14_d_y;
+  reg [FloatW-1:0] s14_r_y;
+  reg              s14_never_y;
+  reg              s14_neg_y;
+  reg [15:0]       s14_steps_next;
+  always @(posedge clk) begin
+    s14_level       <= s13_level;
+    s14_has_crossed <= s13_has_crossed;
+    s14_x_low       <= s13_x_low;
+    s14_x_high      <= s13_x_high;
+    s14_y_low       <= s13_y_low;
+    s14_y_high      <= s13_y_high;
+    s14_even        <= s13_even;
+    s14_x           <= s13_x;
+    s14_y           <= s13_y;
+    s14_is_inside   <= s13_is_inside;
+    s14_x_first     <= s13_x_first;
+    s14_t_next      <= s13_t_next;
+    s14_m           <= s13_m;
+    s14_x_beyond    <= s13_x_beyond;
+    s14_y_beyond    <= s13_y_beyond;
+    s14_last_step   <= s13_last_step;
+    s14_moves       <= s13_moves;
+    s14_done        <= s13_done;
+    s14_t           <= s13_t;
+    s14_below       <= s13_below;
+    s14_wall        <= s13_wall;
+    s14_limit       <= s13_limit;
+    s14_crossings   <= s13_crossings;
+    s14_ups         <= s13_ups;
+    s14_tag         <= s13_tag;
+    s14_p_x         <= s13_p_x;
+    s14_pb_x        <= s13_pb_x;
+    s14_d_x         <= s13_d_x;
+    s14_r_x         <= s13_r_x;
+    s14_never_x     <= s13_never_x;
+    s14_neg_x       <= s13_neg_x;
+    s14_p_y         <= s13_p_y;
+    s14_pb_y        <= s13_pb_y;
+    s14_d_y         <= s13_d_y;
+    s14_r_y         <= s13_r_y;
+    s14_never_y     <= s13_never_y;
+    s14_neg_y       <= s13_neg_y;
+    s14_steps_next  <= s13_steps_next;
+  end
+  always @(posedge clk) begin
+    if (rst) begin
+      s14_valid <= 1'b0;
+    end else begin
+      s14_valid <= s13_valid;
+    end
+  end
+
+  // ---- stage 15: registers ------------------------------------------------ traverse.rs
+  reg [LevelW-1:0] s15_level;
+  reg              s15_has_crossed;
+  reg [IdxW-1:0]   s15_x_low;
+  reg [IdxW-1:0]   s15_x_high;
+  reg [IdxW-1:0]   s15_y_low;
+  reg [IdxW-1:0]   s15_y_high;
+  reg              s15_even;
+  reg [IdxW-1:0]   s15_x;
+  reg [IdxW-1:0]   s15_y;
+  reg              s15_is_inside;
+  reg              s15_x_first;
+  reg [FloatW-1:0] s15_m;
+  reg [FloatW-1:0] s15_t_next;
+  reg [IdxW-1:0]   s15_x_beyond;
+  reg [IdxW-1:0]   s15_y_beyond;
+  reg              s15_last_step;
+  reg              s15_moves;
+  reg              s15_done;
+  reg [FloatW-1:0] s15_t;
+  reg              s15_below;
+  reg              s15_wall;
+  reg              s15_limit;
+  reg [15:0]       s15_crossings;
+  reg [15:0]       s15_ups;
+  reg              s15_valid;
+  reg [TAG_W-1:0]  s15_tag;
+  reg [FloatW-1:0] s15_p_x;
+  reg [FloatW-1:0] s15_pb_x;
+  reg [FloatW-1:0] s15_d_x;
+  reg [FloatW-1:0] s15_r_x;
+  reg              s15_never_x;
+  reg              s15_neg_x;
+  reg [FloatW-1:0] s15_p_y;
+  reg [FloatW-1:0] s15_pb_y;
+  reg [FloatW-1:0] s15_d_y;
+  reg [FloatW-1:0] s15_r_y;
+  reg              s15_never_y;
+  reg              s15_neg_y;
+  reg [15:0]       s15_steps_next;
+  always @(posedge clk) begin
+    s15_level       <= s14_level;
+    s15_has_crossed <= s14_has_crossed;
+    s15_x_low       <= s14_x_low;
+    s15_x_high      <= s14_x_high;
+    s15_y_low       <= s14_y_low;
+    s15_y_high      <= s14_y_high;
+    s15_even        <= s14_even;
+    s15_x           <= s14_x;
+    s15_y           <= s14_y;
+    s15_is_inside   <= s14_is_inside;
+    s15_x_first     <= s14_x_first;
+    s15_m           <= s14_m;
+    s15_t_next      <= s14_t_next;
+    s15_x_beyond    <= s14_x_beyond;
+    s15_y_beyond    <= s14_y_beyond;
+    s15_last_step   <= s14_last_step;
+    s15_moves       <= s14_moves;
+    s15_done        <= s14_done;
+    s15_t           <= s14_t;
+    s15_below       <= s14_below;
+    s15_wall        <= s14_wall;
+    s15_limit       <= s14_limit;
+    s15_crossings   <= s14_crossings;
+    s15_ups         <= s14_ups;
+    s15_tag         <= s14_tag;
+    s15_p_x         <= s14_p_x;
+    s15_pb_x        <= s14_pb_x;
+    s15_d_x         <= s14_d_x;
+    s15_r_x         <= s14_r_x;
+    s15_never_x     <= s14_never_x;
+    s15_neg_x       <= s14_neg_x;
+    s15_p_y         <= s14_p_y;
+    s15_pb_y        <= s14_pb_y;
+    s15_d_y         <= s14_d_y;
+    s15_r_y         <= s14_r_y;
+    s15_never_y     <= s14_never_y;
+    s15_neg_y       <= s14_neg_y;
+    s15_steps_next  <= s14_steps_next;
+  end
+  always @(posedge clk) begin
+    if (rst) begin
+      s15_valid <= 1'b0;
+    end else begin
+      s15_valid <= s14_valid;
+    end
+  end
+
+  // ---- stage 16: registers ------------------------------------------------ traverse.rs
+  reg [LevelW-1:0] s16_level;
+  reg              s16_has_crossed;
+  reg [IdxW-1:0]   s16_x_low;
+  reg [IdxW-1:0]   s16_x_high;
+  reg [IdxW-1:0]   s16_y_low;
+  reg [IdxW-1:0]   s16_y_high;
+  reg              s16_even;
+  reg [IdxW-1:0]   s16_x;
+  reg [IdxW-1:0]   s16_y;
+  reg              s16_is_inside;
+  reg              s16_x_first;
+  reg [FloatW-1:0] s16_m;
+  reg [FloatW-1:0] s16_t_next;
+  reg [IdxW-1:0]   s16_x_beyond;
+  reg [IdxW-1:0]   s16_y_beyond;
+  reg              s16_last_step;
+  reg              s16_moves;
+  reg              s16_done;
+  reg [FloatW-1:0] s16_t;
+  reg              s16_below;
+  reg              s16_wall;
+  reg              s16_limit;
+  reg [15:0]       s16_crossings;
+  reg [15:0]       s16_ups;
+  reg              s16_valid;
+  reg [TAG_W-1:0]  s16_tag;
+  reg [FloatW-1:0] s16_p_x;
+  reg [FloatW-1:0] s16_pb_x;
+  reg [FloatW-1:0] s16_d_x;
+  reg [FloatW-1:0] s16_r_x;
+  reg              s16_never_x;
+  reg              s16_neg_x;
+  reg [FloatW-1:0] s16_p_y;
+  reg [FloatW-1:0] s16_pb_y;
+  reg [FloatW-1:0] s16_d_y;
+  reg [FloatW-1:0] s16_r_y;
+  reg              s16_never_y;
+  reg              s16_neg_y;
+  reg [15:0]       s16_steps_next;
+  always @(posedge clk) begin
+    s16_level       <= s15_level;
+    s16_has_crossed <= s15_has_crossed;
+    s16_x_low       <= s15_x_low;
+    s16_x_high      <= s15_x_high;
+    s16_y_low       <= s15_y_low;
+    s16_y_high      <= s15_y_high;
+    s16_even        <= s15_even;
+    s16_x           <= s15_x;
+    s16_y           <= s15_y;
+    s16_is_inside   <= s15_is_inside;
+    s16_x_first     <= s15_x_first;
+    s16_m           <= s15_m;
+    s16_t_next      <= s15_t_next;
+    s16_x_beyond    <= s15_x_beyond;
+    s16_y_beyond    <= s15_y_beyond;
+    s16_last_step   <= s15_last_step;
+    s16_moves       <= s15_moves;
+    s16_done        <= s15_done;
+    s16_t           <= s15_t;
+    s16_below       <= s15_below;
+    s16_wall        <= s15_wall;
+    s16_limit       <= s15_limit;
+    s16_crossings   <= s15_crossings;
+    s16_ups         <= s15_ups;
+    s16_tag         <= s15_tag;
+    s16_p_x         <= s15_p_x;
+    s16_pb_x        <= s15_pb_x;
+    s16_d_x         <= s15_d_x;
+    s16_r_x         <= s15_r_x;
+    s16_never_x     <= s15_never_x;
+    s16_neg_x       <= s15_neg_x;
+    s16_p_y         <= s15_p_y;
+    s16_pb_y        <= s15_pb_y;
+    s16_d_y         <= s15_d_y;
+    s16_r_y         <= s15_r_y;
+    s16_never_y     <= s15_never_y;
+    s16_neg_y       <= s15_neg_y;
+    s16_steps_next  <= s15_steps_next;
+  end
+  always @(posedge clk) begin
+    if (rst) begin
+      s16_valid <= 1'b0;
+    end else begin
+      s16_valid <= s15_valid;
+    end
+  end
+
+  // ---- stage 17: registers ------------------------------------------------ traverse.rs
+  reg [LevelW-1:0] s17_level;
+  reg              s17_has_crossed;
+  reg [IdxW-1:0]   s17_x_low;
+  reg [IdxW-1:0]   s17_x_high;
+  reg [IdxW-1:0]   s17_y_low;
+  reg [IdxW-1:0]   s17_y_high;
+  reg              s17_even;
+  reg [IdxW-1:0]   s17_x;
+  reg [IdxW-1:0]   s17_y;
+  reg              s17_is_inside;
+  reg              s17_x_first;
+  reg [FloatW-1:0] s17_m;
+  reg [FloatW-1:0] s17_t_next;
+  reg [IdxW-1:0]   s17_x_beyond;
+  reg [IdxW-1:0]   s17_y_beyond;
+  reg              s17_last_step;
+  reg              s17_moves;
+  reg              s17_done;
+  reg [FloatW-1:0] s17_t;
+  reg              s17_below;
+  reg              s17_wall;
+  reg              s17_limit;
+  reg [15:0]       s17_crossings;
+  reg [15:0]       s17_ups;
+  reg              s17_valid;
+  reg [TAG_W-1:0]  s17_tag;
+  reg [FloatW-1:0] s17_p_x;
+  reg [FloatW-1:0] s17_pb_x;
+  reg [FloatW-1:0] s17_d_x;
+  reg [FloatW-1:0] s17_r_x;
+  reg              s17_never_x;
+  reg              s17_neg_x;
+  reg [FloatW-1:0] s17_p_y;
+  reg [FloatW-1:0] s17_pb_y;
+  reg [FloatW-1:0] s17_d_y;
+  reg [FloatW-1:0] s17_r_y;
+  reg              s17_never_y;
+  reg              s17_neg_y;
+  reg [15:0]       s17_steps_next;
+  always @(posedge clk) begin
+    s17_level       <= s16_level;
+    s17_has_crossed <= s16_has_crossed;
+    s17_x_low       <= s16_x_low;
+    s17_x_high      <= s16_x_high;
+    s17_y_low       <= s16_y_low;
+    s17_y_high      <= s16_y_high;
+    s17_even        <= s16_even;
+    s17_x           <= s16_x;
+    s17_y           <= s16_y;
+    s17_is_inside   <= s16_is_inside;
+    s17_x_first     <= s16_x_first;
+    s17_m           <= s16_m;
+    s17_t_next      <= s16_t_next;
+    s17_x_beyond    <= s16_x_beyond;
+    s17_y_beyond    <= s16_y_beyond;
+    s17_last_step   <= s16_last_step;
+    s17_moves       <= s16_moves;
+    s17_done        <= s16_done;
+    s17_t           <= s16_t;
+    s17_below       <= s16_below;
+    s17_wall        <= s16_wall;
+    s17_limit       <= s16_limit;
+    s17_crossings   <= s16_crossings;
+    s17_ups         <= s16_ups;
+    s17_tag         <= s16_tag;
+    s17_p_x         <= s16_p_x;
+    s17_pb_x        <= s16_pb_x;
+    s17_d_x         <= s16_d_x;
+    s17_r_x         <= s16_r_x;
+    s17_never_x     <= s16_never_x;
+    s17_neg_x       <= s16_neg_x;
+    s17_p_y         <= s16_p_y;
+    s17_pb_y        <= s16_pb_y;
+    s17_d_y         <= s16_d_y;
+    s17_r_y         <= s16_r_y;
+    s17_never_y     <= s16_never_y;
+    s17_neg_y       <= s16_neg_y;
+    s17_steps_next  <= s16_steps_next;
+  end
+  always @(posedge clk) begin
+    if (rst) begin
+      s17_valid <= 1'b0;
+    end else begin
+      s17_valid <= s16_valid;
+    end
+  end
+
+  // ---- stage 17: multi-level down ----------------------------------------- traverse.rs
+  wire [LevelW-1:0] s17_level_down;
+  wire [IdxW-1:0]   s17_x_down;
+  wire [IdxW-1:0]   s17_y_down;
+  relief_multi_level_down #(.LEVELS(LEVELS), .IDX_W(IdxW)) u_down (
+    .level     (s17_level),
+    .crossed   (s17_has_crossed),
+    .x_low     (s17_x_low),
+    .x_high    (s17_x_high),
+    .x_hit     (s17_x_hit),
+    .y_low     (s17_y_low),
+    .y_high    (s17_y_high),
+    .y_hit     (s17_y_hit),
+    .level_down(s17_level_down),
+    .x_down    (s17_x_down),
+    .y_down    (s17_y_down)
+  );
+
+  // ---- stage 17: level up ------------------------------------------------- traverse.rs
+  wire s17_up;
+  relief_level_up #(.LEVELS(LEVELS), .IDX_W(IdxW)) u_up (
+    .level(s17_level),
+    .even (s17_even),
+    .x_at (s17_x),
+    .x_hit(s17_x_hit),
+    .y_at (s17_y),
+    .y_hit(s17_y_hit),
+    .up   (s17_up)
+  );
+
+  // ---- stage 18: registers ------------------------------------------------ traverse.rs
+  reg              s18_up;
+  reg [LevelW-1:0] s18_level_down;
+  reg [IdxW-1:0]   s18_x_down;
+  reg [IdxW-1:0]   s18_y_down;
+  reg              s18_is_inside;
+  reg              s18_x_first;
+  reg [LevelW-1:0] s18_level;
+  reg [FloatW-1:0] s18_m;
+  reg [FloatW-1:0] s18_t_next;
+  reg [IdxW-1:0]   s18_x;
+  reg [IdxW-1:0]   s18_x_beyond;
+  reg [IdxW-1:0]   s18_y;
+  reg [IdxW-1:0]   s18_y_beyond;
+  reg              s18_last_step;
+  reg              s18_moves;
+  reg              s18_done;
+  reg [FloatW-1:0] s18_t;
+  reg              s18_has_crossed;
+  reg              s18_below;
+  reg              s18_wall;
+  reg              s18_limit;
+  reg [15:0]       s18_crossings;
+  reg [15:0]       s18_ups;
+  reg              s18_valid;
+  reg [TAG_W-1:0]  s18_tag;
+  reg [FloatW-1:0] s18_p_x;
+  reg [FloatW-1:0] s18_pb_x;
+  reg [FloatW-1:0] s18_d_x;
+  reg [FloatW-1:0] s18_r_x;
+  reg              s18_never_x;
+  reg              s18_neg_x;
+  reg [FloatW-1:0] s18_p_y;
+  reg [FloatW-1:0] s18_pb_y;
+  reg [FloatW-1:0] s18_d_y;
+  reg [FloatW-1:0] s18_r_y;
+  reg              s18_never_y;
+  reg              s18_neg_y;
+  reg [15:0]       s18_steps_next;
+  always @(posedge clk) begin
+    s18_up          <= s17_up;
+    s18_level_down  <= s17_level_down;
+    s18_x_down      <= s17_x_down;
+    s18_y_down      <= s17_y_down;
+    s18_is_inside   <= s17_is_inside;
+    s18_x_first     <= s17_x_first;
+    s18_level       <= s17_level;
+    s18_m           <= s17_m;
+    s18_t_next      <= s17_t_next;
+    s18_x           <= s17_x;
+    s18_x_beyond    <= s17_x_beyond;
+    s18_y           <= s17_y;
+    s18_y_beyond    <= s17_y_beyond;
+    s18_last_step   <= s17_last_step;
+    s18_moves       <= s17_moves;
+    s18_done        <= s17_done;
+    s18_t           <= s17_t;
+    s18_has_crossed <= s17_has_crossed;
+    s18_below       <= s17_below;
+    s18_wall        <= s17_wall;
+    s18_limit       <= s17_limit;
+    s18_crossings   <= s17_crossings;
+    s18_ups         <= s17_ups;
+    s18_tag         <= s17_tag;
+    s18_p_x         <= s17_p_x;
+    s18_pb_x        <= s17_pb_x;
+    s18_d_x         <= s17_d_x;
+    s18_r_x         <= s17_r_x;
+    s18_never_x     <= s17_never_x;
+    s18_neg_x       <= s17_neg_x;
+    s18_p_y         <= s17_p_y;
+    s18_pb_y        <= s17_pb_y;
+    s18_d_y         <= s17_d_y;
+    s18_r_y         <= s17_r_y;
+    s18_never_y     <= s17_never_y;
+    s18_neg_y       <= s17_neg_y;
+    s18_steps_next  <= s17_steps_next;
+  end
+  always @(posedge clk) begin
+    if (rst) begin
+      s18_valid <= 1'b0;
+    end else begin
+      s18_valid <= s17_valid;
+    end
+  end
+
+  // ---- stage 18: level decision ------------------------------------------- traverse.rs
+  wire              s18_hit;
+  wire              s18_crosses;
+  wire [LevelW-1:0] s18_level_next;
+  wire [IdxW-1:0]   s18_x_next;
+  wire [IdxW-1:0]   s18_y_next;
+  wire [FloatW-1:0] s18_t_after;
+  relief_level_decision #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LEVELS(LEVELS), .IDX_W(IdxW)) u_decision (
+    .is_inside (s18_is_inside),
+    .x_first   (s18_x_first),
+    .up        (s18_up),
+    .level     (s18_level),
+    .level_down(s18_level_down),
+    .m         (s18_m),
+    .t_next    (s18_t_next),
+    .x_at      (s18_x),
+    .x_down    (s18_x_down),
+    .x_beyond  (s18_x_beyond),
+    .y_at      (s18_y),
+    .y_down    (s18_y_down),
+    .y_beyond  (s18_y_beyond),
+    .hit       (s18_hit),
+    .crosses   (s18_crosses),
+    .level_next(s18_level_next),
+    .x_next    (s18_x_next),
+    .y_next    (s18_y_next),
+    .t_out     (s18_t_after)
+  );
+
+  // ---- stage 18: step limit ----------------------------------------------- traverse.rs
+  // A ray that is done takes no more steps.
+  wire s18_at_limit = s18_last_step & ~s18_hit;
+  wire s18_crossed_now = s18_crosses & s18_moves;
+  wire s18_up_now = s18_up & s18_crossed_now;
+
+  // ---- back to stage 0
+  always @(posedge clk) begin
+    s0_back_tag       <= s18_tag;
+    s0_back_p_x       <= s18_p_x;
+    s0_back_pb_x      <= s18_pb_x;
+    s0_back_d_x       <= s18_d_x;
+    s0_back_r_x       <= s18_r_x;
+    s0_back_never_x   <= s18_never_x;
+    s0_back_neg_x     <= s18_neg_x;
+    s0_back_p_y       <= s18_p_y;
+    s0_back_pb_y      <= s18_pb_y;
+    s0_back_d_y       <= s18_d_y;
+    s0_back_r_y       <= s18_r_y;
+    s0_back_never_y   <= s18_never_y;
+    s0_back_neg_y     <= s18_neg_y;
+    s0_back_level     <= s18_done ? s18_level : s18_level_next;
+    s0_back_x         <= s18_done ? s18_x : s18_x_next;
+    s0_back_y         <= s18_done ? s18_y : s18_y_next;
+    s0_back_t         <= s18_done ? s18_t : s18_t_after;
+    s0_back_done      <= s18_done | s18_hit | s18_at_limit;
+    s0_back_wall      <= s18_done ? s18_wall : (s18_hit & s18_below);
+    s0_back_limit     <= s18_limit | (s18_at_limit & s18_moves);
+    s0_back_steps     <= s18_steps_next;
+    s0_back_crossings <= s18_crossings + {15'd0, s18_crossed_now};
+    s0_back_ups       <= s18_ups + {15'd0, s18_up_now};
+    s0_back_crossed   <= s18_has_crossed | s18_crossed_now;
+  end
+  always @(posedge clk) begin
+    if (rst) begin
+      s0_back_valid <= 1'b0;
+    end else begin
+      s0_back_valid <= s18_valid;
+    end
+  end
+
+  assign hit_valid = hit_waits;
+  assign hit_room = hit_skid_ready;
+  assign setup_valid = s0_setup_tracked;
+  assign setup_room = setup_skid_ready;
+  assign in_ready = setup_room;
+  assign slot_busy = s0_keeps;
+  assign out_valid = hit_valid;
+  assign out_tag = s0_waiting_tag;
+  assign out_i = s0_waiting_i;
+  assign out_j = s0_waiting_j;
+  assign out_t = s0_waiting_t;
+  assign out_wall = s0_waiting_wall;
+  assign out_limit = s0_waiting_limit;
+  assign out_steps = s0_waiting_steps;
+  assign out_crossings = s0_waiting_crossings;
+  assign out_ups = s0_waiting_ups;
+  assign out_fu = s0_waiting_fu;
+  assign out_fv = s0_waiting_fv;
+endmodule
+`default_nettype wire

@@ -1,0 +1,42 @@
+// relief_word_skid: the two places of a word beside a stream_skid
+// Source     src/units/traversal/stream_skid.rs (emitted: do not edit)
+// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
+//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Latency    varies; valid/ready on both sides
+// Throughput one result per clock
+`default_nettype none
+module relief_word_skid #(
+  parameter integer W = 8   // bits of the word
+) (
+  input  wire         clk,          // rising edge
+  input  wire         first_open,   // the first place takes the word
+  input  wire         second_open,  // the second place takes the word
+  input  wire         turn,         // the second place is offered
+  input  wire [W-1:0] in_data,      // the word that comes [bits]
+  output wire [W-1:0] out_data      // the word that is offered [bits]
+);
+
+  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  generate
+    if (1 > W) begin : gen_illegal_0
+      must_hold_1_at_most_W u_illegal ();
+    end
+  endgenerate
+
+  // ---- state that comes back from the last stage, and handshakes
+  reg [W-1:0] first;
+  reg [W-1:0] second;
+
+  wire [W-1:0] first_next = first_open ? in_data : first;
+  wire [W-1:0] second_next = second_open ? in_data : second;
+  wire [W-1:0] offered = turn ? second : first;
+
+  // ---- back to stage 0
+  always @(posedge clk) begin
+    first  <= first_next;
+    second <= second_next;
+  end
+
+  assign out_data = offered;
+endmodule
+`default_nettype wire

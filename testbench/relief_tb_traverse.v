@@ -1,0 +1,582 @@
+// relief_tb_traverse: loads the pyramid, sends the golden rays, and checks that every ray comes back exactly once and right.
+//   +vectors=DIR   directory with memory.hex, stimulus.hex, expected.hex (default golden/traverse)
+//   +gaps          rays are held back at random      +stalls    results are taken at random
+//   +flood         fills the pipeline with rays, resets it, and only then runs the set
+//   +patience=N    clocks without a result after which a ray counts as lost (default: four times
+//                  what the longest ray sent so far may take)
+//   +results=FILE  one line a ray: its number, then its outputs in hex
+// Compiled with ITERATIONS defined, it looks into the loop (which a netlist hasn't under these names):
+//   +iterations=FILE  one line an iteration: ray, level, x, y, t in hex, as the ray enters the loop
+// Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
+// 5 nothing ran, 6 a ray never came back, 7 a result that nobody expected.
+`default_nettype none
+module relief_tb_traverse #(
+  parameter integer EXP_W = 7,
+  parameter integer MAN_W = 16,
+  parameter integer LEVELS = 8,
+  parameter integer HEIGHT_W = 8,
+  parameter integer TILE_W = 4,
+  parameter integer FRAC_W = 12,
+  parameter integer TAG_W = 8,
+  parameter integer STEP_LIMIT = 65535
+) (
+  input  wire       clk,
+  output reg        done,
+  output reg  [7:0] exit_code
+);
+  localparam integer WarmUp = 47;  // clocks until the pipeline can be full
+  localparam integer TagBits = (TAG_W < 8) ? TAG_W : 8;
+  localparam integer Tags = 1 << TagBits;
+  // Bits of a row, as the files announce them, and words of the pyramid.
+  localparam integer InW =
+    (EXP_W+MAN_W+1) +
+    (EXP_W+MAN_W+1) +
+    (EXP_W+MAN_W+1) +
+    (EXP_W+MAN_W+1);
+  localparam integer OutW =
+    (LEVELS) +
+    (LEVELS) +
+    (FRAC_W) +
+    (FRAC_W) +
+    (EXP_W+MAN_W+1) +
+    (1) +
+    (1) +
+    (16) +
+    (16) +
+    (16);
+  localparam integer Words = ((1 << (2 * LEVELS + 2)) - 1) / 3;
+
+  reg [8*1000-1:0] dir;
+  reg [8*1020-1:0] path;
+  integer mem_fd;
+  integer stim_fd;
+  integer exp_fd;
+  integer res_fd;
+  integer stim_bits;
+  integer exp_bits;
+  integer patience;
+  integer k;
+  reg     gaps;
+  reg     stalls;
+
+  // What is left to do, and what was seen.
+  integer words_left;
+  integer stim_left;
+  integer exp_left;
+  integer flood_left;
+  integer flood_rows;
+  integer rays;
+  integer checked;
+  integer wrong;
+  integer quiet;
+  reg [31:0] longest;
+  integer cycles;
+  integer first_in;
+  integer last_out;
+  integer after;
+  integer loaded;
+  integer busy;
+  reg [31:0] lfsr;
+
+  reg        rst;
+  reg        load_en;
+  reg [2*LEVELS:0] load_addr;
+  reg [HEIGHT_W-1:0] load_data;
+  reg        in_valid;
+  wire       in_ready;
+  reg [TAG_W-1:0] in_tag;
+  reg [EXP_W+MAN_W:0] in_u;
+  reg [EXP_W+MAN_W:0] in_v;
+  reg [EXP_W+MAN_W:0] in_du;
+  reg [EXP_W+MAN_W:0] in_dv;
+  wire       out_valid;
+  reg        out_ready;
+  wire [TAG_W-1:0] out_tag;
+  wire [LEVELS-1:0] out_i;
+  wire [LEVELS-1:0] out_j;
+  wire [FRAC_W-1:0] out_fu;
+  wire [FRAC_W-1:0] out_fv;
+  wire [EXP_W+MAN_W:0] out_t;
+  wire  out_wall;
+  wire  out_limit;
+  wire [15:0] out_steps;
+  wire [15:0] out_crossings;
+  wire [15:0] out_ups;
+  wire       slot_busy;
+
+  // What each tag in flight stands for.
+  reg        tag_used [0:Tags-1];
+  integer    tag_ray [0:Tags-1];
+  reg [TAG_W-1:0] tag_sent [0:Tags-1];
+  reg [LEVELS-1:0] want_out_i [0:Tags-1];
+  reg [LEVELS-1:0] want_out_j [0:Tags-1];
+  reg [FRAC_W-1:0] want_out_fu [0:Tags-1];
+  reg [FRAC_W-1:0] want_out_fv [0:Tags-1];
+  reg [EXP_W+MAN_W:0] want_out_t [0:Tags-1];
+  reg  want_out_wall [0:Tags-1];
+  reg  want_out_limit [0:Tags-1];
+  reg [15:0] want_out_steps [0:Tags-1];
+  reg [15:0] want_out_crossings [0:Tags-1];
+  reg [15:0] want_out_ups [0:Tags-1];
+  wire [TagBits-1:0] slot = out_tag[TagBits-1:0];
+  reg [TagBits-1:0] next_tag;
+  wire       accepted = in_valid & in_ready & ~rst;
+  wire       taken = out_valid & out_ready & ~rst;
+  wire       expected = (tag_used[slot] === 1'b1) & (out_tag === tag_sent[slot]);
+  // Rays that are on their way have been accepted, and not been checked.
+  // An iteration takes less than WarmUp clocks; the rest of a ray takes no longer than some of them.
+  wire [31:0] limit = (patience > 0) ? patience : 4 * WarmUp * (longest + 16);
+  wire       all_back = stim_left == 0 && rays == checked && !in_valid;
+
+  relief_traverse #(
+    .EXP_W(EXP_W),
+    .MAN_W(MAN_W),
+    .LEVELS(LEVELS),
+    .HEIGHT_W(HEIGHT_W),
+    .TILE_W(TILE_W),
+    .FRAC_W(FRAC_W),
+    .TAG_W(TAG_W),
+    .STEP_LIMIT(STEP_LIMIT)
+  ) dut (
+    .clk(clk),
+    .rst(rst),
+    .load_en(load_en),
+    .load_addr(load_addr),
+    .load_data(load_data),
+    .in_valid(in_valid),
+    .in_ready(in_ready),
+    .in_tag(in_tag),
+    .in_u(in_u),
+    .in_v(in_v),
+    .in_du(in_du),
+    .in_dv(in_dv),
+    .out_valid(out_valid),
+    .out_ready(out_ready),
+    .out_tag(out_tag),
+    .out_i(out_i),
+    .out_j(out_j),
+    .out_fu(out_fu),
+    .out_fv(out_fv),
+    .out_t(out_t),
+    .out_wall(out_wall),
+    .out_limit(out_limit),
+    .out_steps(out_steps),
+    .out_crossings(out_crossings),
+    .out_ups(out_ups),
+    .slot_busy(slot_busy)
+  );
+
+  // The head of a file: a comment, then the number of rows and, of a vector file, the bits of a row.
+  task automatic read_head(input integer fd, output integer rows, output integer bits);
+    integer c;
+    begin
+      c = $fgetc(fd);
+      while (c != 10 && c >= 0) c = $fgetc(fd);
+      rows = 0;
+      bits = 0;
+      if (fd == mem_fd) c = $fscanf(fd, "%h", rows);
+      else c = $fscanf(fd, "%h %h", rows, bits);
+      if (c < 1) rows = 0;
+    end
+  endtask
+
+  // The bench ends: with nothing to say, something was said already.
+  task automatic finish(input reg [7:0] code);
+    begin
+      exit_code <= code;
+      done <= 1'b1;
+      if (res_fd != 0) $fclose(res_fd);
+    end
+  endtask
+
+  initial begin
+    done = 1'b0;
+    exit_code = 8'd0;
+    stim_bits = 0;
+    exp_bits = 0;
+    words_left = 0;
+    stim_left = 0;
+    exp_left = 0;
+    flood_left = 0;
+    flood_rows = 0;
+    rays = 0;
+    checked = 0;
+    wrong = 0;
+    quiet = 0;
+    longest = 0;
+    cycles = 0;
+    first_in = 0;
+    last_out = 0;
+    after = 0;
+    loaded = 0;
+    busy = 0;
+    res_fd = 0;
+    lfsr = 32'h2468_ace1;
+    rst = 1'b1;
+    load_en = 1'b0;
+    load_addr = 0;
+    load_data = 0;
+    in_valid = 1'b0;
+    in_tag = 0;
+    next_tag = 0;
+    out_ready = 1'b0;
+    in_u = 0;
+    in_v = 0;
+    in_du = 0;
+    in_dv = 0;
+    for (k = 0; k < Tags; k = k + 1) begin
+      tag_used[k] = 1'b0;
+      tag_ray[k] = 0;
+    end
+    gaps = $test$plusargs("gaps") != 0;
+    stalls = $test$plusargs("stalls") != 0;
+    if ($test$plusargs("flood") != 0) flood_left = 200;
+    if ($value$plusargs("patience=%d", patience) == 0) patience = 0;
+    if ($value$plusargs("vectors=%s", dir) == 0) dir = "golden/traverse";
+    mem_fd = $fopen($sformatf("%0s/memory.hex", dir), "r");
+    stim_fd = $fopen($sformatf("%0s/stimulus.hex", dir), "r");
+    exp_fd = $fopen($sformatf("%0s/expected.hex", dir), "r");
+    if (mem_fd == 0 || stim_fd == 0 || exp_fd == 0) begin
+      $display("FAIL tb_traverse: cannot read memory.hex, stimulus.hex, expected.hex in %0s", dir);
+      exit_code = 8'd2;
+      done = 1'b1;
+    end else begin
+      read_head(mem_fd, words_left, k);
+      read_head(stim_fd, stim_left, stim_bits);
+      read_head(exp_fd, exp_left, exp_bits);
+      if ((stim_left == 0 && exp_left == 0) || stim_bits == 0 || exp_bits == 0) begin
+        $display("FAIL tb_traverse: no rays in %0s, nothing ran", dir);
+        exit_code = 8'd5;
+        done = 1'b1;
+      end else if (stim_bits != InW || exp_bits != OutW) begin
+        $display("FAIL tb_traverse: rows of %0d and %0d bits in %0s,", stim_bits, exp_bits, dir,
+                 " these parameter values need %0d and %0d", InW, OutW);
+        exit_code = 8'd2;
+        done = 1'b1;
+      end else if (words_left != Words) begin
+        $display("FAIL tb_traverse: a pyramid of %0d words in %0s,", words_left, dir,
+                 " LEVELS = %0d needs %0d", LEVELS, Words);
+        exit_code = 8'd2;
+        done = 1'b1;
+      end
+      if ($value$plusargs("results=%s", path) != 0) res_fd = $fopen($sformatf("%0s", path), "w");
+    end
+  end
+
+  // The pyramid, a word a clock.
+  task automatic load_word;
+    integer got;
+    reg [63:0] word;
+    begin
+      rst <= 1'b0;
+      got = $fscanf(mem_fd, "%h", word);
+      if (got != 1 || (word >> HEIGHT_W) != 0) begin
+        $display("FAIL tb_traverse: memory.hex holds other words than it announces");
+        finish(8'd2);
+      end
+      load_en <= 1'b1;
+      load_data <= word[HEIGHT_W-1:0];
+      load_addr <= load_en ? load_addr + 1'b1 : load_addr;
+      words_left <= words_left - 1;
+    end
+  endtask
+
+  // The next ray of the file goes to the input. The tag's bits above those that tell rays apart are random: they travel too.
+  task automatic send_ray(input reg [TagBits-1:0] low);
+    integer b;
+    integer got;
+    reg bad;
+    reg [63:0] word;
+    begin
+      bad = 1'b0;
+      in_valid <= 1'b1;
+      for (b = 0; b < TAG_W; b = b + 1) in_tag[b] <= (b < TagBits) ? low[b%TagBits] : lfsr[b];
+      got = $fscanf(stim_fd, "%h", word);
+      if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad = 1'b1;
+      in_u <= word[EXP_W+MAN_W:0];
+      got = $fscanf(stim_fd, "%h", word);
+      if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad = 1'b1;
+      in_v <= word[EXP_W+MAN_W:0];
+      got = $fscanf(stim_fd, "%h", word);
+      if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad = 1'b1;
+      in_du <= word[EXP_W+MAN_W:0];
+      got = $fscanf(stim_fd, "%h", word);
+      if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad = 1'b1;
+      in_dv <= word[EXP_W+MAN_W:0];
+      if (bad) begin
+        $display("FAIL tb_traverse: stimulus.hex holds other rows than it announces");
+        finish(8'd2);
+      end
+    end
+  endtask
+
+  // Rays that reset throws away; nothing of them may come out afterwards.
+  task automatic flood;
+    integer unused_rows;
+    integer unused_bits;
+    begin
+      load_en <= 1'b0;
+      flood_left <= flood_left - 1;
+      out_ready <= 1'b0;
+      rst <= flood_left < 4;
+      if (flood_left == 1) begin
+        in_valid <= 1'b0;
+        $fclose(stim_fd);
+        stim_fd = $fopen($sformatf("%0s/stimulus.hex", dir), "r");
+        read_head(stim_fd, unused_rows, unused_bits);
+      end else if (flood_rows < stim_left) begin
+        flood_rows <= flood_rows + 1;
+        send_ray(next_tag);
+      end
+    end
+  endtask
+
+  // A result that was expected is compared, field by field.
+  task automatic take_result;
+    reg row_wrong;
+    begin
+      row_wrong = 1'b0;
+      if (out_i !== want_out_i[slot]) begin
+        if (wrong < 10)
+          $display("ray %0d, out_i: expected %h, got %h",
+                   tag_ray[slot], want_out_i[slot], out_i);
+        row_wrong = 1'b1;
+      end
+      if (out_j !== want_out_j[slot]) begin
+        if (wrong < 10)
+          $display("ray %0d, out_j: expected %h, got %h",
+                   tag_ray[slot], want_out_j[slot], out_j);
+        row_wrong = 1'b1;
+      end
+      if (out_fu !== want_out_fu[slot]) begin
+        if (wrong < 10)
+          $display("ray %0d, out_fu: expected %h, got %h",
+                   tag_ray[slot], want_out_fu[slot], out_fu);
+        row_wrong = 1'b1;
+      end
+      if (out_fv !== want_out_fv[slot]) begin
+        if (wrong < 10)
+          $display("ray %0d, out_fv: expected %h, got %h",
+                   tag_ray[slot], want_out_fv[slot], out_fv);
+        row_wrong = 1'b1;
+      end
+      if (out_t !== want_out_t[slot]) begin
+        if (wrong < 10)
+          $display("ray %0d, out_t: expected %h, got %h",
+                   tag_ray[slot], want_out_t[slot], out_t);
+        row_wrong = 1'b1;
+      end
+      if (out_wall !== want_out_wall[slot]) begin
+        if (wrong < 10)
+          $display("ray %0d, out_wall: expected %h, got %h",
+                   tag_ray[slot], want_out_wall[slot], out_wall);
+        row_wrong = 1'b1;
+      end
+      if (out_limit !== want_out_limit[slot]) begin
+        if (wrong < 10)
+          $display("ray %0d, out_limit: expected %h, got %h",
+                   tag_ray[slot], want_out_limit[slot], out_limit);
+        row_wrong = 1'b1;
+      end
+      if (out_steps !== want_out_steps[slot]) begin
+        if (wrong < 10)
+          $display("ray %0d, out_steps: expected %h, got %h",
+                   tag_ray[slot], want_out_steps[slot], out_steps);
+        row_wrong = 1'b1;
+      end
+      if (out_crossings !== want_out_crossings[slot]) begin
+        if (wrong < 10)
+          $display("ray %0d, out_crossings: expected %h, got %h",
+                   tag_ray[slot], want_out_crossings[slot], out_crossings);
+        row_wrong = 1'b1;
+      end
+      if (out_ups !== want_out_ups[slot]) begin
+        if (wrong < 10)
+          $display("ray %0d, out_ups: expected %h, got %h",
+                   tag_ray[slot], want_out_ups[slot], out_ups);
+        row_wrong = 1'b1;
+      end
+      if (row_wrong) wrong <= wrong + 1;
+      checked <= checked + 1;
+      last_out <= cycles;
+      tag_used[slot] <= 1'b0;
+      if (res_fd != 0) begin
+        $fwrite(res_fd, "%0d", tag_ray[slot]);
+        $fwrite(res_fd, " %h", out_i);
+        $fwrite(res_fd, " %h", out_j);
+        $fwrite(res_fd, " %h", out_fu);
+        $fwrite(res_fd, " %h", out_fv);
+        $fwrite(res_fd, " %h", out_t);
+        $fwrite(res_fd, " %h", out_wall);
+        $fwrite(res_fd, " %h", out_limit);
+        $fwrite(res_fd, " %h", out_steps);
+        $fwrite(res_fd, " %h", out_crossings);
+        $fwrite(res_fd, " %h", out_ups);
+        $fwrite(res_fd, "\n");
+      end
+    end
+  endtask
+
+  // A ray that was accepted: from here on its result is expected under its tag.
+  task automatic note_ray;
+    integer got;
+    reg bad;
+    reg [63:0] word;
+    begin
+      bad = 1'b0;
+      if (exp_left > 0) begin
+        got = $fscanf(exp_fd, "%h", word);
+        if (got != 1 || (word >> (LEVELS)) != 0) bad = 1'b1;
+        want_out_i[in_tag[TagBits-1:0]] <= word[LEVELS-1:0];
+        got = $fscanf(exp_fd, "%h", word);
+        if (got != 1 || (word >> (LEVELS)) != 0) bad = 1'b1;
+        want_out_j[in_tag[TagBits-1:0]] <= word[LEVELS-1:0];
+        got = $fscanf(exp_fd, "%h", word);
+        if (got != 1 || (word >> (FRAC_W)) != 0) bad = 1'b1;
+        want_out_fu[in_tag[TagBits-1:0]] <= word[FRAC_W-1:0];
+        got = $fscanf(exp_fd, "%h", word);
+        if (got != 1 || (word >> (FRAC_W)) != 0) bad = 1'b1;
+        want_out_fv[in_tag[TagBits-1:0]] <= word[FRAC_W-1:0];
+        got = $fscanf(exp_fd, "%h", word);
+        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad = 1'b1;
+        want_out_t[in_tag[TagBits-1:0]] <= word[EXP_W+MAN_W:0];
+        got = $fscanf(exp_fd, "%h", word);
+        if (got != 1 || (word >> (1)) != 0) bad = 1'b1;
+        want_out_wall[in_tag[TagBits-1:0]] <= word[0];
+        got = $fscanf(exp_fd, "%h", word);
+        if (got != 1 || (word >> (1)) != 0) bad = 1'b1;
+        want_out_limit[in_tag[TagBits-1:0]] <= word[0];
+        got = $fscanf(exp_fd, "%h", word);
+        if (got != 1 || (word >> (16)) != 0) bad = 1'b1;
+        want_out_steps[in_tag[TagBits-1:0]] <= word[15:0];
+        if (word[31:0] > longest) longest <= word[31:0];
+        got = $fscanf(exp_fd, "%h", word);
+        if (got != 1 || (word >> (16)) != 0) bad = 1'b1;
+        want_out_crossings[in_tag[TagBits-1:0]] <= word[15:0];
+        got = $fscanf(exp_fd, "%h", word);
+        if (got != 1 || (word >> (16)) != 0) bad = 1'b1;
+        want_out_ups[in_tag[TagBits-1:0]] <= word[15:0];
+        exp_left <= exp_left - 1;
+      end
+      if (bad) begin
+        $display("FAIL tb_traverse: expected.hex holds other rows than it announces");
+        finish(8'd2);
+      end
+      tag_used[in_tag[TagBits-1:0]] <= exp_left > 0;
+      tag_ray[in_tag[TagBits-1:0]] <= rays;
+      tag_sent[in_tag[TagBits-1:0]] <= in_tag;
+      if (rays == 0) first_in <= cycles;
+      rays <= rays + 1;
+    end
+  endtask
+
+  // Offers the next ray where the last one has been accepted.
+  task automatic offer;
+    reg [TagBits-1:0] low;
+    begin
+      low = accepted ? next_tag + 1'b1 : next_tag;
+      if (accepted || !in_valid) begin
+        if (stim_left > 0 && !tag_used[low] && !(gaps && lfsr[9])) begin
+          send_ray(low);
+          stim_left <= stim_left - 1;
+        end else begin
+          in_valid <= 1'b0;
+        end
+      end
+      next_tag <= low;
+    end
+  endtask
+
+  // How it went, once every ray is back or none comes any more.
+  task automatic verdict;
+    reg [63:0] word;
+    integer got_stim;
+    integer got_exp;
+    integer got_mem;
+    begin
+      got_stim = $fscanf(stim_fd, "%h", word);
+      got_exp = $fscanf(exp_fd, "%h", word);
+      got_mem = $fscanf(mem_fd, "%h", word);
+      if (exp_left > 0) begin
+        $display("FAIL tb_traverse: ray %0d was expected and never came", rays);
+        finish(8'd6);
+      end else if (got_stim == 1 || got_exp == 1 || got_mem == 1) begin
+        $display("FAIL tb_traverse: %0s in %0s holds more rows than it announces, with %0h",
+                 "stimulus.hex, expected.hex or memory.hex", dir, word);
+        finish(8'd2);
+      end else if (wrong > 0) begin
+        $display("FAIL tb_traverse: %0d of %0d mismatched", wrong, checked);
+        finish(8'd1);
+      end else begin
+        $display("slots busy: %0d of %0d %0s; %0d clocks from first ray to last hit", busy, loaded,
+                 (gaps || stalls) ? "with gaps and stalls" : "under full load",
+                 last_out - first_in + 1);
+        $display("PASS tb_traverse: 0 of %0d mismatched", checked);
+        finish(8'd0);
+      end
+    end
+  endtask
+
+  task automatic run;
+    begin
+      rst <= 1'b0;
+      load_en <= 1'b0;
+      out_ready <= ~stalls | lfsr[5];
+      quiet <= taken ? 0 : quiet + 1;
+      if (accepted) note_ray;
+      if (taken && expected) take_result;
+      offer;
+      // Under full load: from the first ray on, until the last one has been taken.
+      if ((stim_left > 0 || in_valid) && (rays > 0 || accepted)) begin
+        after <= after + 1;
+        if (after >= WarmUp) begin
+          loaded <= loaded + 1;
+          if (slot_busy) busy <= busy + 1;
+        end
+      end
+      if (!rst && (^{in_ready, out_valid, slot_busy}) === 1'bx) begin
+        $display("FAIL tb_traverse: in_ready, out_valid or slot_busy is undefined, after %0d",
+                 checked);
+        finish(8'd1);
+      end else if (taken && !expected) begin
+        $display("FAIL tb_traverse: a result with tag %h came that nobody expected, after %0d",
+                 out_tag, checked);
+        finish(8'd7);
+      end else if (all_back && quiet > 2 * WarmUp) begin
+        verdict;
+      end else if (quiet > limit) begin
+        $display("FAIL tb_traverse: %0d rays went in and never came out, %0d clocks without any",
+                 rays - checked, quiet);
+        finish(8'd6);
+      end
+    end
+  endtask
+
+  always @(posedge clk) begin
+    if (!done) begin
+      cycles <= cycles + 1;
+      lfsr <= {lfsr[30:0], lfsr[31] ^ lfsr[21] ^ lfsr[1] ^ lfsr[0]};
+      if (cycles < 3) rst <= 1'b1;
+      else if (words_left > 0) load_word;
+      else if (flood_left > 0) flood;
+      else run;
+    end
+  end
+
+`ifdef ITERATIONS
+  integer it_fd;
+  reg [8*1020-1:0] it_path;
+  initial begin
+    it_fd = 0;
+    if ($value$plusargs("iterations=%s", it_path) != 0) begin
+      it_fd = $fopen($sformatf("%0s", it_path), "w");
+    end
+  end
+  always @(posedge clk) begin
+    if (it_fd != 0 && !done && !rst && dut.s1_valid && !dut.s1_done)
+      $fwrite(it_fd, "%0d %h %h %h %h\n", tag_ray[dut.s1_tag[TagBits-1:0]],
+              dut.s1_level, dut.s1_x, dut.s1_y, dut.s1_t);
+  end
+`endif
+endmodule
+`default_nettype wire
