@@ -12,6 +12,7 @@ pub mod format;
 pub mod golden;
 pub mod interp;
 pub mod ir;
+pub mod measured;
 pub mod oracle;
 pub mod project;
 pub mod proofs;

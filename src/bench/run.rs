@@ -114,21 +114,9 @@ fn in_path(program: &str) -> bool {
 
 fn build_verilator(dir: &Path, top: &str, params: &Binding, define: Option<&str>, work: &Path) -> Result<Command> {
     let mut c = Command::new(Simulator::Verilator.program());
-    c.args([
-        "--cc",
-        "--exe",
-        "--build",
-        "-O3",
-        "-Wno-lint",
-        "--prefix",
-        "Vtb",
-        "-CFLAGS",
-        "-O2",
-        "-j",
-        "2",
-        "--top-module",
-    ]);
+    c.args(["--cc", "--exe", "--build", "-O3", "-Wno-lint", "--prefix", "Vtb", "-j", "2", "--top-module"]);
     c.arg(top).args(define).arg("--Mdir").arg(work.join("obj"));
+    c.args(["-MAKEFLAGS", "OPT_FAST=-O0", "-MAKEFLAGS", "OPT_SLOW=-O0"]);
     c.args(params.iter().map(|(k, v)| format!("-G{k}={v}")));
     c.arg("-y").arg(dir.join("rtl")).args(bench(dir, top, false)).arg(dir.join("testbench/verilator_main.cpp"));
     // Most of the time that a small bench takes goes into Verilator's own library, which is the same for all of them.

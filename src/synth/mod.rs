@@ -2,10 +2,12 @@
 //!
 //! The unit stands between two ranks of registers on every input and output, so that no pad lies on a path, and its
 //! clock enable is tied to 1. A latency of L means L clocks from the operand's register to the result's.
+mod digest;
 mod flow;
 mod path;
 mod top;
 
-pub use flow::{Clock, Figures, Placing, Target, measure, measure_files};
+pub use digest::digest;
+pub use flow::{Clock, Figures, Placing, Target, asked, measure, measure_files, versions};
 pub use path::Critical;
 pub use top::top_module;

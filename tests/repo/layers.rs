@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 /// Lowest first. Modules of one layer don't see each other.
 const LAYERS: &[&[&str]] = &[
-    &["error", "bits"],
+    &["error", "bits", "measured"],
     &["format", "files"],
     &["config"],
     &["golden", "oracle", "ir"],
@@ -43,8 +43,8 @@ fn broken(user: &str, used: &str) -> Option<String> {
         return Some(format!("{user} and {used} must not see each other: they check each other"));
     }
     match (layer(user), layer(used)) {
-        (None, _) => Some(format!("{user} has no layer: give it one in tests/layers.rs and docs/architecture.md")),
-        (_, None) => Some(format!("{used} has no layer: give it one in tests/layers.rs and docs/architecture.md")),
+        (None, _) => Some(format!("{user} has no layer: give it one in tests/repo/layers.rs and docs/architecture.md")),
+        (_, None) => Some(format!("{used} has no layer: give it one in tests/repo/layers.rs and docs/architecture.md")),
         (Some(u), Some(l)) if l > u => Some(format!("{user} stands below {used} and must not use it")),
         (Some(u), Some(l)) if l == u => Some(format!("{user} and {used} stand side by side and don't see each other")),
         _ => None,

@@ -176,9 +176,15 @@ pub struct SynthArgs {
     /// Somebody else's Verilog in the same run: the module TOP, with registers of its own around what counts, of the files in DIR.
     #[arg(long, value_delimiter = ',', value_name = "TOP=DIR")]
     pub beside: Vec<String>,
-    /// Where the figures go.
+    /// Where the figures go, each with the call that measures it again, the tools' versions, and a digest of the text that was measured.
     #[arg(long, default_value = "synth.json", value_name = "FILE.json")]
     pub out: PathBuf,
+    /// Measures nothing, and lists the figures of a file that are of another text than the one that is emitted now; exit code 1 if there are any.
+    #[arg(long, value_name = "FILE.json", conflicts_with = "refresh")]
+    pub stale: Option<PathBuf>,
+    /// Measures again what `--stale` lists (of the units of `--unit`), one after the other, in the file itself; a run that was stopped goes on.
+    #[arg(long, value_name = "FILE.json")]
+    pub refresh: Option<PathBuf>,
 }
 
 /// What a unit is mapped to.
