@@ -38,13 +38,15 @@ fn call(entry: &Entry) -> Result<(Cli, SynthArgs)> {
 /// Why an entry has to be measured again, if it has to be.
 fn reason(entry: &Entry, value: &Value) -> Result<Option<&'static str>> {
     let (cli, a) = call(entry)?;
+    if entry.digest.is_none() {
+        return Ok(Some("was never measured on this text"));
+    }
     let work = prepare(&cli, &a)?;
     let [job] = &work.jobs[..] else { return Err(Error::input(format!("{}: not one unit", entry.command))) };
     Ok(match &entry.digest {
-        None => Some("was never measured"),
         Some(d) if *d != digest(&job.unit, work.placing.copies) => Some("was measured on another text"),
-        Some(_) if value["asked"] != asked(&work.target, &work.placing) => Some("was measured by another flow"),
-        Some(_) => None,
+        _ if value["asked"] != asked(&work.target, &work.placing) => Some("was measured by another flow"),
+        _ => None,
     })
 }
 
@@ -63,7 +65,7 @@ pub fn stale(file: &Path) -> Result<()> {
             }
         }
     }
-    println!("{good} figures are of the text that is emitted now, {old} are not, {open} were never measured");
+    println!("{good} figures are of the text that is emitted now, {old} are not, {open} were never measured on it");
     if old == 0 {
         return Ok(());
     }

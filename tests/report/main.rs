@@ -3,3 +3,4 @@ mod fit;
 mod page;
 mod rates;
 mod synth;
+mod tables;

@@ -54,6 +54,20 @@ fn ecp5_has_a_clock_at_each_seed_and_a_path_in_our_names() {
     let path = &clock["critical"];
     assert!(names.iter().any(|n| path["from"].as_str().unwrap().starts_with(n)), "{path}");
     assert!(path["hops"].as_u64().unwrap() > 0, "{path}");
+    // What is kept of it: how to measure it again, with what, and of which text.
+    assert_eq!(f["command"], "reliefrtl synth --unit fp_lt --latency 1 --seeds 1,2");
+    assert!(
+        f["tools"][0].as_str().unwrap().starts_with("Yosys ") && f["tools"][1].as_str().unwrap().contains("nextpnr"),
+        "{f}"
+    );
+    let dir = tempfile::tempdir().unwrap();
+    std::fs::write(dir.path().join("figures.json"), serde_json::to_string(&[f]).unwrap()).unwrap();
+    let out = reliefrtl(dir.path(), &["synth", "--stale", "figures.json"]);
+    assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
+    // The text of another latency is another text.
+    let other = serde_json::to_string(&[f]).unwrap().replace("--latency 1", "--latency 2");
+    std::fs::write(dir.path().join("figures.json"), other).unwrap();
+    assert_eq!(reliefrtl(dir.path(), &["synth", "--stale", "figures.json"]).status.code(), Some(1));
 }
 
 #[test]
