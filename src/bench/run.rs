@@ -59,7 +59,9 @@ pub fn run_bench(sim: Simulator, dir: &Path, unit: &str, params: &Binding, plusa
     let define = plusargs.iter().any(|p| p.starts_with("iterations=")).then_some("-DITERATIONS");
     let mut command = match sim {
         Simulator::Icarus => build_icarus(&dir, &top, params, define, work.path())?,
-        Simulator::Verilator => build_verilator(&dir, &top, params, define, work.path())?,
+        Simulator::Verilator => {
+            build_verilator(&dir, &top, params, define, has_many(&dir, unit, plusargs), work.path())?
+        }
     };
     let build = start.elapsed();
     let start = Instant::now();
@@ -112,11 +114,28 @@ fn in_path(program: &str) -> bool {
     std::env::var_os("PATH").is_some_and(|path| std::env::split_paths(&path).any(|dir| dir.join(program).is_file()))
 }
 
-fn build_verilator(dir: &Path, top: &str, params: &Binding, define: Option<&str>, work: &Path) -> Result<Command> {
+/// Bytes of a stimulus that an optimized build of a simulation pays for: it takes some three times as long as the whole run of fewer.
+const MANY: u64 = 1 << 20;
+
+/// Whether a bench has many vectors to go through.
+fn has_many(dir: &Path, unit: &str, plusargs: &[String]) -> bool {
+    let named = plusargs.iter().find_map(|p| p.strip_prefix("vectors="));
+    let vectors = named.map_or(Path::new("golden").join(unit), PathBuf::from);
+    std::fs::metadata(dir.join(vectors).join("stimulus.hex")).is_ok_and(|m| m.len() > MANY)
+}
+
+fn build_verilator(
+    dir: &Path,
+    top: &str,
+    params: &Binding,
+    define: Option<&str>,
+    many: bool,
+    work: &Path,
+) -> Result<Command> {
     let mut c = Command::new(Simulator::Verilator.program());
     c.args(["--cc", "--exe", "--build", "-O3", "-Wno-lint", "--prefix", "Vtb", "-j", "2", "--top-module"]);
     c.arg(top).args(define).arg("--Mdir").arg(work.join("obj"));
-    c.args(["-MAKEFLAGS", "OPT_FAST=-O0", "-MAKEFLAGS", "OPT_SLOW=-O0"]);
+    c.args(["-MAKEFLAGS", "OPT_SLOW=-O0", "-MAKEFLAGS", if many { "OPT_FAST=-O2" } else { "OPT_FAST=-O0" }]);
     c.args(params.iter().map(|(k, v)| format!("-G{k}={v}")));
     c.arg("-y").arg(dir.join("rtl")).args(bench(dir, top, false)).arg(dir.join("testbench/verilator_main.cpp"));
     // Most of the time that a small bench takes goes into Verilator's own library, which is the same for all of them.
