@@ -14,6 +14,7 @@ pub mod interp;
 pub mod ir;
 pub mod measured;
 pub mod oracle;
+pub mod process;
 pub mod project;
 pub mod proofs;
 pub mod report;

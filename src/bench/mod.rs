@@ -2,5 +2,5 @@
 mod run;
 mod text;
 
-pub use run::{Outcome, Simulator, run_bench};
+pub use run::{Outcome, Paths, Simulator, run_bench, run_bench_on};
 pub use text::bench_files;

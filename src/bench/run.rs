@@ -1,7 +1,9 @@
 //! Building and running a bench with Icarus Verilog or Verilator.
 use crate::emit::emitted_name;
 use crate::error::{Error, Result, exit};
+use crate::files::Scratch;
 use crate::ir::Binding;
+use crate::process;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::{Duration, Instant};
@@ -49,25 +51,81 @@ impl Simulator {
 /// Builds `testbench/<prefix>tb_<unit>.v` of the emitted tree `dir` at `params`, runs it with `plusargs`, and reads its verdict. The plusarg
 /// `iterations=FILE` has the bench built with a look into the loop.
 ///
+/// Paths are taken from the tree, as [`Paths`].
+///
+/// # Errors
+/// As [`run_bench_on`].
+pub fn run_bench(sim: Simulator, dir: &Path, unit: &str, params: &Binding, plusargs: &[String]) -> Result<Outcome> {
+    let (mut paths, mut others) = (Paths::default(), Vec::new());
+    for argument in plusargs {
+        match argument.split_once('=') {
+            Some(("vectors", path)) => paths.vectors = Some(dir.join(path)),
+            Some(("results", path)) => paths.results = Some(dir.join(path)),
+            Some(("iterations", path)) => paths.iterations = Some(dir.join(path)),
+            _ => others.push(argument.as_str()),
+        }
+    }
+    run_bench_on(sim, dir, unit, params, &paths, &others)
+}
+
+/// Where a bench reads and writes.
+#[derive(Clone, Debug, Default)]
+pub struct Paths {
+    /// Directory of the vectors; without it the tree's own.
+    pub vectors: Option<PathBuf>,
+    /// Where the words of every result go.
+    pub results: Option<PathBuf>,
+    /// Where every iteration goes.
+    pub iterations: Option<PathBuf>,
+}
+
+/// As [`run_bench`], with paths of any bytes. The tools stand in a directory of ours and see names of ours only, whatever the tree, the vectors and
+/// the files that the bench writes are called.
+///
 /// # Errors
 /// A missing tool, a failed build, a bench without a verdict; and the bench's own findings by their exit code.
-pub fn run_bench(sim: Simulator, dir: &Path, unit: &str, params: &Binding, plusargs: &[String]) -> Result<Outcome> {
-    let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
+pub fn run_bench_on(
+    sim: Simulator,
+    dir: &Path,
+    unit: &str,
+    params: &Binding,
+    paths: &Paths,
+    plusargs: &[&str],
+) -> Result<Outcome> {
+    let work = Scratch::new()?;
     let dir = dir.canonicalize().map_err(|e| Error::file("find", dir, e))?;
     let top = emitted_name(&dir, "testbench", &format!("tb_{unit}"), ".v")?;
+    for part in ["rtl", "testbench", "golden"] {
+        link(&dir.join(part), &work.path().join(part))?;
+    }
+    let mut arguments: Vec<String> = plusargs.iter().map(|p| format!("+{p}")).collect();
+    if let Some(vectors) = &paths.vectors {
+        let vectors = vectors.canonicalize().map_err(|e| Error::file("find", vectors, e))?;
+        link(&vectors, &work.path().join("vectors"))?;
+        arguments.push("+vectors=vectors".into());
+    }
+    let written = [("results", &paths.results), ("iterations", &paths.iterations)];
+    let written: Vec<(&str, &PathBuf)> =
+        written.into_iter().filter_map(|(key, to)| Some((key, to.as_ref()?))).collect();
+    arguments.extend(written.iter().map(|(key, _)| format!("+{key}={key}.txt")));
     let start = Instant::now();
-    let define = plusargs.iter().any(|p| p.starts_with("iterations=")).then_some("-DITERATIONS");
+    let define = paths.iterations.is_some().then_some("-DITERATIONS");
     let mut command = match sim {
-        Simulator::Icarus => build_icarus(&dir, &top, params, define, work.path())?,
-        Simulator::Verilator => {
-            build_verilator(&dir, &top, params, define, has_many(&dir, unit, plusargs), work.path())?
-        }
+        Simulator::Icarus => build_icarus(&top, params, define, work.path())?,
+        Simulator::Verilator => build_verilator(&top, params, define, has_many(&dir, unit, paths), work.path())?,
     };
     let build = start.elapsed();
     let start = Instant::now();
-    command.args(plusargs.iter().map(|p| format!("+{p}"))).current_dir(&dir);
-    let out = command.output().map_err(|_| missing(sim))?;
+    let out = process::output(command.args(&arguments)).map_err(|_| missing(sim))?;
     let run = start.elapsed();
+    for (key, place) in written {
+        match std::fs::read(work.path().join(format!("{key}.txt"))) {
+            Ok(bytes) => crate::files::write_atomic(place, &bytes)?,
+            // A bench that ended early has written none.
+            Err(e) if e.kind() == std::io::ErrorKind::NotFound => {}
+            Err(e) => return Err(Error::file("read", key, e)),
+        }
+    }
     let output = String::from_utf8_lossy(&out.stdout).into_owned();
     let verdict = output.lines().find(|l| l.starts_with("PASS ") || l.starts_with("FAIL "));
     let Some(verdict) = verdict else {
@@ -98,15 +156,26 @@ pub fn run_bench(sim: Simulator, dir: &Path, unit: &str, params: &Binding, plusa
     Ok(Outcome { code, output, checked, build, run })
 }
 
-fn build_icarus(dir: &Path, top: &str, params: &Binding, define: Option<&str>, work: &Path) -> Result<Command> {
-    let image = work.join("bench.vvp");
-    let mut c = Command::new("iverilog");
-    c.args(["-g2005", "-Wall", "-s", &format!("{top}_top"), "-o"]).arg(&image);
+/// Gives a directory another name; one that is not there gets none.
+fn link(directory: &Path, name: &Path) -> Result<()> {
+    if !directory.is_dir() {
+        return Ok(());
+    }
+    #[cfg(unix)]
+    let linked = std::os::unix::fs::symlink(directory, name);
+    #[cfg(windows)]
+    let linked = std::os::windows::fs::symlink_dir(directory, name);
+    linked.map_err(|e| Error::file("link to", directory, e))
+}
+
+fn build_icarus(top: &str, params: &Binding, define: Option<&str>, work: &Path) -> Result<Command> {
+    let mut c = process::command_in(work, "iverilog");
+    c.args(["-g2005", "-Wall", "-s", &format!("{top}_top"), "-o", "bench.vvp"]);
     c.args(params.iter().map(|(k, v)| format!("-P{top}_top.{k}={v}")));
-    c.args(define).arg("-y").arg(dir.join("rtl")).args(bench(dir, top, true));
+    c.args(define).args(["-y", "rtl"]).args(bench(top, true));
     finish(Simulator::Icarus, c)?;
-    let mut run = Command::new("vvp");
-    run.arg("-n").arg(image);
+    let mut run = process::command_in(work, "vvp");
+    run.args(["-n", "bench.vvp"]);
     Ok(run)
 }
 
@@ -118,45 +187,37 @@ fn in_path(program: &str) -> bool {
 const MANY: u64 = 1 << 20;
 
 /// Whether a bench has many vectors to go through.
-fn has_many(dir: &Path, unit: &str, plusargs: &[String]) -> bool {
-    let named = plusargs.iter().find_map(|p| p.strip_prefix("vectors="));
-    let vectors = named.map_or(Path::new("golden").join(unit), PathBuf::from);
-    std::fs::metadata(dir.join(vectors).join("stimulus.hex")).is_ok_and(|m| m.len() > MANY)
+fn has_many(dir: &Path, unit: &str, paths: &Paths) -> bool {
+    let vectors = paths.vectors.clone().unwrap_or_else(|| dir.join("golden").join(unit));
+    std::fs::metadata(vectors.join("stimulus.hex")).is_ok_and(|m| m.len() > MANY)
 }
 
-fn build_verilator(
-    dir: &Path,
-    top: &str,
-    params: &Binding,
-    define: Option<&str>,
-    many: bool,
-    work: &Path,
-) -> Result<Command> {
-    let mut c = Command::new(Simulator::Verilator.program());
+fn build_verilator(top: &str, params: &Binding, define: Option<&str>, many: bool, work: &Path) -> Result<Command> {
+    let mut c = process::command_in(work, Simulator::Verilator.program());
     c.args(["--cc", "--exe", "--build", "-O3", "-Wno-lint", "--prefix", "Vtb", "-j", "2", "--top-module"]);
-    c.arg(top).args(define).arg("--Mdir").arg(work.join("obj"));
+    // Its makefile refuses a directory with a blank in its path, which make itself is never asked to write down.
+    c.arg(top).args(define).args(["--Mdir", "obj", "-MAKEFLAGS", "CURDIR=."]);
     c.args(["-MAKEFLAGS", "OPT_SLOW=-O0", "-MAKEFLAGS", if many { "OPT_FAST=-O2" } else { "OPT_FAST=-O0" }]);
     c.args(params.iter().map(|(k, v)| format!("-G{k}={v}")));
-    c.arg("-y").arg(dir.join("rtl")).args(bench(dir, top, false)).arg(dir.join("testbench/verilator_main.cpp"));
+    c.args(["-y", "rtl"]).args(bench(top, false)).arg("testbench/verilator_main.cpp");
     // Most of the time that a small bench takes goes into Verilator's own library, which is the same for all of them.
     if std::env::var_os("OBJCACHE").is_none() && in_path("ccache") {
         c.env("OBJCACHE", "ccache");
     }
     finish(Simulator::Verilator, c)?;
-    Ok(Command::new(work.join("obj/Vtb")))
+    Ok(process::command_in(work, work.join("obj/Vtb")))
 }
 
-fn bench(dir: &Path, top: &str, clocked: bool) -> Vec<PathBuf> {
-    let file = |name: String| dir.join("testbench").join(name);
-    let mut files = vec![file(format!("{top}.v"))];
+fn bench(top: &str, clocked: bool) -> Vec<String> {
+    let mut files = vec![format!("testbench/{top}.v")];
     if clocked {
-        files.push(file(format!("{top}_top.v")));
+        files.push(format!("testbench/{top}_top.v"));
     }
     files
 }
 
 fn finish(sim: Simulator, mut c: Command) -> Result<()> {
-    let out = c.output().map_err(|_| missing(sim))?;
+    let out = process::output(&mut c).map_err(|_| missing(sim))?;
     if out.status.success() {
         return Ok(());
     }

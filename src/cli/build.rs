@@ -3,7 +3,7 @@ use super::args::{BuildArgs, Cli, Engine, VectorsArgs};
 use super::output::{spinner, table};
 use crate::config::View;
 use crate::error::{Error, Result};
-use crate::files::{OutDir, Part};
+use crate::files::Part;
 use crate::project::{self, Scene, check_tree};
 use crate::report::steps;
 use crate::scene::Camera;
@@ -12,6 +12,7 @@ use serde_json::json;
 /// Runs `build`.
 pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
     let c = super::config::load(cli)?;
+    let mut dir = super::output::directory(&a.out)?.of(c.hash());
     let bar = spinner(cli, "building");
     let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
     let p = project::project(&c, &scene)?;
@@ -20,7 +21,6 @@ pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
     bar.set_message("tracing the picture through the datapath");
     let (rays, hits) = super::render::trace(cli, &c, Engine::Interp, &scene, &camera, stride)?;
     let picture = super::render::picture(&c, &scene, &camera, stride, &rays, &hits, false)?.to_png()?;
-    let mut dir = OutDir::new(&a.out)?.of(c.hash());
     p.files.iter().try_for_each(|(path, text)| dir.add(path, text.as_bytes()))?;
     dir.add("preview.png", &picture)?;
     dir.commit()?;
@@ -102,6 +102,7 @@ pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
 pub fn vectors(cli: &Cli, a: &VectorsArgs) -> Result<()> {
     let (c, alone) = super::config::load_for(cli, &a.unit)?;
     let campaign = a.campaign.campaign(!alone.is_empty())?;
+    let dir = super::output::directory(&a.out)?;
     let bar = spinner(cli, "computing vectors");
     let own: Vec<String> = a.unit.iter().map(|name| format!("golden/{name}/")).collect();
     let files = if alone.is_empty() {
@@ -117,7 +118,7 @@ pub fn vectors(cli: &Cli, a: &VectorsArgs) -> Result<()> {
     }
     let own: Vec<&str> = if own.is_empty() { vec!["golden/"] } else { own.iter().map(String::as_str).collect() };
     let part = Part { config: c.hash(), replaces: &own, alone_in: &[] };
-    super::output::write_part(&a.out, &files, part)?;
+    super::output::fill(dir.only(part), &files)?;
     bar.finish_and_clear();
     if cli.json {
         println!("{}", json!({"out": a.out, "files": files.keys().collect::<Vec<_>>()}));

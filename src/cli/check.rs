@@ -2,6 +2,7 @@
 use super::args::{CheckArgs, Cli, Engine};
 use super::output::spinner;
 use crate::error::{Error, Result};
+use crate::files::Scratch;
 use crate::project::{Checked, Scene, alone_files, check_tree, project};
 use crate::vectors::Level;
 use std::path::PathBuf;
@@ -17,6 +18,7 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
     if a.wave.is_some() && a.engine != Engine::Interp {
         return Err(Error::input("check --wave records the interpreter: leave out --engine, or set it to interp"));
     }
+    let wave = a.wave.as_deref().map(|path| super::output::wave_sink(path, None)).transpose()?;
     let campaign = a.campaign.campaign(!alone.is_empty())?;
     if let Some(endless) = campaign.filter(|c| c.level == Level::Three) {
         let [m] = &alone[..] else { return Err(Error::input("--level 3 goes on until it is stopped: name one unit")) };
@@ -25,7 +27,7 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
     if a.batches.is_some() {
         return Err(Error::input("--batches ends --level 3: levels 1 and 2 end by themselves"));
     }
-    let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
+    let work = Scratch::new()?;
     let dir: PathBuf = match &a.dir {
         Some(dir) => dir.clone(),
         None => {
@@ -40,7 +42,7 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
     };
     let bar = spinner(cli, "checking");
     let seen = |x: &Checked| bar.set_message(format!("{} done", x.unit));
-    let done = check_tree(&c, &dir, a.engine.simulator(), &a.unit, a.canary, a.wave.as_deref(), &seen);
+    let done = check_tree(&c, &dir, a.engine.simulator(), &a.unit, a.canary, wave.as_ref(), &seen);
     bar.finish_and_clear();
     let done = done?;
     print(cli, &done);

@@ -3,10 +3,10 @@ use super::args::{CheckArgs, Cli};
 use super::output::spinner;
 use crate::config::Config;
 use crate::error::{Error, Result};
+use crate::files::Scratch;
 use crate::ir::Module;
 use crate::project::{alone_files, check_tree};
 use crate::vectors::{Campaign, Shard, exhaustive};
-use std::io::Write;
 use std::sync::Arc;
 
 /// Checks batches of `vectors.arithmetic` rows: the seed of the configuration, the next one, and so on; of these the part that `campaign` says. A
@@ -25,7 +25,7 @@ pub fn run(cli: &Cli, a: &CheckArgs, c: &Config, m: &Arc<Module>, campaign: Camp
         c.vectors.seed = seed;
         let bar = spinner(cli, format!("seed {seed}"));
         let files = alone_files(&c, std::slice::from_ref(m), Some(whole))?;
-        let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
+        let work = Scratch::new()?;
         let dir = work.path().join("tree");
         super::output::write_tree(&dir, &files)?;
         let done = check_tree(&c, &dir, a.engine.simulator(), std::slice::from_ref(&m.name), None, None, &|_| ());
@@ -44,7 +44,7 @@ pub fn run(cli: &Cli, a: &CheckArgs, c: &Config, m: &Arc<Module>, campaign: Camp
         } else {
             println!("{:<16} seed {seed}: 0 of {batch} mismatched; 0 of {rows} so far", m.name);
         }
-        std::io::stdout().flush().map_err(|e| Error::file("write", "the output", e))?;
+        super::print::flush();
         let bits = m.data_inputs().map(|(_, p)| p.width.eval(&m.default_binding()) as u32).sum();
         if exhaustive(bits) {
             println!("{}: these are all inputs that there are; another seed has no others", m.name);

@@ -33,6 +33,7 @@ pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
             )));
         }
     }
+    let out = a.out.as_deref().map(super::output::sink).transpose()?;
     let views = if a.views.is_empty() { c.view.names.clone() } else { a.views.clone() };
     let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
     let all = views.iter().map(|v| scene.view(&c, *v, 1)).collect::<Result<Vec<_>>>()?;
@@ -50,9 +51,9 @@ pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
     let found = fit_checked(&c.design(), seen, &truth, budget, limits, &|what| bar.set_message(what.to_string()));
     bar.finish_and_clear();
     let found = found?;
-    if let Some(path) = &a.out {
+    if let Some(out) = &out {
         let text = configuration(&c, &found.fit, a, &views)?.to_commented_toml();
-        crate::files::write_atomic(path, text.as_bytes())?;
+        out.write(text.as_bytes())?;
     }
     let alone = |k: usize| {
         let own = rays(&all[k..=k], a.rays, found.set);

@@ -1,4 +1,6 @@
 //! The command line: verbs, shared options, exit codes.
+#[macro_use]
+mod print;
 mod args;
 mod build;
 mod check;
@@ -8,6 +10,7 @@ mod endless;
 mod figures;
 mod fit;
 mod hard;
+mod interrupt;
 mod list;
 mod output;
 mod prove;
@@ -21,33 +24,48 @@ mod trace;
 
 pub use args::Cli;
 
-use crate::error::{Result, exit};
+use crate::error::{Error, Result, exit};
+use crate::files::STANDARD_OUTPUT;
 use args::Verb;
 use clap::{CommandFactory, Parser};
 
 /// Runs the command line; returns the exit code (0 ok, 1 mismatch, 2 usage or input, 3 tool missing, 4 tool failed,
-/// 5 nothing ran, 6 a result never came, 7 a result too many).
+/// 5 nothing ran, 6 a result never came, 7 a result too many, 128 and the number of a signal that ended it).
 pub fn main() -> i32 {
-    // An interrupted run leaves nothing behind. Without a handler it ends all the same.
-    let _ = ctrlc::set_handler(|| {
-        output::interrupted();
-        crate::files::abandon(130)
-    });
+    interrupt::watch();
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(e) => {
             let code = if e.use_stderr() { exit::USAGE } else { exit::OK };
-            let _ = e.print();
+            if e.use_stderr() {
+                let _ = e.print();
+            } else {
+                print!("{}", e.render().ansi());
+                print::flush();
+            }
             return code;
         }
     };
-    match run(&cli) {
+    let code = match run(&cli) {
         Ok(()) => exit::OK,
+        // Whoever read standard output (`--out - | head`) has seen enough.
+        Err(Error::File { path, source, .. })
+            if path.as_os_str() == STANDARD_OUTPUT && source.kind() == std::io::ErrorKind::BrokenPipe =>
+        {
+            exit::OK
+        }
         Err(e) => {
             output::error(&cli, &e);
             e.exit_code()
         }
+    };
+    print::flush();
+    // Its handler ends the process, with another code.
+    while crate::process::stopping() {
+        std::thread::sleep(std::time::Duration::from_secs(1));
     }
+    crate::process::end();
+    code
 }
 
 fn run(cli: &Cli) -> Result<()> {
@@ -69,7 +87,9 @@ fn run(cli: &Cli) -> Result<()> {
         Verb::List => list::run(cli),
         Verb::Config(a) => config::run(cli, a),
         Verb::Completions { shell } => {
-            clap_complete::generate(*shell, &mut Cli::command(), "reliefrtl", &mut std::io::stdout());
+            let mut script = Vec::new();
+            clap_complete::generate(*shell, &mut Cli::command(), "reliefrtl", &mut script);
+            print!("{}", String::from_utf8_lossy(&script));
             Ok(())
         }
     }

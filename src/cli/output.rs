@@ -2,7 +2,8 @@
 use super::args::Cli;
 use crate::emit::Files;
 use crate::error::{Error, Finding, Result};
-use crate::files::{OutDir, Part};
+use crate::files::{OutDir, Sink};
+use crate::interp::WaveFormat;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::path::Path;
@@ -37,24 +38,72 @@ pub fn error(cli: &Cli, e: &Error) {
     }
 }
 
+/// Where a verb's one file goes; if that is standard output, what the verb says goes to standard error from here on.
+///
+/// # Errors
+/// As [`Sink::new`].
+pub fn sink(out: &Path) -> Result<Sink> {
+    let sink = Sink::new(out)?;
+    if sink == Sink::Standard {
+        super::print::keep_standard_output_free();
+    }
+    Ok(sink)
+}
+
+/// Where a verb's waveform goes beside its other result.
+///
+/// # Errors
+/// As [`sink`] and [`WaveFormat::of`]; both on standard output.
+pub fn wave_sink(path: &Path, beside: Option<&Sink>) -> Result<(Sink, WaveFormat)> {
+    let (format, wave) = (WaveFormat::of(path)?, sink(path)?);
+    if wave == Sink::Standard && beside == Some(&wave) {
+        return Err(Error::input("--out and --wave both go to standard output: give one of them a file"));
+    }
+    Ok((wave, format))
+}
+
+/// Starts the tree that a verb writes, before its work.
+///
+/// # Errors
+/// As [`OutDir::new`]; `-`, which is no directory.
+pub fn directory(out: &Path) -> Result<OutDir> {
+    no_dash(out)?;
+    OutDir::new(out)
+}
+
+fn no_dash(out: &Path) -> Result<()> {
+    if out.as_os_str() == "-" {
+        return Err(Error::input(
+            "--out - is standard output, which takes one file, and this verb writes a directory: name one (./- if it is called so)",
+        ));
+    }
+    Ok(())
+}
+
+/// Makes the directory that a verb fills file by file, and sees that it can be written.
+///
+/// # Errors
+/// As [`directory`].
+pub fn open_directory(out: &Path) -> Result<()> {
+    no_dash(out)?;
+    crate::files::open_directory(out)
+}
+
+/// Writes `files` into a tree that was started: all of them, or none.
+///
+/// # Errors
+/// If the directory can't be written, or holds what does not go with them.
+pub fn fill(mut dir: OutDir, files: &Files) -> Result<()> {
+    files.iter().try_for_each(|(path, text)| dir.add(path, text.as_bytes()))?;
+    dir.commit().map(|_| ())
+}
+
 /// Writes `files` under `out`: all of them, or none.
 ///
 /// # Errors
 /// If the directory can't be written.
 pub fn write_tree(out: &Path, files: &Files) -> Result<()> {
-    let mut dir = OutDir::new(out)?;
-    files.iter().try_for_each(|(path, text)| dir.add(path, text.as_bytes()))?;
-    dir.commit().map(|_| ())
-}
-
-/// Writes `files` under `out` beside what else was generated there, or nothing.
-///
-/// # Errors
-/// If the directory can't be written, or holds what does not go with them.
-pub fn write_part(out: &Path, files: &Files, part: Part) -> Result<()> {
-    let mut dir = OutDir::part(out, part)?;
-    files.iter().try_for_each(|(path, text)| dir.add(path, text.as_bytes()))?;
-    dir.commit().map(|_| ())
+    fill(OutDir::new(out)?, files)
 }
 
 /// Refuses an output that would replace one of the inputs.
@@ -63,7 +112,8 @@ pub fn write_part(out: &Path, files: &Files, part: Part) -> Result<()> {
 /// One sentence that names the file.
 pub fn keep_inputs(out: &Path, inputs: &[Option<&Path>]) -> Result<()> {
     let whole = |p: &Path| p.canonicalize().ok();
-    let Some(out_file) = whole(out) else { return Ok(()) };
+    // A device stays what it is.
+    let Some(out_file) = whole(out).filter(|file| file.is_file()) else { return Ok(()) };
     if inputs.iter().flatten().any(|i| whole(i).as_deref() == Some(&out_file)) {
         return Err(Error::input(format!(
             "--out {} would replace the input of that name: choose another file",

@@ -2,6 +2,7 @@
 use super::args::{Cli, ProveArgs};
 use super::output::{spinner, table};
 use crate::error::{Error, Result};
+use crate::files::Scratch;
 use crate::project::{Scene, project};
 use crate::proofs::{Proved, proofs, prove};
 use crate::units;
@@ -25,7 +26,7 @@ pub fn run(cli: &Cli, a: &ProveArgs) -> Result<()> {
         print!("{}", table(&["proof", "for every input"], &rows));
         return Ok(());
     }
-    let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
+    let work = Scratch::new()?;
     let dir = match &a.dir {
         Some(dir) => dir.clone(),
         None => {

@@ -2,6 +2,7 @@
 use super::args::{Cli, Engine, RenderArgs};
 use crate::config::{Config, View};
 use crate::error::{Error, Result};
+use crate::files::Sink;
 use crate::golden::RayHit;
 use crate::project::{Scene, encode};
 use crate::scene::border::tiles;
@@ -16,7 +17,9 @@ pub fn run(cli: &Cli, a: &RenderArgs) -> Result<()> {
         &a.out,
         &[a.map.map.as_deref(), c.map.file.as_deref(), cli.config.as_deref(), Some(Path::new(&a.view))],
     )?;
-    if a.out.extension().is_none_or(|e| !e.eq_ignore_ascii_case("png")) {
+    let out = super::output::sink(&a.out)?;
+    let is_file = matches!(out, Sink::File(_));
+    if is_file && a.out.extension().is_none_or(|e| !e.eq_ignore_ascii_case("png")) {
         return Err(Error::input(format!("--out {}: the picture is a PNG, so its name ends in .png", a.out.display())));
     }
     let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
@@ -32,7 +35,7 @@ pub fn run(cli: &Cli, a: &RenderArgs) -> Result<()> {
         }
     };
     let (rays, hits) = trace(cli, &c, a.engine, &scene, &camera, stride)?;
-    picture(&c, &scene, &camera, stride, &rays, &hits, a.steps)?.save(&a.out)?;
+    out.write(&picture(&c, &scene, &camera, stride, &rays, &hits, a.steps)?.to_png()?)?;
     let lost = super::trace::Lost::of(&hits);
     let beyond = camera.rays(c.map.scale, c.map.repeat, stride).len() - rays.len();
     if cli.json {

@@ -9,6 +9,7 @@ use std::io::IsTerminal;
 
 /// Runs `report`.
 pub fn run(cli: &Cli, a: &ReportArgs) -> Result<()> {
+    super::output::open_directory(&a.out)?;
     let mut c = super::config::load(cli)?;
     c.map.resample |= a.map.resample;
     let plan = Plan::new(&c, &selection(&c, a)?)?;
@@ -33,7 +34,7 @@ pub fn run(cli: &Cli, a: &ReportArgs) -> Result<()> {
     if cli.json {
         println!(
             "{}",
-            serde_json::json!({"cells": cells.len(), "measured": work.measured, "taken": work.taken, "not_legal": plan.not_legal.len(), "page": page})
+            serde_json::json!({"cells": cells.len(), "measured": work.measured, "taken": work.taken, "altered": work.altered, "not_legal": plan.not_legal.len(), "page": page})
         );
     } else {
         println!(
@@ -42,6 +43,9 @@ pub fn run(cli: &Cli, a: &ReportArgs) -> Result<()> {
             work.taken,
             plan.not_legal.len()
         );
+        for path in &work.altered {
+            println!("{path} is not what was measured (edited, or cut short): measured again");
+        }
         println!("page in {}", page.display());
     }
     Ok(())
@@ -51,18 +55,18 @@ pub fn run(cli: &Cli, a: &ReportArgs) -> Result<()> {
 fn again(cli: &Cli, a: &ReportArgs) -> String {
     let mut out = "reliefrtl report".to_owned();
     if let Some(file) = &cli.config {
-        out += &format!(" --config '{}'", file.display());
+        out += &format!(" --config {}", quoted(&file.display().to_string()));
     }
-    cli.sets.iter().for_each(|s| out += &format!(" --set '{s}'"));
+    cli.sets.iter().for_each(|s| out += &format!(" --set {}", quoted(s)));
     let mut option = |name: &str, values: Vec<String>| {
         if !values.is_empty() {
             out += &format!(" --{name} {}", values.join(","));
         }
     };
-    let quoted = |path: &Option<std::path::PathBuf>| path.iter().map(|p| format!("'{}'", p.display())).collect();
-    option("map", quoted(&a.map.map));
+    let path = |path: &Option<std::path::PathBuf>| path.iter().map(|p| quoted(&p.display().to_string())).collect();
+    option("map", path(&a.map.map));
     option("maps", a.maps.iter().map(|k| k.word().to_owned()).collect());
-    option("scenes", quoted(&a.scenes));
+    option("scenes", path(&a.scenes));
     option("levels", a.levels.iter().map(u32::to_string).collect());
     option("views", a.views.iter().map(|v| v.word().to_owned()).collect());
     option("datapaths", a.datapaths.iter().map(|k| k.word().to_owned()).collect());
@@ -70,10 +74,15 @@ fn again(cli: &Cli, a: &ReportArgs) -> String {
     option("fractions", a.fractions.iter().map(u32::to_string).collect());
     let set = a.modes.and_then(|m| m.to_possible_value().map(|v| v.get_name().to_owned()));
     option("modes", set.into_iter().collect());
-    option("synth", a.synth.iter().map(|p| format!("'{}'", p.display())).collect());
+    option("synth", a.synth.iter().map(|p| quoted(&p.display().to_string())).collect());
     let flags = [(a.map.resample, " --resample"), (a.full, " --full")];
     flags.iter().filter(|f| f.0).for_each(|f| out += f.1);
     out
+}
+
+/// A word as a shell reads it back, whatever stands in it.
+fn quoted(word: &str) -> String {
+    format!("'{}'", word.replace('\'', "'\\''"))
 }
 
 /// What the command line chooses.

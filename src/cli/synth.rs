@@ -4,8 +4,9 @@ use super::output::{spinner, table};
 use crate::catalogue;
 use crate::config::{Config, Design, latency_key};
 use crate::error::{Error, Result};
+use crate::files::Sink;
 use crate::ir::Module;
-use crate::synth::{Figures, Placing, Target, asked, digest, measure, measure_files, versions};
+use crate::synth::{Figures, Placing, Target, asked, check_module_name, digest, measure, measure_files, versions};
 use serde_json::{Value, json};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -105,6 +106,10 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
     if let Some(file) = &a.refresh {
         return super::restate::refresh(cli, file, if a.unit == ["all"] { &[] } else { &a.unit });
     }
+    if let Some(parent) = a.out.parent().filter(|p| !p.as_os_str().is_empty()) {
+        std::fs::create_dir_all(parent).map_err(|e| Error::file("create", parent, e))?;
+    }
+    let out = super::output::sink(&a.out)?;
     let work = prepare(cli, a)?;
     let others = a.beside.iter().map(|other| foreign(other)).collect::<Result<Vec<_>>>()?;
     let mut done: Vec<Figures> = Vec::new();
@@ -125,12 +130,12 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
         done.push(figures);
     }
     let text = serde_json::to_string_pretty(&all).expect("plain data") + "\n";
-    if let Some(parent) = a.out.parent().filter(|p| !p.as_os_str().is_empty()) {
-        std::fs::create_dir_all(parent).map_err(|e| Error::file("create", parent, e))?;
-    }
-    crate::files::write_atomic(&a.out, text.as_bytes())?;
+    out.write(text.as_bytes())?;
     if cli.json {
-        print!("{text}");
+        // Standard output has it already, if it goes there.
+        if out != Sink::Standard {
+            print!("{text}");
+        }
     } else {
         print!("{}", rows(&done));
     }
@@ -158,6 +163,7 @@ fn foreign(asked: &str) -> Result<(String, Named)> {
     let Some((top, dir)) = asked.split_once('=') else {
         return Err(Error::input(format!("--beside {asked}: write TOP=DIR, a module and the directory of its files")));
     };
+    check_module_name(top).map_err(|e| Error::input(format!("--beside {asked:?}: {e}")))?;
     let read = |path: &std::path::Path, e| Error::file("read", path, e);
     let dir = std::path::Path::new(dir);
     let mut paths = Vec::new();

@@ -1,10 +1,11 @@
 //! `reliefrtl trace`: rays from a table, hits into a table, by any engine; the bytes are the same.
 use super::args::{Cli, Engine, TraceArgs};
 use super::output::spinner;
-use crate::bench::{Outcome, Simulator, bench_files, run_bench};
+use crate::bench::{Outcome, Paths, Simulator, bench_files, run_bench_on};
 use crate::catalogue::ray_set;
 use crate::config::Config;
 use crate::error::{Error, Result};
+use crate::files::Scratch;
 use crate::golden::{RayHit, RayInput};
 use crate::ir::Binding;
 use crate::project::{self, Scene};
@@ -20,6 +21,8 @@ pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
         &a.out,
         &[Some(&a.rays), a.map.map.as_deref(), c.map.file.as_deref(), cli.config.as_deref()],
     )?;
+    let out = super::output::sink(&a.out)?;
+    let wave = a.wave.as_deref().map(|path| super::output::wave_sink(path, Some(&out))).transpose()?;
     let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
     let table = read_rays(&a.rays)?;
     let entered =
@@ -40,7 +43,7 @@ pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
         }
     }
     let beyond = ended - hits.iter().filter(|h| !h.limit).count();
-    if let Some(path) = &a.wave {
+    if let Some((sink, format)) = &wave {
         let ray = rays.get(a.wave_ray).ok_or_else(|| {
             Error::input(format!(
                 "--wave-ray {} is none of the {} rays in {}",
@@ -49,9 +52,9 @@ pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
                 a.rays.display()
             ))
         })?;
-        record(&c.design(), &scene.pyramid, ray)?.1.save(path, "traverse")?;
+        record(&c.design(), &scene.pyramid, ray)?.1.write(sink, *format, "traverse")?;
     }
-    crate::files::write_atomic(&a.out, hits_csv(&c.design(), c.map.border, &hits).as_bytes())?;
+    out.write(hits_csv(&c.design(), c.map.border, &hits).as_bytes())?;
     let lost = Lost { beyond, ..Lost::of(&hits) };
     if cli.json {
         println!(
@@ -153,11 +156,12 @@ fn simulate(c: &Config, sim: Simulator, scene: &Scene, rays: &[RayInput]) -> Res
     files.extend(bench_files(&[], Some((&t.module, t.setup + t.slots + t.finish)), &c.emit.prefix));
     files.extend(set_files(&set.set).into_iter().map(|(n, text)| (format!("golden/traverse/{n}"), text)));
     files.insert("golden/traverse/memory.hex".into(), set.memory);
-    let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
+    let work = Scratch::new()?;
     let tree = work.path().join("tree");
     super::output::write_tree(&tree, &files)?;
     let results = work.path().join("results.txt");
-    let outcome = run_bench(sim, &tree, "traverse", &Binding::new(), &[format!("results={}", results.display())])?;
+    let paths = Paths { results: Some(results.clone()), ..Paths::default() };
+    let outcome = run_bench_on(sim, &tree, "traverse", &Binding::new(), &paths, &[])?;
     let text = std::fs::read_to_string(&results).map_err(|e| Error::file("read", &results, e))?;
     let mut hits = vec![RayHit::default(); rays.len()];
     let words_of_hit = outputs(&t.module).len();

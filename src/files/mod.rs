@@ -1,52 +1,76 @@
 //! Writing files so that a reader never meets half of one: beside the target first, then renamed.
+mod inside;
+mod listed;
 mod out_dir;
+mod sink;
 mod staging;
-pub use out_dir::{MANIFEST, OutDir, Part};
-pub use staging::abandon;
+pub use inside::{read_inside, write_inside};
+pub use listed::{Altered, MANIFEST, altered};
+pub use out_dir::{OutDir, Part};
+pub use sink::{STANDARD_OUTPUT, Sink, standard_failed};
+pub use staging::{Scratch, abandon};
 
 use crate::error::{Error, Result};
 use std::io::Write;
 use std::path::Path;
 
-/// Writes a file beside its final place and renames it, so that the old file stays whole until the new one is.
+/// Writes what `path` names: a file appears whole beside its final place and is renamed, so that the old one stays until then; a device or FIFO is
+/// written to; of a link, what it leads to; `-` is standard output.
 ///
 /// # Errors
-/// [`Error::File`] if the directory does not exist or can't be written, or the path is a directory.
+/// As [`Sink::new`] and [`Sink::write`].
 pub fn write_atomic(path: impl AsRef<Path>, bytes: &[u8]) -> Result<()> {
-    // An interrupt waits, or the file beside would stay.
-    let _writing = staging::live();
-    write_beside(path.as_ref(), bytes)
+    Sink::new(path)?.write(bytes)
 }
 
-/// [`write_atomic`] for one who holds off interrupts.
+/// Directory of a path.
+fn directory_of(path: &Path) -> &Path {
+    path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// Writes a file beside its place and renames it, for one who holds off interrupts; the permissions of one that it replaces stay.
 fn write_beside(path: &Path, bytes: &[u8]) -> Result<()> {
-    let directory = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
-    if path.is_dir() {
-        return Err(Error::input(format!("cannot write {}: it is a directory", path.display())));
-    }
-    if !directory.is_dir() {
-        return Err(Error::input(format!(
-            "cannot write {}: {} is not a directory",
-            path.display(),
-            directory.display()
-        )));
-    }
+    let directory = directory_of(path);
     let failed = |error: std::io::Error| Error::file("write", path, bare(error));
     let mut builder = tempfile::Builder::new();
-    builder.prefix(".reliefrtl-");
+    builder.prefix(staging::PREFIX).rand_bytes(staging::RANDOM);
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
         // Temporary files are private by default; what is renamed from one must not stay so. The umask still applies.
         builder.permissions(std::fs::Permissions::from_mode(0o666));
     }
-    let mut file = builder.tempfile_in(directory).map_err(failed)?;
-    file.write_all(bytes).map_err(failed)?;
-    file.persist(path).map_err(|error| failed(error.error))?;
-    Ok(())
+    for _ in 0..100 {
+        let mut file = builder.tempfile_in(directory).map_err(failed)?;
+        // Who sweeps may meet it before it is locked.
+        let Some(_lock) = staging::locked(file.path()) else { continue };
+        if let Some(there) = std::fs::symlink_metadata(path).ok().filter(|m| m.is_file()) {
+            file.as_file().set_permissions(there.permissions()).map_err(failed)?;
+        }
+        file.write_all(bytes).map_err(failed)?;
+        file.persist(path).map_err(|error| failed(error.error))?;
+        return Ok(());
+    }
+    Err(failed(std::io::ErrorKind::ResourceBusy.into()))
+}
+
+/// Makes a directory that files are written into one by one, where it is not there, removes what dead processes left there, and sees that it can be
+/// written.
+///
+/// # Errors
+/// If it is a file, a link to nothing, or can't be written.
+pub fn open_directory(path: &Path) -> Result<()> {
+    if !path.exists() && std::fs::symlink_metadata(path).is_ok_and(|m| m.is_symlink()) {
+        let path = path.display();
+        return Err(Error::input(format!("cannot write into {path}: it is a link that leads to no directory")));
+    }
+    if path.exists() && !path.is_dir() {
+        let path = path.display();
+        return Err(Error::input(format!("cannot write into {path}: it is a file, not a directory")));
+    }
+    make_directory(path)?;
+    staging::sweep(path);
+    sink::writable(path).map_err(|error| Error::file("write into", path, error))
 }
 
 /// Makes a directory and those that it stands in, where they are not there.

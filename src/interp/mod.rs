@@ -23,3 +23,4 @@ pub use netlist::{FlatOp, FlatPort, Kind, Netlist, Slot};
 pub use stream::{Stream, StreamRun, Traffic};
 pub use tracked::{Bits, Tracked};
 pub use wave::Wave;
+pub use wave_file::WaveFormat;

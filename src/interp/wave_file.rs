@@ -2,6 +2,7 @@
 use super::tracked::Bits;
 use super::wave::Wave;
 use crate::error::{Error, Result};
+use crate::files::{Scratch, Sink};
 use fst_writer::{
     FstFileType, FstInfo, FstScopeType, FstSignalId, FstSignalType, FstVarDirection, FstVarType, open_fst,
 };
@@ -9,6 +10,30 @@ use std::path::Path;
 
 /// Units of time in a clock; the clock rises at its start and falls in its middle.
 const CLOCK: u64 = 10;
+
+/// Format of a waveform.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WaveFormat {
+    /// Value change dump, text.
+    Vcd,
+    /// Fast signal trace.
+    Fst,
+}
+
+impl WaveFormat {
+    /// By the ending of a name, `.vcd` or `.fst`; VCD for standard output (`-`), and for a device or FIFO without such an ending.
+    ///
+    /// # Errors
+    /// Another ending.
+    pub fn of(path: &Path) -> Result<Self> {
+        match path.extension().and_then(|e| e.to_str()) {
+            Some("vcd") => Ok(Self::Vcd),
+            Some("fst") => Ok(Self::Fst),
+            _ if matches!(Sink::new(path), Ok(Sink::Standard | Sink::Stream(_))) => Ok(Self::Vcd),
+            _ => Err(Error::input(format!("{}: a waveform ends in .vcd or .fst", path.display()))),
+        }
+    }
+}
 
 /// The way through the hierarchy.
 enum Entry<'a> {
@@ -19,21 +44,28 @@ enum Entry<'a> {
 }
 
 impl Wave {
-    /// Writes the wave; the ending chooses the format: `.vcd` or `.fst`. All nets stand below the scope `top`, beside a
-    /// clock `clk`.
+    /// Writes the wave; the ending chooses the format, as [`WaveFormat::of`]. All nets stand below the scope `top`, beside a clock `clk`.
     ///
     /// # Errors
     /// Another ending, or a file that can't be written.
     pub fn save(&self, path: &Path, top: &str) -> Result<()> {
-        match path.extension().and_then(|e| e.to_str()) {
-            Some("vcd") => crate::files::write_atomic(path, self.vcd(top).as_bytes()),
-            Some("fst") => {
+        self.write(&Sink::new(path)?, WaveFormat::of(path)?, top)
+    }
+
+    /// Writes the wave as [`Wave::save`], in a chosen format.
+    ///
+    /// # Errors
+    /// If it can't be written.
+    pub fn write(&self, to: &Sink, format: WaveFormat, top: &str) -> Result<()> {
+        match format {
+            WaveFormat::Vcd => to.write(self.vcd(top).as_bytes()),
+            WaveFormat::Fst => {
                 // The writer wants a file of its own; nobody shall see half of it.
-                let beside = path.with_extension("fst.part");
-                self.fst(&beside, top).map_err(|e| Error::input(format!("cannot write {}: {e}", path.display())))?;
-                std::fs::rename(&beside, path).map_err(|e| Error::file("write", path, e))
+                let work = Scratch::new()?;
+                let file = work.path().join("wave.fst");
+                self.fst(&file, top).map_err(|e| Error::input(format!("cannot write a waveform: {e}")))?;
+                to.write(&std::fs::read(&file).map_err(|e| Error::file("read", &file, e))?)
             }
-            _ => Err(Error::input(format!("{}: a waveform ends in .vcd or .fst", path.display()))),
         }
     }
 

@@ -1,12 +1,13 @@
 //! Checks an emitted tree: every unit's vectors replayed by the interpreter or a simulator.
 use super::same::{same_config, same_text};
 use super::stored::{memory, pyramid_of, ray_of, same_rows};
-use crate::bench::{Simulator, run_bench};
+use crate::bench::{Paths, Simulator, run_bench_on};
 use crate::catalogue::{CheckReport, check_interp, compare, fits, told, units};
 use crate::config::{Config, Design};
 use crate::emit::Files;
 use crate::error::{Error, Result};
-use crate::interp::{Traffic, Wave, elaborate};
+use crate::files::{Scratch, Sink};
+use crate::interp::{Traffic, Wave, WaveFormat, elaborate};
 use crate::ir::{Binding, Module};
 use crate::trace::{Pipeline, diagnose, images, record_mismatch, record_ray, record_rows, wrong_iteration};
 use crate::units::traversal::traverse;
@@ -70,7 +71,7 @@ pub fn check_tree(
     sim: Option<Simulator>,
     only: &[String],
     canary: Option<Canary>,
-    wave: Option<&Path>,
+    wave: Option<&(Sink, WaveFormat)>,
     seen: &(dyn Fn(&Checked) + Sync),
 ) -> Result<Vec<Checked>> {
     let mut c = c.clone();
@@ -110,8 +111,8 @@ pub fn check_tree(
     };
     let all: Vec<Result<Checked>> = list.par_iter().map(one).collect();
     let failed = all.iter().position(|r| matches!(r, Err(Error::Mismatch(_))));
-    if let Some((m, path)) = failed.map(|k| &list[k]).zip(wave) {
-        mismatch_wave(&d, dir, m, canary)?.save(path, &m.name)?;
+    if let Some((m, (sink, format))) = failed.map(|k| &list[k]).zip(wave) {
+        mismatch_wave(&d, dir, m, canary)?.write(sink, *format, &m.name)?;
     }
     all.into_iter().collect()
 }
@@ -172,7 +173,7 @@ fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary:
         }
         None => rays(d, &place, m, &set),
         Some(s) => {
-            let spoiled = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
+            let spoiled = Scratch::new()?;
             let mut from = place.canonicalize().map_err(|e| Error::file("find", &place, e))?;
             if canary.is_some() {
                 for (name, text) in set_files(&set) {
@@ -185,9 +186,9 @@ fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary:
                 }
                 from = spoiled.path().to_path_buf();
             }
-            let vectors = format!("vectors={}", from.display());
-            let o = run_bench(s, dir, &m.name, &Binding::new(), std::slice::from_ref(&vectors))
-                .map_err(|e| located(e, d, dir, s, &set, m, vectors))?;
+            let paths = Paths { vectors: Some(from), ..Paths::default() };
+            let o = run_bench_on(s, dir, &m.name, &Binding::new(), &paths, &[])
+                .map_err(|e| located(e, d, dir, s, &set, m, &paths))?;
             let note = o.output.lines().find(|l| l.starts_with("slots busy")).unwrap_or_default().to_string();
             Ok(Checked { unit: m.name.clone(), rows: o.checked, note })
         }
@@ -209,23 +210,16 @@ fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary:
 }
 
 /// What a simulator's bench said, decoded; a mismatch of `traverse` with its first wrong iteration, for which the bench runs once more.
-fn located(
-    e: Error,
-    d: &Design,
-    dir: &Path,
-    sim: Simulator,
-    set: &VectorSet,
-    m: &Arc<Module>,
-    vectors: String,
-) -> Error {
+fn located(e: Error, d: &Design, dir: &Path, sim: Simulator, set: &VectorSet, m: &Arc<Module>, paths: &Paths) -> Error {
     let told = told(e, sim.name(), set, m);
     let Error::Mismatch(found) = told else { return told };
     let vector = found.place.as_ref().map(|p| p.vector);
     let again = |number: usize| -> Result<String> {
-        let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
+        let work = Scratch::new()?;
         let seen = work.path().join("iterations");
         // It fails as it did before.
-        let _ = run_bench(sim, dir, &m.name, &Binding::new(), &[vectors, format!("iterations={}", seen.display())]);
+        let paths = Paths { iterations: Some(seen.clone()), ..paths.clone() };
+        let _ = run_bench_on(sim, dir, &m.name, &Binding::new(), &paths, &[]);
         let iterations = std::fs::read_to_string(&seen).map_err(|e| Error::file("read", &seen, e))?;
         let pyramid = pyramid_of(d, &memory(&dir.join("golden").join(&m.name))?)?;
         wrong_iteration(d, &pyramid, &ray_of(&set.stimulus[number]), number, &iterations)

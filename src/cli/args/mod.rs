@@ -35,7 +35,8 @@ pub struct Cli {
 }
 
 const EXIT_CODES: &str = "Exit codes: 0 ok, 1 mismatch, 2 usage or input, 3 tool missing, 4 tool failed, 5 nothing ran, \
-6 an expected result never came, 7 a result that nobody expected.";
+6 an expected result never came, 7 a result that nobody expected; 129, 130, 143 ended by SIGHUP, SIGINT (Ctrl-C), SIGTERM.\n\
+--out of a verb that writes one file: `-` is standard output, a device or FIFO is written to, a link is followed.";
 
 /// The name of a unit in a list.
 fn unit_name(text: &str) -> std::result::Result<String, String> {

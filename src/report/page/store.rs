@@ -1,18 +1,55 @@
 //! Measuring all cells, each into a file of its own: what is there already is taken, so that a run can be stopped and resumed.
 use super::cell::{Cell, CellSpec, Reference, canonical, probe};
 use super::plan::{Job, Plan};
-use crate::error::{Error, Result};
-use crate::files::write_atomic;
+use crate::error::Result;
+use crate::files::{read_inside, write_inside};
+use serde::{Deserialize, Serialize};
 use std::collections::btree_map::{BTreeMap, Entry};
 use std::path::Path;
 
+/// Digest of the sources of the program: a cell that others measured is measured again.
+const PROGRAM: &str = env!("RELIEFRTL_SOURCES");
+
+/// Bytes of the largest file of a cell that is read.
+const MOST: u64 = 1 << 20;
+
+/// A cell as its file holds it.
+#[derive(Serialize, Deserialize)]
+struct Stored {
+    /// Digest of the sources of the program that measured.
+    program: String,
+    cell: Cell,
+    /// Digest of the two above, as they stand in the file.
+    digest: String,
+}
+
+impl Stored {
+    fn new(cell: &Cell) -> Result<Self> {
+        let (program, cell) = (PROGRAM.to_owned(), cell.clone());
+        Ok(Self { digest: Self::digest(&program, &cell)?, program, cell })
+    }
+
+    fn digest(program: &str, cell: &Cell) -> Result<String> {
+        Ok(blake3::hash(format!("{program}\n{}", canonical(cell)?).as_bytes()).to_hex().to_string())
+    }
+
+    /// What is stored, if nobody has altered it.
+    fn read(text: &str) -> Option<Self> {
+        let stored: Self = serde_json::from_str(text).ok()?;
+        let whole = Self::digest(&stored.program, &stored.cell).ok()? == stored.digest;
+        (whole && canonical(&stored).ok()? == text.trim_end()).then_some(stored)
+    }
+}
+
 /// How many cells were measured, and how many came from an earlier run.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Work {
     /// Measured now.
     pub measured: usize,
     /// Taken from files.
     pub taken: usize,
+    /// Of those measured, the files that somebody had altered, or that hold no measurement.
+    pub altered: Vec<String>,
 }
 
 fn spec(plan: &Plan, job: &Job) -> CellSpec {
@@ -40,14 +77,12 @@ pub fn name(spec: &CellSpec) -> Result<String> {
 /// # Errors
 /// If the directory can't be written.
 pub fn cells(plan: &Plan, out: &Path, progress: &dyn Fn(usize, usize)) -> Result<(Vec<Cell>, Work)> {
-    let dir = out.join("cells");
-    std::fs::create_dir_all(&dir).map_err(|e| Error::file("create", &dir, e))?;
     let (mut found, mut work) = (Vec::new(), Work::default());
     let mut references: BTreeMap<(usize, String), Reference> = BTreeMap::new();
     for at in &plan.cells {
         let site = &plan.sites[at.site];
         let spec = spec(plan, at);
-        let path = dir.join(name(&spec)?);
+        let path = format!("cells/{}", name(&spec)?);
         // One map's rays at a time: those of a large map take room.
         references.retain(|key, _| key.0 == at.site);
         let reference = match references.entry((at.site, spec.from())) {
@@ -55,9 +90,15 @@ pub fn cells(plan: &Plan, out: &Path, progress: &dyn Fn(usize, usize)) -> Result
             Entry::Vacant(free) => free.insert(Reference::new(plan, site, at)?),
         };
         let design = spec.design.design(&plan.config, site.spec.levels)?;
-        let stored = std::fs::read_to_string(&path).ok().and_then(|text| serde_json::from_str::<Cell>(&text).ok());
-        let fresh = match stored {
-            Some(cell) => (cell.spec == spec && cell.probe == probe(&design, site, &reference.rays)?.1).then_some(cell),
+        let text = read_inside(out, &path, MOST);
+        let stored = text.as_deref().and_then(Stored::read);
+        if (text.is_some() || out.join(&path).exists()) && stored.is_none() {
+            work.altered.push(path.clone());
+        }
+        let fresh = match stored.filter(|s| s.program == PROGRAM) {
+            Some(Stored { cell, .. }) => {
+                (cell.spec == spec && cell.probe == probe(&design, site, &reference.rays)?.1).then_some(cell)
+            }
             None => None,
         };
         found.push(match fresh {
@@ -68,7 +109,7 @@ pub fn cells(plan: &Plan, out: &Path, progress: &dyn Fn(usize, usize)) -> Result
             None => {
                 work.measured += 1;
                 let cell = Cell::measure(plan, site, spec, reference)?;
-                write_atomic(&path, (canonical(&cell)? + "\n").as_bytes())?;
+                write_inside(out, &path, (canonical(&Stored::new(&cell)?)? + "\n").as_bytes())?;
                 cell
             }
         });

@@ -7,7 +7,7 @@ use super::table::{grouped, short};
 use super::{bilinear, charts, inventory, pictures, published, sections};
 use crate::config::View;
 use crate::error::{Error, Result};
-use crate::files::write_atomic;
+use crate::files::write_inside;
 use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::path::Path;
@@ -161,6 +161,5 @@ fn html(page: &Value) -> Result<String> {
 /// # Errors
 /// If the directory can't be written.
 pub fn write(out: &Path, files: &Output) -> Result<()> {
-    std::fs::create_dir_all(out).map_err(|e| Error::file("create", out, e))?;
-    files.iter().try_for_each(|(name, bytes)| write_atomic(out.join(name), bytes))
+    files.iter().try_for_each(|(name, bytes)| write_inside(out, name, bytes))
 }
