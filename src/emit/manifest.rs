@@ -21,8 +21,9 @@ fn module(c: &Config, m: &Module, files: &Files) -> Value {
     let file = format!("rtl/{}{}.v", c.emit.prefix, m.name);
     let text = files.get(&file).map(String::as_str).unwrap_or_default();
     let b = m.default_binding();
-    let params: Vec<Value> =
-        m.params.iter().map(|p| json!({"name": p.name, "default": p.default, "meaning": p.doc})).collect();
+    let number = m.params.iter().map(|p| json!({"name": p.name, "default": p.default, "meaning": p.doc}));
+    let text_params = m.files.iter().map(|p| json!({"name": p.name, "default": "", "meaning": p.doc}));
+    let params: Vec<Value> = number.chain(text_params).collect();
     let port = |p: &crate::ir::Port| {
         let mut v = json!({
             "name": p.name,

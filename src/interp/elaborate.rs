@@ -104,7 +104,7 @@ impl Flat {
                     return BTreeMap::from([(k, read_data)]);
                 }
                 let out = self.source(w);
-                self.regs.push(FlatReg { q: out, d: read_data, enable: None, reset: None });
+                self.regs.push(FlatReg { q: out, d: read_data, enable: None, reset: None, unknown: None });
                 BTreeMap::from([(k, out)])
             }
             Prim::DelayLine => {
@@ -113,7 +113,7 @@ impl Flat {
                 let mut word = i("in_data");
                 for _ in 0..b["CLOCKS"] {
                     let q = self.source(w);
-                    self.regs.push(FlatReg { q, d: word, enable, reset: None });
+                    self.regs.push(FlatReg { q, d: word, enable, reset: None, unknown: None });
                     word = q;
                 }
                 BTreeMap::from([(k, word)])
@@ -122,7 +122,7 @@ impl Flat {
                 let (k, w) = o("word");
                 let (q, d) = (self.source(w), self.op(Kind::RecipTable, &[i("index")], w, 0));
                 let enable = m.ce.map(|ce| inputs[&ce]).filter(|e| self.value(*e) != Some(1));
-                self.regs.push(FlatReg { q, d, enable, reset: None });
+                self.regs.push(FlatReg { q, d, enable, reset: None, unknown: None });
                 BTreeMap::from([(k, q)])
             }
         }
@@ -159,9 +159,9 @@ impl Flat {
             let width = n.width.eval(b) as u32;
             let s = match &n.op {
                 Op::Input(p) => inputs[p],
-                Op::Reg { reset, .. } => {
+                Op::Reg { reset, unknown, .. } => {
                     let q = self.source(width);
-                    pending.push((q, n.args[0], *reset));
+                    pending.push((q, n.args[0], *reset, *unknown));
                     q
                 }
                 Op::Wire => {
@@ -194,9 +194,9 @@ impl Flat {
         }
         let control = |p: Option<usize>| p.map(|p| inputs[&p]);
         let enable = control(m.ce).filter(|e| self.value(*e) != Some(1));
-        for (q, d, reset) in pending {
+        for (q, d, reset, unknown) in pending {
             let reset = if reset { control(m.rst) } else { None };
-            self.regs.push(FlatReg { q, d: slot[d.0 as usize], enable, reset });
+            self.regs.push(FlatReg { q, d: slot[d.0 as usize], enable, reset, unknown });
         }
         Ok(m.outputs.iter().map(|(p, id)| (*p, slot[id.0 as usize])).collect())
     }

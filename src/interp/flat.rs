@@ -115,7 +115,9 @@ impl Flat {
         let at = |s: Slot| map[s as usize];
         inputs.iter_mut().for_each(|p| p.slot = at(p.slot));
         outputs.iter_mut().for_each(|p| p.slot = at(p.slot));
-        let reg = |r: &FlatReg| FlatReg { q: at(r.q), d: at(r.d), enable: r.enable.map(at), reset: r.reset.map(at) };
+        let control = |s: Option<Slot>| s.map(at);
+        let reg =
+            |r: &FlatReg| FlatReg { q: at(r.q), d: at(r.d), enable: control(r.enable), reset: control(r.reset), ..*r };
         let mem = |m: &FlatMem| FlatMem {
             write_en: at(m.write_en),
             write_addr: at(m.write_addr),

@@ -67,6 +67,8 @@ pub struct FlatReg {
     pub enable: Option<Slot>,
     /// Synchronous reset to zero.
     pub reset: Option<Slot>,
+    /// What it holds where its input is unknown; `None`: unknown bits. Of one bit only.
+    pub unknown: Option<bool>,
 }
 
 /// A memory with one write and one registered read.

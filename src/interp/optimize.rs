@@ -75,7 +75,7 @@ fn round(net: &Netlist) -> Netlist {
     let at = |s: Slot| map[s as usize];
     f.regs = kept
         .iter()
-        .map(|r| FlatReg { q: at(r.q), d: at(r.d), enable: r.enable.map(at), reset: r.reset.map(at) })
+        .map(|r| FlatReg { q: at(r.q), d: at(r.d), enable: r.enable.map(at), reset: r.reset.map(at), ..*r })
         .collect();
     f.mems = net
         .mems

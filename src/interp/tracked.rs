@@ -70,7 +70,11 @@ impl<'n> Tracked<'n> {
     }
     fn next(&self, r: &FlatReg) -> Bits {
         let of = |s: Slot| self.values[s as usize];
-        let (q, d) = (of(r.q), of(r.d));
+        let d = match (of(r.d), r.unknown) {
+            ((_, 1), Some(as_known)) => (u64::from(as_known), 0),
+            (d, _) => d,
+        };
+        let q = of(r.q);
         let held = match r.enable.map(of) {
             None | Some((1, 0)) => d,
             Some((0, 0)) => q,

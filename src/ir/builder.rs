@@ -37,6 +37,7 @@ impl Builder {
             notes: vec![],
             source: source.into(),
             params: vec![],
+            files: vec![],
             checks: vec![],
             locals: vec![],
             ports: vec![],
@@ -66,6 +67,10 @@ impl Builder {
         st.defaults.insert(name.into(), i64::from(default));
         st.m.params.push(Param { name: name.into(), default: i64::from(default), doc: doc.into() });
         Expr::param(name)
+    }
+    /// Declares a parameter that names a file for `$readmemh`, "" by default: no file.
+    pub fn file_param(&self, name: &str, doc: &str) {
+        self.st.borrow_mut().m.files.push(FileParam { name: name.into(), doc: doc.into() });
     }
     /// Names a derived constant; printed as a `localparam`.
     pub fn local(&self, name: &str, value: Expr) -> Expr {
@@ -208,9 +213,16 @@ impl Builder {
     }
     /// A register of a loop: read in stage 0, written by [`Builder::close`].
     pub fn loop_reg(&self, name: &str, width: impl Into<Expr>, valid: bool) -> Sig<'_> {
-        let s = self.push_at(Op::Reg { reset: valid, wrap: true }, vec![], width.into(), Some(0));
+        let s = self.push_at(Op::Reg { reset: valid, wrap: true, unknown: None }, vec![], width.into(), Some(0));
         self.st.borrow_mut().m.nodes[s.id.0 as usize].valid = valid;
         s.named(name)
+    }
+    /// A loop register of one bit that is never unknown in a simulation once it was clocked: an unknown value counts as `unknown`. For
+    /// decisions about data that a handshake follows from.
+    pub fn loop_decision(&self, name: &str, valid: bool, unknown: bool) -> Sig<'_> {
+        let s = self.loop_reg(name, 1, valid);
+        self.st.borrow_mut().m.nodes[s.id.0 as usize].op = Op::Reg { reset: valid, wrap: true, unknown: Some(unknown) };
+        s
     }
     /// Closes loop registers: all values are delayed to the latest of their stages; returns the loop's length in slots.
     #[track_caller]
@@ -237,6 +249,18 @@ impl Builder {
         name: &str,
         params: &[(&str, Expr)],
         inputs: &[(&str, Sig<'_>)],
+    ) -> Vec<Sig<'_>> {
+        self.inst_of_file(module, name, params, inputs, "")
+    }
+    /// The same; where both have a file parameter of one name, `suffix` is put after the name of the file.
+    #[track_caller]
+    pub fn inst_of_file(
+        &self,
+        module: &Arc<Module>,
+        name: &str,
+        params: &[(&str, Expr)],
+        inputs: &[(&str, Sig<'_>)],
+        suffix: &str,
     ) -> Vec<Sig<'_>> {
         let stage = inputs.iter().filter_map(|(_, s)| s.stage()).max();
         let stage = stage.map(|s| s.max(self.st.borrow().min_stage));
@@ -275,10 +299,13 @@ impl Builder {
             let mut st = self.st.borrow_mut();
             let section = st.section;
             let params = module.params.iter().map(|p| (p.name.clone(), map[&p.name].clone())).collect();
+            let passed = module.files.iter().filter(|f| st.m.files.iter().any(|own| own.name == f.name));
+            let files = passed.map(|f| (f.name.clone(), suffix.to_string())).collect();
             st.m.insts.push(Instance {
                 module: module.clone(),
                 name: name.into(),
                 params,
+                files,
                 inputs: ins,
                 stage,
                 section,
@@ -317,17 +344,24 @@ impl Builder {
     /// `v` one register later; shared by all who ask.
     #[track_caller]
     pub(super) fn delay_once(&self, v: NodeId) -> NodeId {
+        self.delay_as(v, None)
+    }
+    /// The same; an unknown bit counts as `unknown` from there on.
+    #[track_caller]
+    pub(super) fn delay_as(&self, v: NodeId, unknown: Option<bool>) -> NodeId {
         let (node, stage) = {
             let st = self.st.borrow();
             let n = st.m.node(v).clone();
             let s = n.stage.expect("only staged values are delayed");
             if let Some(d) = st.delays.get(&(v, s + 1)) {
+                assert!(unknown.is_none(), "the register behind a decision is its first");
                 return *d;
             }
             (n, s)
         };
         let name = node.name.unwrap_or_else(|| panic!("a {} without a name crosses a stage: name it", node.op.name()));
-        let d = self.push_at(Op::Reg { reset: node.valid, wrap: false }, vec![v], node.width, Some(stage + 1));
+        let op = Op::Reg { reset: node.valid, wrap: false, unknown };
+        let d = self.push_at(op, vec![v], node.width, Some(stage + 1));
         let mut st = self.st.borrow_mut();
         let n = &mut st.m.nodes[d.id.0 as usize];
         (n.name, n.valid) = (Some(name), node.valid);

@@ -46,7 +46,7 @@ fn waits(m: &Module, lines: &Lines) -> Vec<Wait> {
     let defaults = m.default_binding();
     let plain = |id: NodeId| {
         let n = m.node(id);
-        n.op == Op::Reg { reset: false, wrap: false } && n.width.eval(&defaults) >= LEAST_BITS
+        n.op == Op::Reg { reset: false, wrap: false, unknown: None } && n.width.eval(&defaults) >= LEAST_BITS
     };
     // The register behind each register, where that one alone reads it.
     let mut behind = vec![None; m.nodes.len()];
@@ -103,6 +103,7 @@ fn replace(m: &mut Module, waits: &[Wait], lines: &Lines) {
         m.insts.push(Instance {
             module: lines.line.clone(),
             name: format!("u_line_{stage}{net}"),
+            files: vec![],
             params: vec![("W".into(), node.width.clone()), ("CLOCKS".into(), (w.regs.len() as i64).into())],
             // The enable by its index before the renumbering below, which a new constant comes before.
             inputs: vec![(enable, NodeId(own.unwrap_or_default() as u32)), (input, w.from)],

@@ -75,6 +75,8 @@ pub enum Op {
         reset: bool,
         /// True when d comes from the last stage of the loop instead of the stage before.
         wrap: bool,
+        /// What it holds where d is unknown (x) in a simulation; `None`: x. Of one bit only. Without meaning for known values.
+        unknown: Option<bool>,
     },
     /// A net declared before what drives it; w = a.
     Wire,
@@ -182,6 +184,15 @@ pub struct Param {
     pub doc: String,
 }
 
+/// A Verilog parameter that names a file for `$readmemh`; without a file ("") a memory holds unknown words at power-up.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct FileParam {
+    /// Name as printed.
+    pub name: String,
+    /// Meaning, one line.
+    pub doc: String,
+}
+
 /// A condition on parameters, `lhs <= rhs`; elaboration fails where it does not hold.
 #[derive(Clone, Debug)]
 pub struct Check {
@@ -200,6 +211,8 @@ pub struct Instance {
     pub name: String,
     /// Parameter values.
     pub params: Vec<(String, Expr)>,
+    /// File parameters that are passed on under their own name: the name, and what stands after the name of the file.
+    pub files: Vec<(String, String)>,
     /// Input port index and the value that drives it.
     pub inputs: Vec<(usize, NodeId)>,
     /// Stage of its inputs.
@@ -262,6 +275,8 @@ pub struct Module {
     pub source: String,
     /// Parameters in printed order.
     pub params: Vec<Param>,
+    /// File parameters, printed behind them.
+    pub files: Vec<FileParam>,
     /// Conditions on the parameters.
     pub checks: Vec<Check>,
     /// Named derived constants, in order of dependence.

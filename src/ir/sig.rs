@@ -56,6 +56,15 @@ impl<'b> Sig<'b> {
             None => self,
         }
     }
+    /// Register behind a decision of one bit: used one stage later, where it is known in every simulation: an unknown bit counts as `unknown`.
+    ///
+    /// # Panics
+    /// If it has no stage, or a register already.
+    #[track_caller]
+    pub fn decided(self, unknown: bool) -> Self {
+        assert!(self.width() == Expr::from(1), "a decision has one bit");
+        Sig { b: self.b, id: self.b.delay_as(self.id, Some(unknown)) }
+    }
     #[track_caller]
     fn same(self, o: Self, what: &str) {
         let st = self.b.st.borrow();

@@ -230,6 +230,7 @@ fn widths(m: &Module, b: &Binding, bad: &mut Vec<String>) {
         }
         let ok = match &n.op {
             Op::Lit(v) => width == 64 || *v < 1 << width,
+            Op::Reg { unknown: Some(_), .. } => width == 1 && a == [1],
             Op::Not | Op::Reg { .. } | Op::Wire => a == [width],
             Op::And | Op::Or | Op::Xor | Op::Add | Op::Sub => a == [width, width],
             Op::RedOr | Op::RedAnd => width == 1,

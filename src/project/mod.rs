@@ -62,7 +62,7 @@ pub fn vectors(c: &Config, scene: &Scene) -> Result<Files> {
     let rays = scene.sample(c)?;
     let set = ray_set(&d, &scene.pyramid, &rays, c.vectors.seed)?;
     files.extend(set_files(&set.set).into_iter().map(|(n, t)| (format!("golden/traverse/{n}"), t)));
-    files.insert("golden/traverse/memory.hex".into(), set.memory);
+    files.extend(set.memory_files().map(|(n, t)| (format!("golden/traverse/{n}"), t.clone())));
     files.insert("golden/traverse/trace.csv".into(), set.trace);
     Ok(files)
 }

@@ -24,8 +24,8 @@ pub(super) fn memory(place: &Path) -> Result<Vec<u64>> {
     let text = std::fs::read_to_string(&path).map_err(|e| Error::file("read", &path, e))?;
     let bad = || Error::input(format!("{} is not a pyramid image", path.display()));
     let words = text.lines().map(|l| l.split("//").next().unwrap_or("").trim()).filter(|l| !l.is_empty());
-    let words = words.map(|w| u64::from_str_radix(w, 16).map_err(|_| bad())).collect::<Result<Vec<u64>>>()?;
-    Ok(words.get(1..).ok_or_else(bad)?.to_vec())
+    let words: Vec<u64> = words.map(|w| u64::from_str_radix(w, 16).map_err(|_| bad())).collect::<Result<_>>()?;
+    Ok(words)
 }
 
 /// The exports hold the rows that the hex files hold: whoever reads those checks against the same set.

@@ -54,15 +54,20 @@ impl Printer<'_> {
         let m = self.m;
         self.out += "`default_nettype none\n";
         self.out += &format!("module {}{}", self.style.prefix, m.name);
-        if !m.params.is_empty() {
+        if !m.params.is_empty() || !m.files.is_empty() {
             self.out += " #(\n";
             let names = m.params.iter().map(|p| p.name.len()).max().unwrap_or(0);
             let values = m.params.iter().map(|p| p.default.to_string().len()).max().unwrap_or(0) + 1;
             for (i, p) in m.params.iter().enumerate() {
-                let comma = if i + 1 < m.params.len() { "," } else { "" };
+                let comma = if i + 1 < m.params.len() || !m.files.is_empty() { "," } else { "" };
                 let value = format!("{}{comma}", p.default);
                 self.out += &format!("  parameter integer {:names$} = {value:values$}  // {}", p.name, p.doc);
                 self.out.push('\n');
+            }
+            for (i, f) in m.files.iter().enumerate() {
+                let comma = if i + 1 < m.files.len() { "," } else { "" };
+                self.comment("  ", "", &f.doc);
+                self.out += &format!("  parameter {} = \"\"{comma}\n", f.name);
             }
             self.out += ")";
         }

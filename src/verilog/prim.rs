@@ -10,7 +10,8 @@ pub fn body(p: Prim) -> Cow<'static, str> {
         Prim::Interleave => INTERLEAVE,
         Prim::DivRows => DIV_ROWS,
         Prim::SqrtRows => SQRT_ROWS,
-        Prim::Memory | Prim::Queue => MEMORY,
+        Prim::Memory => return Cow::Owned(format!("{MEMORY}{PRELOAD}")),
+        Prim::Queue => MEMORY,
         Prim::Banks => BANKS,
         Prim::DelayLine => DELAY_LINE,
         Prim::RecipTable => return Cow::Owned(constants()),
@@ -152,6 +153,14 @@ const MEMORY: &str = r#"
   assign read_data = read_q;
 "#;
 
+const PRELOAD: &str = r#"
+  generate
+    if (MEM_INIT != "") begin : gen_preload
+      initial $readmemh(MEM_INIT, mem);
+    end
+  endgenerate
+"#;
+
 const DELAY_LINE: &str = r#"
   localparam integer Words = CLOCKS - 1;
   localparam integer PlaceW = Words > 8 ? 4 : Words > 4 ? 3 : Words > 2 ? 2 : 1;
@@ -183,33 +192,46 @@ const BANKS: &str = r#"
   localparam integer WordW = BANK_W < ADDR_W ? BANK_W : ADDR_W - 1;
   localparam integer BankCount = (DEPTH + (1 << WordW) - 1) >> WordW;
 
-  // Every bank reads. The bank that was asked for is known beside its word, one bit a bank, so that
-  // the selection behind the registers is one AND-OR.
   genvar g;
   generate
-    for (g = 0; g < BankCount; g = g + 1) begin : gen_bank
-      localparam integer Index = g;
-      reg  [DATA_W-1:0] mem [0:(1<<WordW)-1];
-      reg  [DATA_W-1:0] read_q;
-      reg  [DATA_W-1:0] out_q;
-      reg               asked_q;
-      reg               asked_out_q;
-      wire [DATA_W-1:0] so_far;
-      wire              written = write_addr[ADDR_W-1:WordW] == Index[ADDR_W-1-WordW:0];
+    if (MEM_INIT != "") begin : gen_preload
+      // One file fills one array; how it is divided among block memories is for the synthesizer.
+      reg [DATA_W-1:0] mem [0:DEPTH-1];
+      reg [DATA_W-1:0] read_q;
+      reg [DATA_W-1:0] out_q;
+      initial $readmemh(MEM_INIT, mem);
       always @(posedge clk) begin
-        if (write_en && written) mem[write_addr[WordW-1:0]] <= write_data;
-        read_q      <= mem[read_addr[WordW-1:0]];
-        out_q       <= read_q;
-        asked_q     <= read_addr[ADDR_W-1:WordW] == Index[ADDR_W-1-WordW:0];
-        asked_out_q <= asked_q;
+        if (write_en) mem[write_addr] <= write_data;
+        read_q <= mem[read_addr];
+        out_q  <= read_q;
       end
-      if (g == 0) begin : gen_first
-        assign so_far = {DATA_W{asked_out_q}} & out_q;
-      end else begin : gen_later
-        assign so_far = gen_bank[g-1].so_far | ({DATA_W{asked_out_q}} & out_q);
+      assign read_data = out_q;
+    end else begin : gen_banks
+      // Every bank reads. The bank that was asked for is known beside its word, one bit a bank, so
+      // that the selection behind the registers is one AND-OR.
+      for (g = 0; g < BankCount; g = g + 1) begin : gen_bank
+        localparam integer Index = g;
+        reg  [DATA_W-1:0] mem [0:(1<<WordW)-1];
+        reg  [DATA_W-1:0] read_q;
+        reg  [DATA_W-1:0] out_q;
+        reg               asked_q;
+        reg               asked_out_q;
+        wire [DATA_W-1:0] so_far;
+        wire              written = write_addr[ADDR_W-1:WordW] == Index[ADDR_W-1-WordW:0];
+        always @(posedge clk) begin
+          if (write_en && written) mem[write_addr[WordW-1:0]] <= write_data;
+          read_q      <= mem[read_addr[WordW-1:0]];
+          out_q       <= read_q;
+          asked_q     <= read_addr[ADDR_W-1:WordW] == Index[ADDR_W-1-WordW:0];
+          asked_out_q <= asked_q;
+        end
+        if (g == 0) begin : gen_first
+          assign so_far = {DATA_W{asked_out_q}} & out_q;
+        end else begin : gen_later
+          assign so_far = gen_bank[g-1].so_far | ({DATA_W{asked_out_q}} & out_q);
+        end
       end
+      assign read_data = gen_bank[BankCount-1].so_far;
     end
   endgenerate
-
-  assign read_data = gen_bank[BankCount-1].so_far;
 "#;

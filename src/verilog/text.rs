@@ -1,6 +1,6 @@
 //! The whole text of a module: what stands before the body, then stages, loop, outputs.
 use super::align::aligned;
-use super::expr::Expressions;
+use super::expr::{Binds, Expressions};
 use super::header::has_word;
 use super::layout::{COLUMNS, bare, range, wrap};
 use super::prim;
@@ -185,8 +185,44 @@ impl Printer<'_> {
         self.clocked(&nets);
     }
 
-    /// Data registers and reset registers stand in separate blocks: mixed, the reset would become an enable.
+    /// Data registers, reset registers and decisions stand in separate blocks: mixed, the reset would become an enable.
     fn clocked(&mut self, nets: &[(String, NodeId)]) {
+        let decides = |id: &NodeId| matches!(self.m.node(*id).op, Op::Reg { unknown: Some(_), .. });
+        let (decisions, plain): (Vec<_>, Vec<_>) = nets.iter().cloned().partition(|(_, id)| decides(id));
+        self.words(&plain);
+        decisions.iter().for_each(|(net, id)| self.decision(net, *id));
+    }
+
+    /// A bit that is known in every simulation: the choice of `if` takes an unknown condition for a false one.
+    fn decision(&mut self, net: &str, id: NodeId) {
+        let node = self.m.node(id);
+        let Op::Reg { reset, unknown: Some(as_known), .. } = node.op else { unreachable!("only decisions come here") };
+        let (text, binds) = self.names.operand(node.args[0]);
+        let condition = match (as_known, binds) {
+            (false, _) => text,
+            (true, Binds::Primary) => format!("!{text}"),
+            (true, _) => format!("!({text})"),
+        };
+        let known = u8::from(as_known);
+        self.out += &format!("  // An unknown bit of a simulation counts as {known}: none reaches a handshake.\n");
+        self.out += "  always @(posedge clk) begin\n";
+        let clear = format!("      {net} <= 1'b0;\n    end else ");
+        let enable = self.m.ce.map(|p| self.m.ports[p].name.clone());
+        let (open, pad) = match (reset, &enable) {
+            (true, None) => (format!("    if (rst) begin\n{clear}"), "    "),
+            (true, Some(ce)) => (format!("    if (rst) begin\n{clear}if ({ce}) begin\n      "), "      "),
+            (false, None) => ("    ".to_string(), "    "),
+            (false, Some(ce)) => (format!("    if ({ce}) begin\n      "), "      "),
+        };
+        self.out += &open;
+        self.line(&format!("if ({condition}) begin"));
+        for (value, end) in [(1 - known, "end else begin"), (known, "end")] {
+            self.out += &format!("{pad}  {net} <= 1'b{value};\n{pad}{end}\n");
+        }
+        self.out += if enable.is_some() { "    end\n  end\n" } else { "  end\n" };
+    }
+
+    fn words(&mut self, nets: &[(String, NodeId)]) {
         let enable = self.m.ce.map(|p| self.m.ports[p].name.clone());
         let resets = |id: &NodeId| matches!(self.m.node(*id).op, Op::Reg { reset: true, .. });
         let (valid, data): (Vec<_>, Vec<_>) = nets.iter().cloned().partition(|(_, id)| resets(id));
@@ -245,7 +281,12 @@ impl Printer<'_> {
         }
         pins.sort();
         let module = format!("{}{}", self.style.prefix, inst.module.name);
-        let params: Vec<String> = inst.params.iter().map(|(n, e)| format!(".{n}({})", bare(&e.to_string()))).collect();
+        let value = |(n, e): &(String, Expr)| format!(".{n}({})", bare(&e.to_string()));
+        let file = |(n, suffix): &(String, String)| match suffix.as_str() {
+            "" => format!(".{n}({n})"),
+            _ => format!(".{n}(({n} == \"\") ? \"\" : {{{n}, \"{suffix}\"}})"),
+        };
+        let params: Vec<String> = inst.params.iter().map(value).chain(inst.files.iter().map(file)).collect();
         let head = if params.is_empty() {
             format!("  {} {} (", module, inst.name)
         } else {

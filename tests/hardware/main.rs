@@ -2,6 +2,7 @@
 mod bench_faults;
 mod bilinear_rtl;
 mod engines;
+mod exit_status;
 mod fixed;
 mod hard_rtl;
 mod lanes;
@@ -12,3 +13,4 @@ mod published;
 mod tracked;
 mod traverse_interp;
 mod units_interp;
+mod unknown;

@@ -2,7 +2,10 @@
 `default_nettype none
 module {{ prefix }}tb_{{ unit }}_top{% if params %} #(
 {%- for p in params %}
-  parameter integer {{ p.name }} = {{ p.default }}{% if not loop.last %},{% endif %}
+  parameter integer {{ p.name }} = {{ p.default }}{% if files or not loop.last %},{% endif %}
+{%- endfor %}
+{%- for f in files %}
+  parameter {{ f }} = ""{% if not loop.last %},{% endif %}
 {%- endfor %}
 ){% endif %};
   reg        clk;
@@ -11,7 +14,10 @@ module {{ prefix }}tb_{{ unit }}_top{% if params %} #(
 
   {{ prefix }}tb_{{ unit }}{% if params %} #(
 {%- for p in params %}
-    .{{ p.name }}({{ p.name }}){% if not loop.last %},{% endif %}
+    .{{ p.name }}({{ p.name }}){% if files or not loop.last %},{% endif %}
+{%- endfor %}
+{%- for f in files %}
+    .{{ f }}({{ f }}){% if not loop.last %},{% endif %}
 {%- endfor %}
   ){% endif %} bench (
     .clk(clk),
@@ -24,21 +30,26 @@ module {{ prefix }}tb_{{ unit }}_top{% if params %} #(
     forever #5 clk = ~clk;
   end
 
-  always @(posedge done) begin
+  // Icarus ends with the code itself; every other simulator with a status of its own, which is not 0
+  // if the code isn't (of Verilator, too, where this module is the top): the code is printed.
+  task automatic stop;
+    begin
 `ifdef __ICARUS__
-    $finish_and_return(exit_code);
+      $finish_and_return(exit_code);
+`elsif VERILATOR
+      if (exit_code != 8'd0) begin
+        $display("exit code %0d", exit_code);
+        $stop;
+      end
+      $finish;
 `else
-    $display("exit code %0d", exit_code);
-    $finish;
+      if (exit_code == 8'd0) $finish;
+      else $fatal(1, "exit code %0d", exit_code);
 `endif
-  end
-  initial #1 if (done) begin
-`ifdef __ICARUS__
-    $finish_and_return(exit_code);
-`else
-    $display("exit code %0d", exit_code);
-    $finish;
-`endif
-  end
+    end
+  endtask
+
+  always @(posedge done) stop;
+  initial #1 if (done) stop;
 endmodule
 `default_nettype wire

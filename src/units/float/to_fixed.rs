@@ -53,7 +53,17 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32) -> 
     let full = b.konst(f.bias() + &int + &f.man - &frac, &r_w).named("full");
     let right = (full - fa.weight.zext(&r_w)).named("right");
     let least = b.konst(&f.man + 2, &r_w).named("least");
-    let big = right.slt(least);
+    let far_out = right.slt(least);
+    let big = match frac_w {
+        None => far_out,
+        // Where the range ends at or below the least normal number, a zero is as far out as that; and so is a subnormal number, which
+        // lacks the top bit.
+        Some(_) if f.format.is_gradual() => {
+            let farther_out = right.slt(b.konst(&f.man + 1, &r_w).named("least_half"));
+            (far_out & sig.msb()) | (farther_out & sig.bit(&f.man - 1))
+        }
+        Some(_) => far_out & sig.msb(),
+    };
     let too_big = fa.inf.map_or(big, |inf| big | inf).named("too_big");
     let (minus, nan) = (fa.sign, fa.nan);
 

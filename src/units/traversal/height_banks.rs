@@ -1,5 +1,6 @@
 //! `height_banks`: the pyramid's heights on chip, in banks with a second register each, for clocks that a block memory's read does not leave
 //! time for anything else.
+use super::height_memory::MEM_INIT;
 use crate::ir::{Builder, Module, Prim};
 use crate::units::lzc::finish_primitive;
 use std::sync::Arc;
@@ -11,6 +12,7 @@ const BANK_BITS: u32 = 13;
 pub fn height_banks(addr: u32, data: u32, depth: u32) -> Arc<Module> {
     let b =
         Builder::new("height_banks", file!(), "on-chip memory in banks, with a write port and two registers a read");
+    b.note("Preloaded by MEM_INIT, it is one array with two registers: what it does is the same.");
     b.note("A read of the word that is being written gives the old word. Written for block RAM inference.");
     let addr_w = b.param("ADDR_W", addr, "address bits");
     let data_w = b.param("DATA_W", data, "bits of a word");
@@ -20,6 +22,7 @@ pub fn height_banks(addr: u32, data: u32, depth: u32) -> Arc<Module> {
     for least in [&data_w, &depth, &bank_w] {
         b.require(1, least);
     }
+    b.file_param(MEM_INIT, "file for $readmemh with all words, the first one's first; \"\": unknown at power-up");
     b.require(&depth, addr_w.pow2());
     b.clock();
     b.input_static("write_en", 1, "bit", "write at the next edge");

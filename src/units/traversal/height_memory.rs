@@ -3,6 +3,9 @@ use crate::ir::{Builder, Expr, Module, Prim};
 use crate::units::lzc::finish_primitive;
 use std::sync::Arc;
 
+/// The parameter that names the file of a memory's first words.
+pub(super) const MEM_INIT: &str = "MEM_INIT";
+
 /// Builds the memory (parameters ADDR_W, DATA_W, DEPTH).
 pub fn height_memory(addr: u32, data: u32, depth: u32) -> Arc<Module> {
     let b = Builder::new("height_memory", file!(), "on-chip memory with a write port and a registered read");
@@ -13,6 +16,7 @@ pub fn height_memory(addr: u32, data: u32, depth: u32) -> Arc<Module> {
     for least in [&addr_w, &data_w, &depth] {
         b.require(1, least);
     }
+    b.file_param(MEM_INIT, "file for $readmemh with all words, the first one's first; \"\": unknown at power-up");
     b.require(&depth, addr_w.pow2());
     b.clock();
     b.input_static("write_en", 1, "bit", "write at the next edge");

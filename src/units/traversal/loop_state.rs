@@ -143,7 +143,15 @@ pub struct Ray<'b> {
 impl<'b> Ray<'b> {
     /// The loop's registers.
     pub fn registers(b: &'b Builder, fields: &[Field]) -> Self {
-        let word = |f: &Field| (f.name, b.loop_reg(&format!("back_{}", f.name), f.width.clone(), false));
+        let word = |f: &Field| {
+            let name = format!("back_{}", f.name);
+            // Whether a ray leaves follows from data; what is unknown in them ends it and has it marked as given up.
+            let word = match f.start {
+                Start::Refused => b.loop_decision(&name, false, true),
+                _ => b.loop_reg(&name, f.width.clone(), false),
+            };
+            (f.name, word)
+        };
         Ray { valid: b.loop_reg("back_valid", 1, true), words: fields.iter().map(word).collect() }
     }
 

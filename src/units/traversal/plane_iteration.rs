@@ -152,12 +152,16 @@ pub fn plane_iteration<'b>(
     let names = ["level_next", "x_next", "y_next", "t_after"];
     let n: Vec<Sig<'b>> = o[2..].iter().zip(names).map(|(v, n)| done(v.named(n))).collect();
 
-    b.section("step limit", "A ray that is done takes no more steps.");
+    b.section(
+        "step limit",
+        "A ray that is done takes no more steps. One that ends without a hit is given up: also in a simulation that does not know if it is one.",
+    );
     let moves = (!ray.get("done")).named("moves");
     let steps = (ray.get("steps") + moves.zext(16)).named("steps_next");
     let steps_before = b.konst(&s.step_limit - 1, 16).named("steps_before_last");
     let last_step = ray.get("steps").eq(steps_before).named("last_step");
-    let at_limit = (last_step & !hit).named("at_limit");
+    let ends_now = (hit | last_step).named("ends_now");
+    let given_up = (ends_now & !hit & moves).named("given_up");
     let crossed_now = (crosses & moves).named("crossed_now");
     let up_now = done((grown & crossed_now).named("up_now"));
     let crossed_now = done(crossed_now);
@@ -173,9 +177,9 @@ pub fn plane_iteration<'b>(
         ("x", x),
         ("y", y),
         ("t", t),
-        ("done", ray.get("done") | hit | at_limit),
+        ("done", ray.get("done") | ends_now),
         ("wall", b.sig(keep(hit & below, "wall"))),
-        ("limit", ray.get("limit") | (at_limit & moves)),
+        ("limit", ray.get("limit") | given_up),
         ("steps", steps),
         ("crossings", ray.get("crossings") + crossed_now.zext(16)),
         ("ups", ray.get("ups") + up_now.zext(16)),

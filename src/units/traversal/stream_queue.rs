@@ -8,6 +8,8 @@ use std::sync::Arc;
 
 /// Address bits of the places: 16, as look-up tables have.
 const PLACE_W: u32 = 4;
+/// Words that a queue and the pipeline before it hold at most.
+pub(super) const PLACES: u32 = 1 << PLACE_W;
 
 /// Builds `stream_queue`: the counts.
 pub fn stream_queue() -> Arc<Module> {

@@ -6,8 +6,10 @@
 use super::between::Between;
 use super::bilinear::{bilinear_hit, latency as bilinear_clocks};
 use super::datapath::Datapath;
+use super::height_memory::MEM_INIT;
 use super::loop_state::{Ray, Sizes, fields};
 use super::stream_delay::{stream_delay, valid_delay, word_delay};
+use super::stream_queue::PLACES;
 use crate::config::Design;
 use crate::ir::{Binding, Builder, Module, Sig};
 use crate::units::delay_line::in_lines;
@@ -38,10 +40,16 @@ fn in_registers(d: &Design) -> Traverse {
     b.throughput("one iteration (one node) per clock; a ray takes as many iterations as its path needs");
     let path = Datapath::of(d);
     let s = Sizes::declare(&b, d, path);
+    let more =
+        if d.mode.bilinear { "; with .0 to .3 after its name, files of every fourth word of level 0" } else { "" };
+    b.file_param(
+        MEM_INIT,
+        &format!("file for $readmemh with the words of the pyramid, level 0 first{more}; \"\": none"),
+    );
     b.clock();
     b.reset();
     let load = Load {
-        en: b.input_static("load_en", 1, "bit", "write a word of the pyramid (while no ray is inside)"),
+        en: b.input_static("load_en", 1, "bit", "write a word of the pyramid (while idle is 1)"),
         addr: b.input_static("load_addr", s.levels.clone() * 2 + 1, "words", "where: level 0 first, the root last"),
         data: b.input_static("load_data", &s.height, "height codes", "largest height in that node"),
     };
@@ -59,6 +67,8 @@ fn in_registers(d: &Design) -> Traverse {
     let o = Outputs::declare(&b, &s);
     let o_refined = d.mode.bilinear.then(|| Refined::declare(&b, &s));
     let o_busy = b.output("slot_busy", 1, "bit", "the slot that starts now holds a ray: counts the loop's load");
+    let o_idle =
+        b.output("idle", 1, "bit", "no ray is inside: neither in set-up, nor in the loop, nor waiting as a result");
 
     // The state registers are declared first; what they hold is decided at the end of the loop.
     let fields = fields(&s, d, path);
@@ -75,7 +85,7 @@ fn in_registers(d: &Design) -> Traverse {
     let hit_ce = if queues { b.lit(1, 1) } else { hit_room };
     // Where two registers stand in the way of ready, it is decided a clock before: what finds both places of the waiting results empty finds
     // the output pipeline moving a clock later.
-    let decided = (d.latency.handshake > 1).then(|| b.loop_reg("leaves", 1, true));
+    let decided = (d.latency.handshake > 1).then(|| b.loop_decision("leaves", true, true));
     let leaves = decided.unwrap_or_else(|| (back.valid & back.get("done") & hit_room).named("leaves"));
     let is_free = (!back.valid | leaves).named("is_free");
 
@@ -143,6 +153,13 @@ fn in_registers(d: &Design) -> Traverse {
     });
     loops.extend(leaving);
     let slots = b.close(&loops);
+    // No more than every register holds, and both queues.
+    let most = clocks_setup + slots + finish + 2 * PLACES;
+    b.drive(
+        o_idle,
+        idle(&b, (in_valid & setup_room).named("came_in"), (hit_valid & out_ready).named("went_out"), most),
+        None,
+    );
     // Delayed, the decision would meet another hit_room than it was made with.
     assert!(leaving.is_none_or(|(_, v)| v.stage() == Some(slots - 1)), "who leaves is decided in the last slot");
 
@@ -211,6 +228,22 @@ fn in_registers(d: &Design) -> Traverse {
     let at = |l: i64, h: i64| Binding::from([("LEVELS".into(), l), ("HEIGHT_W".into(), h)]);
     let module = b.finish(None, &[at(2, 8), at(3, 16), at(12, 8), at(12, 16)]);
     Traverse { module, slots, setup: clocks_setup, finish }
+}
+
+/// Whether no ray is inside, where at most `most` are: rays are counted a clock after they came in or went out, so that no sum stands before a
+/// handshake.
+fn idle<'b>(b: &'b Builder, came_in: Sig<'b>, went_out: Sig<'b>, most: u32) -> Sig<'b> {
+    b.section("idle", "Rays that came in and did not go out; the one that came in last is counted a clock later.");
+    let width = u32::BITS - most.leading_zeros();
+    let came = b.loop_reg("has_come_in", 1, true);
+    let gone = b.loop_reg("has_gone_out", 1, true);
+    let inside = b.loop_reg("rays_inside", width, true);
+    let some = b.loop_reg("some_inside", 1, true);
+    let fewer = (gone & !came).named("one_ray_less");
+    let change = b.cat(&[fewer.rep(width - 1), came ^ gone]);
+    let next = (inside + change).named("rays_next");
+    b.close(&[(came, came_in), (gone, went_out), (inside, next), (some, next.any().named("some_next"))]);
+    (!(some | came)).named("is_idle")
 }
 
 /// The refinement beside the hit position: code of the patch, texel, fractions, parameter.

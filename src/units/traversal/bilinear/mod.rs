@@ -38,6 +38,12 @@ pub fn units(d: &Design) -> Vec<Arc<Module>> {
     ]
 }
 
+/// Declares the file of the map's words; each of the four memories of a copy has one of its own.
+fn preloaded(b: &Builder) {
+    let doc = "with .0 to .3 after it, files for $readmemh with every fourth word of level 0; \"\": none";
+    b.file_param(super::height_memory::MEM_INIT, doc);
+}
+
 /// A float with the other sign.
 fn negated<'b>(b: &'b Builder, x: Sig<'b>, name: &str) -> Sig<'b> {
     b.cat(&[!x.msb(), x.slice(0, x.width() - 1)]).named(name)

@@ -18,6 +18,7 @@ pub fn patch_memory(t: &TraverseConfig) -> Arc<Module> {
     );
     let levels = LevelParams::declare(&b, t).levels;
     let height = b.param("HEIGHT_W", t.height_bits, "bits of a height code");
+    super::preloaded(&b);
     b.require(2, &height);
     b.require(&height, 16);
     b.clock();
@@ -58,7 +59,8 @@ pub fn patch_memory(t: &TraverseConfig) -> Arc<Module> {
         let params = [("ADDR_W", word.clone()), ("DATA_W", height.clone()), ("DEPTH", word.pow2())];
         let ins = [("write_en", en), ("write_addr", to), ("write_data", load_data), ("read_addr", read)];
         let memory = height_memory(2 * t.levels - 2, t.height_bits, 1 << (2 * t.levels - 2));
-        banks.push(b.inst(&memory, &format!("u_bank_{k}"), &params, &ins)[0].named(&format!("bank_{k}")));
+        let bank = b.inst_of_file(&memory, &format!("u_bank_{k}"), &params, &ins, &format!(".{k}"))[0];
+        banks.push(bank.named(&format!("bank_{k}")));
     }
     b.close(&loops);
 

@@ -123,7 +123,9 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
     };
     let steps = (ray.get("steps") + moves.zext(16)).named("steps_next");
     let last_step = steps.eq(b.konst(&s.step_limit, 16).named("step_limit")).named("last_step");
-    let at_limit = (last_step & !hit & moves).named("at_limit");
+    // One that ends without a hit is given up: also in a simulation that does not know whether it is a hit.
+    let ends_now = ((hit | last_step) & moves).named("ends_now");
+    let given_up = (ends_now & !hit).named("given_up");
     let crossed_now = (crosses & moves).named("crossed_now");
     let up_now = (up & crossed_now).named("up_now");
     let has_crossed = ray.find("crossed").map_or(crossed_now, |c| c | crossed_now);
@@ -132,9 +134,9 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
         ("x", stays.mux(ray.get("x"), x)),
         ("y", stays.mux(ray.get("y"), y)),
         ("t", stays.mux(ray.get("t"), t_after)),
-        ("done", done | (hit & moves) | at_limit),
+        ("done", done | ends_now),
         ("wall", done.mux(ray.get("wall"), hit & below)),
-        ("limit", ray.get("limit") | at_limit),
+        ("limit", ray.get("limit") | given_up),
         ("steps", steps),
         ("crossings", ray.get("crossings") + crossed_now.zext(16)),
         ("ups", ray.get("ups") + up_now.zext(16)),

@@ -63,7 +63,8 @@ pub fn ray_scale(d: &Design) -> Arc<Module> {
         values.push([p.id(), dir, first.named(&n("first")).id()]);
     }
     b.section("result", "");
-    let ok = (b.sig(oks[0]) & b.sig(oks[1])).named("is_ok").at(l);
+    // Of unknown words it is not known whether they are a ray: then it is refused.
+    let ok = (b.sig(oks[0]) & b.sig(oks[1])).named("is_ok").decided(false).at(l);
     b.drive(o_ok, ok, Some(l));
     let gate = |v: Sig<'_>| (v.at(l) & ok.rep(v.width())).id();
     b.drive(o_level, b.sig(gate(b.konst(&levels, &level_w).named("root"))), Some(l));

@@ -103,7 +103,8 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
         _ => b.konst(&s.levels, &levels.level_w).named("root"),
     };
     let l = latency(d);
-    let ok = (axes[0].ok & axes[1].ok).named("is_ok").at(l);
+    // Of unknown words it is not known whether they are a ray: then it is refused.
+    let ok = (axes[0].ok & axes[1].ok).named("is_ok").decided(false).at(l);
     b.drive(o_ok, ok, Some(l));
     let gate = |v: Sig<'_>| -> crate::ir::NodeId { (v.at(l) & ok.rep(v.width())).id() };
     let mut level = level;
