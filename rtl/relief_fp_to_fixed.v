@@ -69,7 +69,8 @@ module relief_fp_to_fixed #(
   wire              s0_a_is_nan = s0_a_exp_ones & s0_a_frac_some;
   wire [MAN_W:0]    s0_a_sig = {~s0_a_is_zero, s0_a_frac & {MAN_W{~s0_a_is_zero}}};
   wire [RightW-1:0] s0_right = Full[RightW-1:0] - {{(RightW - EXP_W){1'b0}}, s0_a_exp};
-  wire              s0_too_big = ($signed(s0_right) < $signed(Least[RightW-1:0])) | s0_a_is_inf;
+  wire              s0_too_big =
+      (($signed(s0_right) < $signed(Least[RightW-1:0])) & s0_a_sig[MAN_W]) | s0_a_is_inf;
 
   // ---- stage 0: shift ----------------------------------------------------- to_fixed.rs
   // By multiples of four first; what each step shifts out is lost.

@@ -4,6 +4,7 @@
 //            mul 2 div 20 compare 1 from_int 2 to_int 2
 // Latency    2 clocks
 // Throughput one result per clock
+// Note       Preloaded by MEM_INIT, it is one array with two registers: what it does is the same.
 // Note       A read of the word that is being written gives the old word. Written for block RAM
 //            inference.
 `default_nettype none
@@ -11,7 +12,9 @@ module relief_height_banks #(
   parameter integer ADDR_W = 17,     // address bits
   parameter integer DATA_W = 8,      // bits of a word
   parameter integer DEPTH  = 87381,  // words
-  parameter integer BANK_W = 13      // address bits of a bank
+  parameter integer BANK_W = 13,     // address bits of a bank
+  // file for $readmemh with all words, the first one's first; "": unknown at power-up
+  parameter MEM_INIT = ""
 ) (
   input  wire              clk,         // rising edge
   input  wire              write_en,    // write at the next edge
@@ -43,34 +46,47 @@ module relief_height_banks #(
   localparam integer WordW = BANK_W < ADDR_W ? BANK_W : ADDR_W - 1;
   localparam integer BankCount = (DEPTH + (1 << WordW) - 1) >> WordW;
 
-  // Every bank reads. The bank that was asked for is known beside its word, one bit a bank, so that
-  // the selection behind the registers is one AND-OR.
   genvar g;
   generate
-    for (g = 0; g < BankCount; g = g + 1) begin : gen_bank
-      localparam integer Index = g;
-      reg  [DATA_W-1:0] mem [0:(1<<WordW)-1];
-      reg  [DATA_W-1:0] read_q;
-      reg  [DATA_W-1:0] out_q;
-      reg               asked_q;
-      reg               asked_out_q;
-      wire [DATA_W-1:0] so_far;
-      wire              written = write_addr[ADDR_W-1:WordW] == Index[ADDR_W-1-WordW:0];
+    if (MEM_INIT != "") begin : gen_preload
+      // One file fills one array; how it is divided among block memories is for the synthesizer.
+      reg [DATA_W-1:0] mem [0:DEPTH-1];
+      reg [DATA_W-1:0] read_q;
+      reg [DATA_W-1:0] out_q;
+      initial $readmemh(MEM_INIT, mem);
       always @(posedge clk) begin
-        if (write_en && written) mem[write_addr[WordW-1:0]] <= write_data;
-        read_q      <= mem[read_addr[WordW-1:0]];
-        out_q       <= read_q;
-        asked_q     <= read_addr[ADDR_W-1:WordW] == Index[ADDR_W-1-WordW:0];
-        asked_out_q <= asked_q;
+        if (write_en) mem[write_addr] <= write_data;
+        read_q <= mem[read_addr];
+        out_q  <= read_q;
       end
-      if (g == 0) begin : gen_first
-        assign so_far = {DATA_W{asked_out_q}} & out_q;
-      end else begin : gen_later
-        assign so_far = gen_bank[g-1].so_far | ({DATA_W{asked_out_q}} & out_q);
+      assign read_data = out_q;
+    end else begin : gen_banks
+      // Every bank reads. The bank that was asked for is known beside its word, one bit a bank, so
+      // that the selection behind the registers is one AND-OR.
+      for (g = 0; g < BankCount; g = g + 1) begin : gen_bank
+        localparam integer Index = g;
+        reg  [DATA_W-1:0] mem [0:(1<<WordW)-1];
+        reg  [DATA_W-1:0] read_q;
+        reg  [DATA_W-1:0] out_q;
+        reg               asked_q;
+        reg               asked_out_q;
+        wire [DATA_W-1:0] so_far;
+        wire              written = write_addr[ADDR_W-1:WordW] == Index[ADDR_W-1-WordW:0];
+        always @(posedge clk) begin
+          if (write_en && written) mem[write_addr[WordW-1:0]] <= write_data;
+          read_q      <= mem[read_addr[WordW-1:0]];
+          out_q       <= read_q;
+          asked_q     <= read_addr[ADDR_W-1:WordW] == Index[ADDR_W-1-WordW:0];
+          asked_out_q <= asked_q;
+        end
+        if (g == 0) begin : gen_first
+          assign so_far = {DATA_W{asked_out_q}} & out_q;
+        end else begin : gen_later
+          assign so_far = gen_bank[g-1].so_far | ({DATA_W{asked_out_q}} & out_q);
+        end
       end
+      assign read_data = gen_bank[BankCount-1].so_far;
     end
   endgenerate
-
-  assign read_data = gen_bank[BankCount-1].so_far;
 endmodule
 `default_nettype wire

@@ -17,13 +17,14 @@ module relief_traverse #(
   parameter integer TILE_W     = 4,      // a ray travels less than 2^TILE_W tiles along each axis
   parameter integer FRAC_W     = 12,     // fraction bits of the hit position
   parameter integer TAG_W      = 8,      // bits of a ray's tag
-  parameter integer STEP_LIMIT = 65535   // iterations after which a ray is given up
+  parameter integer STEP_LIMIT = 65535,  // iterations after which a ray is given up
+  // file for $readmemh with the words of the pyramid, level 0 first; "": none
+  parameter MEM_INIT = ""
 ) (
   input  wire                 clk,            // rising edge
   // synchronous, active high; clears valid bits and counts, no data
   input  wire                 rst,
-  // write a word of the pyramid (while no ray is inside)
-  input  wire                 load_en,
+  input  wire                 load_en,        // write a word of the pyramid (while idle is 1)
   input  wire [2*LEVELS:0]    load_addr,      // where: level 0 first, the root last [words]
   input  wire [HEIGHT_W-1:0]  load_data,      // largest height in that node [height codes]
   input  wire                 in_valid,       // a ray is offered
@@ -53,7 +54,9 @@ module relief_traverse #(
   output wire [15:0]          out_crossings,  // of these, node crossings [iterations]
   output wire [15:0]          out_ups,        // levels gone up [levels]
   // the slot that starts now holds a ray: counts the loop's load
-  output wire                 slot_busy
+  output wire                 slot_busy,
+  // no ray is inside: neither in set-up, nor in the loop, nor waiting as a result
+  output wire                 idle
 );
   localparam integer FloatW = EXP_W + MAN_W + 1;
   localparam integer LevelW = $clog2(LEVELS + 1);
@@ -156,6 +159,10 @@ module relief_traverse #(
   reg [15:0]       s0_back_crossings;
   reg [15:0]       s0_back_ups;
   reg              s0_back_crossed;
+  reg              s0_has_come_in;
+  reg              s0_has_gone_out;
+  reg [6:0]        s0_rays_inside;
+  reg              s0_some_inside;
   wire hit_valid;
   wire hit_room;
   wire setup_valid;
@@ -400,6 +407,19 @@ module relief_traverse #(
   // The new ray, or the one that comes back.
   wire s0_new_refused = ~s0_new_ok;
   wire s0_keeps = (s0_back_valid & ~s0_leaves) | s0_admits;
+
+  // ---- stage 0: write back ------------------------------------------------ traverse.rs
+  // A ray that is done goes round unchanged.
+  wire s0_came_in = in_valid & setup_room;
+  wire went_out = hit_valid & out_ready;
+
+  // ---- stage 0: idle ------------------------------------------------------ traverse.rs
+  // Rays that came in and did not go out; the one that came in last is counted a clock later.
+  wire       s0_one_ray_less = s0_has_gone_out & ~s0_has_come_in;
+  wire [6:0] s0_rays_next = s0_rays_inside +
+      {{6{s0_one_ray_less}}, s0_has_come_in ^ s0_has_gone_out};
+  wire       s0_some_next = |s0_rays_next;
+  wire       s0_is_idle = ~(s0_some_inside | s0_has_come_in);
 
   // ---- stage 0: result ---------------------------------------------------- traverse.rs
   // The ray that leaves, from the state registers.
@@ -837,7 +857,8 @@ module relief_traverse #(
   );
 
   // ---- stage 2: step limit ------------------------------------------------ traverse.rs
-  // A ray that is done takes no more steps.
+  // A ray that is done takes no more steps. One that ends without a hit is given up: also in a
+  // simulation that does not know if it is one.
   wire        s2_moves = ~s2_done;
   wire [15:0] s2_steps_next = s2_steps + {15'd0, s2_moves};
   wire        s2_last_step = s2_steps == StepsBeforeLast[15:0];
@@ -931,10 +952,11 @@ module relief_traverse #(
   // ---- stage 3: height ---------------------------------------------------- traverse.rs
   wire [HEIGHT_W-1:0] s5_height;
   relief_height_banks #(
-    .ADDR_W(2 * LEVELS + 1),
-    .DATA_W(HEIGHT_W),
-    .DEPTH (((1 << (2 * LEVELS + 2)) - 1) / 3),
-    .BANK_W(13)
+    .ADDR_W  (2 * LEVELS + 1),
+    .DATA_W  (HEIGHT_W),
+    .DEPTH   (((1 << (2 * LEVELS + 2)) - 1) / 3),
+    .BANK_W  (13),
+    .MEM_INIT(MEM_INIT)
   ) u_heights (
     .clk       (clk),
     .write_en  (load_en),
@@ -2329,8 +2351,10 @@ module relief_traverse #(
   );
 
   // ---- stage 18: step limit ----------------------------------------------- traverse.rs
-  // A ray that is done takes no more steps.
-  wire s18_at_limit = s18_last_step & ~s18_hit;
+  // A ray that is done takes no more steps. One that ends without a hit is given up: also in a
+  // simulation that does not know if it is one.
+  wire s18_ends_now = s18_hit | s18_last_step;
+  wire s18_given_up = s18_ends_now & ~s18_hit & s18_moves;
   wire s18_crossed_now = s18_crosses & s18_moves;
   wire s18_up_now = s18_up & s18_crossed_now;
 
@@ -2353,9 +2377,7 @@ module relief_traverse #(
     s0_back_x         <= s18_done ? s18_x : s18_x_next;
     s0_back_y         <= s18_done ? s18_y : s18_y_next;
     s0_back_t         <= s18_done ? s18_t : s18_t_after;
-    s0_back_done      <= s18_done | s18_hit | s18_at_limit;
     s0_back_wall      <= s18_done ? s18_wall : (s18_hit & s18_below);
-    s0_back_limit     <= s18_limit | (s18_at_limit & s18_moves);
     s0_back_steps     <= s18_steps_next;
     s0_back_crossings <= s18_crossings + {15'd0, s18_crossed_now};
     s0_back_ups       <= s18_ups + {15'd0, s18_up_now};
@@ -2363,9 +2385,33 @@ module relief_traverse #(
   end
   always @(posedge clk) begin
     if (rst) begin
-      s0_back_valid <= 1'b0;
+      s0_back_valid   <= 1'b0;
+      s0_has_come_in  <= 1'b0;
+      s0_has_gone_out <= 1'b0;
+      s0_rays_inside  <= 7'd0;
+      s0_some_inside  <= 1'b0;
     end else begin
-      s0_back_valid <= s18_valid;
+      s0_back_valid   <= s18_valid;
+      s0_has_come_in  <= s0_came_in;
+      s0_has_gone_out <= went_out;
+      s0_rays_inside  <= s0_rays_next;
+      s0_some_inside  <= s0_some_next;
+    end
+  end
+  // An unknown bit of a simulation counts as 1: none reaches a handshake.
+  always @(posedge clk) begin
+    if (!(s18_done | s18_ends_now)) begin
+      s0_back_done <= 1'b0;
+    end else begin
+      s0_back_done <= 1'b1;
+    end
+  end
+  // An unknown bit of a simulation counts as 1: none reaches a handshake.
+  always @(posedge clk) begin
+    if (!(s18_limit | s18_given_up)) begin
+      s0_back_limit <= 1'b0;
+    end else begin
+      s0_back_limit <= 1'b1;
     end
   end
 
@@ -2375,6 +2421,7 @@ module relief_traverse #(
   assign setup_room = setup_skid_ready;
   assign in_ready = setup_room;
   assign slot_busy = s0_keeps;
+  assign idle = s0_is_idle;
   assign out_valid = hit_valid;
   assign out_tag = s0_waiting_tag;
   assign out_i = s0_waiting_i;
