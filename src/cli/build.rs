@@ -15,6 +15,10 @@ pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
     let mut dir = super::output::directory(&a.out)?.of(c.hash());
     let bar = spinner(cli, "building");
     let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
+    if a.print_map {
+        bar.finish_and_clear();
+        return print_map(cli, &scene);
+    }
     let p = project::project(&c, &scene)?;
     let camera = Camera::standard(View::Oblique, c.view.width, c.view.height);
     let stride = c.view.stride.min(2);
@@ -42,11 +46,14 @@ pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
             .collect();
         let units: Vec<_> =
             checked.iter().map(|x| json!({"unit": x.unit, "checked": x.rows, "mismatched": 0})).collect();
-        let value = json!({"out": a.out, "modules": p.modules.len(), "slots": t.slots, "setup": t.setup, "finish": t.finish, "units": units, "views": views});
+        let value = json!({"out": a.out, "map": map_of(&scene), "modules": p.modules.len(), "slots": t.slots, "setup": t.setup, "finish": t.finish, "units": units, "views": views});
         println!("{}", serde_json::to_string_pretty(&value).expect("plain data"));
         return Ok(());
     }
-    println!("map {}, config {}, seed {}", scene.name, c.hash(), c.vectors.seed);
+    match &scene.taken {
+        Some(taken) => println!("map {taken}\nconfig {}, seed {}", c.hash(), c.vectors.seed),
+        None => println!("map {}, config {}, seed {}", scene.name, c.hash(), c.vectors.seed),
+    }
     println!("{} modules in {}; parameters of traverse:", p.modules.len(), a.out.join("rtl").display());
     let params: Vec<String> = t.module.params.iter().map(|q| format!("{}={}", q.name, q.default)).collect();
     println!("  {}", params.join(" "));
@@ -95,6 +102,23 @@ pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
         "  verilator --cc --exe --build -O3 -Wno-lint --prefix Vtb --top-module {top} -y rtl testbench/{top}.v testbench/verilator_main.cpp && ./obj_dir/Vtb"
     );
     println!("  open preview.png");
+    Ok(())
+}
+
+/// The map for machines: what was taken of its file, or the name of a procedural one.
+fn map_of(scene: &Scene) -> serde_json::Value {
+    scene.taken.as_ref().map_or_else(|| json!({"kind": scene.name}), |taken| json!(taken))
+}
+
+fn print_map(cli: &Cli, scene: &Scene) -> Result<()> {
+    if cli.json {
+        println!("{}", serde_json::to_string_pretty(&json!({"map": map_of(scene)})).expect("plain data"));
+    } else {
+        match &scene.taken {
+            Some(taken) => println!("map {taken}"),
+            None => println!("map {}: made, no file", scene.name),
+        }
+    }
     Ok(())
 }
 

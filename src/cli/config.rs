@@ -53,6 +53,9 @@ pub(super) fn load_ranges(cli: &Cli, units: &[String]) -> Result<Config> {
         (c.latency, c.emit.clock_mhz) = (choice.latency, *mhz);
     }
     cli.sets.iter().try_for_each(|s| c.apply_set(s))?;
+    if let Some(map) = cli.verb.map() {
+        map.apply(&mut c.map);
+    }
     if let Some((mhz, choice)) = clock {
         if c.emit.clock_mhz != mhz {
             return Err(Error::input(format!(

@@ -119,7 +119,7 @@ fn equal(cli: &Cli, c: &Config, engine: Engine, name: &str, hard: &HardScene, f:
     c.traverse = f.design.traverse;
     let t = &c.traverse;
     let pyramid = Pyramid::build(t.levels, t.height_bits, &hard.texels)?;
-    let scene = Scene { texels: hard.texels.clone(), pyramid, kind: c.map.kind, name: name.into() };
+    let scene = Scene { texels: hard.texels.clone(), pyramid, kind: c.map.kind, name: name.into(), taken: None };
     let hits = super::trace::hits(cli, &c, engine, &scene, &f.rays)?;
     match hits.iter().zip(&f.hits).position(|(got, want)| got != want) {
         None => Ok(()),

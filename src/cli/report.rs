@@ -75,7 +75,8 @@ fn again(cli: &Cli, a: &ReportArgs) -> String {
     let set = a.modes.and_then(|m| m.to_possible_value().map(|v| v.get_name().to_owned()));
     option("modes", set.into_iter().collect());
     option("synth", a.synth.iter().map(|p| quoted(&p.display().to_string())).collect());
-    let flags = [(a.map.resample, " --resample"), (a.full, " --full")];
+    option("max-texels", a.map.max_texels.iter().map(u64::to_string).collect());
+    let flags = [(a.map.resample, " --resample"), (a.map.crop, " --crop"), (a.map.pad, " --pad"), (a.full, " --full")];
     flags.iter().filter(|f| f.0).for_each(|f| out += f.1);
     out
 }

@@ -24,7 +24,7 @@ pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
     let out = super::output::sink(&a.out)?;
     let wave = a.wave.as_deref().map(|path| super::output::wave_sink(path, Some(&out))).transpose()?;
     let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
-    let table = read_rays(&a.rays)?;
+    let table = read_rays(&a.rays, c.mode.lod)?;
     let entered =
         enter_border(c.map.border, &table.rays).map_err(|e| Error::input(format!("{}: {e}", a.rays.display())))?;
     let mut rays: Vec<RayInput> = entered.iter().map(|r| project::ray(&c, *r)).collect();

@@ -23,6 +23,14 @@ pub(crate) fn problem(key: &Key, value: &Value) -> Option<String> {
         (Legal::Flag, Value::Boolean(_)) | (Legal::Path, Value::String(_)) => None,
         (Legal::Flag, _) => Some(format!("{path} = {shown} is neither true nor false")),
         (Legal::Path, _) => Some(format!("{path} = {shown} is not a path in quotes")),
+        (Legal::Number, value) if number(value).is_some() => None,
+        (Legal::Number, _) => Some(format!("{path} = {shown} is not a finite number")),
+        (Legal::Text, Value::String(text)) if !text.is_empty() => None,
+        (Legal::Text, _) => Some(format!("{path} = {shown} is not a text in quotes")),
+        (Legal::Range, value) if is_range(value) => None,
+        (Legal::Range, _) => Some(format!("{path} = {shown} is no range: {legal} is legal")),
+        (Legal::Size, value) if is_size(value) => None,
+        (Legal::Size, _) => Some(format!("{path} = {shown} is no size: {legal}, is legal")),
         (Legal::Word(words), Value::String(word)) => word_problem(path, word, words),
         (Legal::Word(_), _) => Some(format!("{path} = {shown} is not one of {legal}")),
         (Legal::SomeWords(_), Value::Array(list)) if list.is_empty() => None,
@@ -33,6 +41,33 @@ pub(crate) fn problem(key: &Key, value: &Value) -> Option<String> {
         (Legal::Prefix, Value::String(text)) if is_prefix(text) => None,
         (Legal::Prefix, _) => Some(format!("{path} = {shown} can't stand before a module's name: {legal}")),
     }
+}
+
+/// A finite number.
+fn number(value: &Value) -> Option<f64> {
+    match value {
+        Value::Integer(number) => Some(*number as f64),
+        Value::Float(number) if number.is_finite() => Some(*number),
+        _ => None,
+    }
+}
+
+fn is_range(value: &Value) -> bool {
+    match value {
+        Value::String(word) => word == "auto",
+        Value::Array(list) => match list.as_slice() {
+            [low, high] => {
+                number(low).zip(number(high)).is_some_and(|(low, high)| low < high && (high - low).is_finite())
+            }
+            _ => false,
+        },
+        _ => false,
+    }
+}
+
+fn is_size(value: &Value) -> bool {
+    let side = |value: &Value| value.as_integer().is_some_and(|side| (1..=i64::from(i32::MAX)).contains(&side));
+    value.as_array().is_some_and(|list| list.len() == 2 && list.iter().all(side))
 }
 
 fn range(path: &str, shown: &str, legal: Legal, below: bool, above: bool) -> Option<String> {

@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 impl Config {
     /// The complete configuration with a comment above every key: meaning and legal values. It reads back as the same
-    /// configuration. A key without a value (`map.file`) is shown as a comment.
+    /// configuration. A key without a value (`map.file`), or that is only written where it is not the default, is shown as a comment.
     ///
     /// # Panics
     /// If a seed is above 2^63 - 1, which [`Config::validate`] refuses.
@@ -20,16 +20,32 @@ impl Config {
             for key in KEYS.iter().filter(|key| key.split().0 == *section) {
                 let name = key.split().1;
                 let _ = match key.legal {
-                    Legal::Flag | Legal::Path => writeln!(text, "# {}.", key.about),
+                    Legal::Flag | Legal::Path | Legal::Number | Legal::Text => writeln!(text, "# {}.", key.about),
                     legal => writeln!(text, "# {}: {legal}.", key.about.replace(':', ",")),
                 };
                 let value = table.get(*section).and_then(|entries| entries.get(name));
                 let _ = match value {
                     Some(value) => writeln!(text, "{name} = {value}"),
-                    None => writeln!(text, "# {name} = \"map.png\""),
+                    None => writeln!(text, "# {name} = {}", example(key.path)),
                 };
             }
         }
         text
+    }
+}
+
+/// What a key without a value could be; the default of those that have one.
+fn example(path: &str) -> String {
+    match path {
+        "map.file" => "\"map.png\"".into(),
+        "map.range" => "[0.0, 100.0]".into(),
+        "map.nodata" => "-9999.0".into(),
+        "map.fill" => "0.0".into(),
+        "map.channel" => "\"Y\"".into(),
+        "map.part" => "\"0\"".into(),
+        "map.size" => "[1024, 1024]".into(),
+        "map.byte_order" => "\"little\"".into(),
+        "map.max_texels" => super::MapConfig::MAX_TEXELS.to_string(),
+        _ => "false".into(),
     }
 }

@@ -124,6 +124,36 @@ pub enum Border {
 }
 words!(Border: Wrap = "wrap", Clamp = "clamp", Mirror = "mirror");
 
+/// Which byte of a sample comes first.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ByteOrder {
+    /// The least significant.
+    #[default]
+    Little,
+    /// The most significant.
+    Big,
+}
+words!(ByteOrder: Little = "little", Big = "big");
+
+/// The one word among the ranges.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Auto {
+    /// The lowest and the highest height of the file.
+    Auto,
+}
+
+/// Which heights of a file become 0 and full height.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(untagged)]
+pub enum MapRange {
+    /// What the file holds.
+    Auto(Auto),
+    /// These two, in the file's units; the first is smaller.
+    Limits([f64; 2]),
+}
+
 impl Border {
     /// Levels of the design that the map itself does not have: a map that is not repeated is prepared into one of twice the side.
     pub const fn levels(self) -> u32 {
@@ -153,9 +183,53 @@ pub struct MapConfig {
     pub resample: bool,
     /// What lies behind the map's border. Other borders than `wrap` take a map of 2^(levels-1) texels a side.
     pub border: Border,
+    /// The heights of the file, in its own units, that become 0 and full height; `None`: whole numbers are codes, floats lie in \[0, 1\].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub range: Option<MapRange>,
+    /// The value that marks a texel without data, in the file's units; goes before what the file itself says.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub nodata: Option<f64>,
+    /// The height that texels without data take, in the file's units; without it they are an error.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fill: Option<f64>,
+    /// The channel of the file that holds the heights, by name.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub channel: Option<String>,
+    /// The part (OpenEXR) or page (TIFF) of the file, by name or number from 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub part: Option<String>,
+    /// Width and height of a file without a header (R16, RAW, HGT).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub size: Option<[u32; 2]>,
+    /// Order of the bytes of a sample in a file without a header (R16, RAW).
+    #[serde(skip_serializing_if = "is_default")]
+    pub byte_order: ByteOrder,
+    /// The largest number of texels of a file that is read.
+    #[serde(skip_serializing_if = "is_default_limit")]
+    pub max_texels: u64,
+    /// Whether a file that was compressed with loss may be read.
+    #[serde(skip_serializing_if = "is_default")]
+    pub lossy: bool,
+    /// Whether a larger file is cut to its first columns and rows, from the top left.
+    #[serde(skip_serializing_if = "is_default")]
+    pub crop: bool,
+    /// Whether a smaller file is continued by its last column and row.
+    #[serde(skip_serializing_if = "is_default")]
+    pub pad: bool,
+}
+
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
+}
+
+fn is_default_limit(value: &u64) -> bool {
+    *value == MapConfig::MAX_TEXELS
 }
 
 impl MapConfig {
+    /// The largest number of texels that is read where nothing else is asked for.
+    pub const MAX_TEXELS: u64 = 1 << 26;
+
     /// Whether the map may stand beside the published tables.
     ///
     /// # Errors
@@ -181,6 +255,17 @@ impl Default for MapConfig {
             repeat: 1,
             resample: false,
             border: Border::Wrap,
+            range: None,
+            nodata: None,
+            fill: None,
+            channel: None,
+            part: None,
+            size: None,
+            byte_order: ByteOrder::Little,
+            max_texels: Self::MAX_TEXELS,
+            lossy: false,
+            crop: false,
+            pad: false,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Every key of the configuration in one table: its meaning, its legal values.
 //!
 //! The commented file, the schema's ranges, the checks and their sentences all come from here.
-use super::{Border, ExtraUnit, MapKind, Rounding, Specials, Subnormals, View};
+use super::{Border, ByteOrder, ExtraUnit, MapKind, Rounding, Specials, Subnormals, View};
 use std::fmt;
 
 /// What a key accepts.
@@ -21,6 +21,14 @@ pub enum Legal {
     SomeWords(&'static [&'static str]),
     /// A path; the key may be absent.
     Path,
+    /// A finite number; the key may be absent.
+    Number,
+    /// Some text; the key may be absent.
+    Text,
+    /// Two finite numbers, the smaller first, or `auto`; the key may be absent.
+    Range,
+    /// Width and height; the key may be absent.
+    Size,
     /// Nothing, or a Verilog identifier of at most 32 characters.
     Prefix,
 }
@@ -34,12 +42,21 @@ impl fmt::Display for Legal {
             Self::Flag => f.write_str("true or false"),
             Self::Word(words) | Self::Words(words) | Self::SomeWords(words) => f.write_str(&words.join(", ")),
             Self::Path => f.write_str("a path"),
+            Self::Number => f.write_str("a number"),
+            Self::Text => f.write_str("text in quotes"),
+            Self::Range => f.write_str("[low, high] with low below high, or \"auto\""),
+            Self::Size => f.write_str("[width, height], each 1 to 2^31 - 1"),
             Self::Prefix => f.write_str("empty, or letters, digits and _ with no digit first, at most 32"),
         }
     }
 }
 
 impl Legal {
+    /// Whether the key may be absent; an empty `--set key=` then removes it.
+    pub(super) const fn optional(self) -> bool {
+        matches!(self, Self::Path | Self::Number | Self::Text | Self::Range | Self::Size)
+    }
+
     /// Adds the range to a JSON schema entry; types and words are there already.
     pub(super) fn describe(&self, entry: &mut serde_json::Map<String, serde_json::Value>) {
         match *self {
@@ -61,7 +78,7 @@ impl Legal {
             Self::Prefix => {
                 entry.insert("pattern".into(), "^([A-Za-z_][A-Za-z0-9_]{0,31})?$".into());
             }
-            Self::Flag | Self::Word(_) | Self::Path => {}
+            Self::Flag | Self::Word(_) | Self::Path | Self::Number | Self::Text | Self::Range | Self::Size => {}
         }
     }
 }
@@ -226,6 +243,17 @@ pub const KEYS: &[Key] = &[
         "what lies behind the map's border; clamp and mirror take a map of 2^(levels-1) texels a side, which is prepared into 2^levels",
         Legal::Word(Border::WORDS),
     ),
+    key("map.range", "heights of the file, in its units, that become 0 and full height", Legal::Range),
+    key("map.nodata", "the file's value for no data, if the file does not say so itself", Legal::Number),
+    key("map.fill", "height of texels without data, in the file's units; without it they are an error", Legal::Number),
+    key("map.channel", "the channel that holds the heights, where a file has several", Legal::Text),
+    key("map.part", "the part or page, by name or number from 0, where a file has several", Legal::Text),
+    key("map.size", "width and height of a file without a header (R16, RAW, HGT)", Legal::Size),
+    key("map.byte_order", "which byte of a sample comes first in R16 and RAW", Legal::Word(ByteOrder::WORDS)),
+    key("map.max_texels", "files of more texels are refused before anything is allocated", Legal::Whole(1, 1 << 40)),
+    key("map.lossy", "whether a file compressed with loss (JPEG, lossy WebP) may be read", Legal::Flag),
+    key("map.crop", "whether a larger file is cut to its first columns and rows", Legal::Flag),
+    key("map.pad", "whether a smaller file is continued by its last column and row", Legal::Flag),
     key("view.names", "which views", Legal::Words(View::WORDS)),
     key("view.width", "width of the picture, in pixels", Legal::Whole(1, 8192)),
     key("view.height", "height of the picture, in pixels", Legal::Whole(1, 8192)),

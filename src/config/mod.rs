@@ -23,7 +23,8 @@ pub use design::{
 };
 pub use extra::{ExtraUnit, ExtraUnits};
 pub use input::{
-    Border, EmitConfig, FormatConfig, Generator, MapConfig, MapKind, NanRule, VectorsConfig, View, ViewConfig,
+    Auto, Border, ByteOrder, EmitConfig, FormatConfig, Generator, MapConfig, MapKind, MapRange, NanRule, VectorsConfig,
+    View, ViewConfig,
 };
 pub use profile::Profile;
 

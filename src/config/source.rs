@@ -60,7 +60,7 @@ impl Config {
     }
 
     /// Applies one `key.path=value` as given to `--set`. The value is TOML; a bare word is a string, and a list of words
-    /// may be written without brackets and quotes: `view.names=front,grazing`. An empty `map.file=` removes the file.
+    /// may be written without brackets and quotes: `view.names=front,grazing`. An empty `map.file=` (or another key that may be absent) removes it.
     ///
     /// # Errors
     /// [`Error::Input`]: no `=`, an unknown key, a wrong type, a value out of range. The configuration is then unchanged.
@@ -78,7 +78,7 @@ impl Config {
         let Some(Value::Table(entries)) = table.get_mut(section) else {
             unreachable!("every section is written");
         };
-        if matches!(key.legal, Legal::Path) && text.is_empty() {
+        if key.legal.optional() && text.is_empty() {
             entries.remove(name);
         } else {
             let value = parse(text, key.legal);
@@ -107,7 +107,14 @@ fn parse(text: &str, legal: Legal) -> Value {
     let value = parsed.and_then(|mut table| table.remove("value")).unwrap_or_else(|| Value::String(text.to_owned()));
     match (legal, value) {
         // `map.file=1` or `emit.prefix=true` is a name that happens to read as something else.
-        (Legal::Path | Legal::Word(_) | Legal::Prefix, value) if !value.is_str() => Value::String(text.to_owned()),
+        (Legal::Path | Legal::Word(_) | Legal::Prefix | Legal::Text, value) if !value.is_str() => {
+            Value::String(text.to_owned())
+        }
+        (Legal::Range | Legal::Size, Value::String(list)) if list.contains(',') => {
+            let list = list.trim_matches(['[', ']']);
+            let parsed = toml::from_str::<Table>(&format!("value = [{list}]")).ok();
+            parsed.and_then(|mut table| table.remove("value")).unwrap_or_else(|| Value::String(text.to_owned()))
+        }
         (Legal::SomeWords(_), Value::String(words)) if words.is_empty() => Value::Array(Vec::new()),
         (Legal::Words(_) | Legal::SomeWords(_), Value::String(words)) => Value::Array(
             words.trim_matches(['[', ']']).split(',').map(|word| Value::String(word.trim().to_owned())).collect(),

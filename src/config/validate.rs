@@ -1,6 +1,6 @@
 //! What must hold of a whole configuration.
 use super::keys::KEYS;
-use super::{Border, Config, DatapathKind, MapKind, Trim, check};
+use super::{Border, Config, DatapathKind, MapKind, MapRange, Trim, check};
 use crate::error::{Error, Result};
 
 impl Config {
@@ -204,6 +204,12 @@ impl Config {
                 "map.file is set but map.kind = \"{kind}\" does not read it: set map.kind = \"file\" or remove map.file"
             )),
             _ => {}
+        }
+        if let (Some(fill), Some(MapRange::Limits([low, high]))) = (self.map.fill, self.map.range)
+            && !(low..=high).contains(&fill)
+        {
+            problems
+                .push(format!("map.fill = {fill} lies outside map.range = [{low}, {high}]: a height in it is needed"));
         }
         if self.map.border == Border::Clamp && self.map.repeat != 1 {
             problems.push(format!(

@@ -7,6 +7,7 @@ mod stored;
 
 pub use alone::{alone, alone_files, alone_text, alone_vectors};
 pub use check::{Canary, Checked, check_tree};
+pub use same::same_config;
 pub use scene::{Scene, encode, ray};
 
 use crate::bench::bench_files;

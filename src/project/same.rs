@@ -33,8 +33,11 @@ pub fn same_text(files: &Files, dir: &Path) -> Result<()> {
 /// A manifest that is none, or the first key of another value.
 pub fn same_config(c: &Config, dir: &Path) -> Result<()> {
     let path = dir.join("manifest.json");
-    let Ok(text) = std::fs::read_to_string(&path) else { return Ok(()) };
-    let manifest: Value = serde_json::from_str(&text)
+    let text = match std::fs::read(&path) {
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(()),
+        read => read.map_err(|e| Error::file("read", &path, e))?,
+    };
+    let manifest: Value = serde_json::from_slice(&text)
         .map_err(|e| Error::input(format!("{} is not the manifest of an emitted tree: {e}", path.display())))?;
     let asked = serde_json::to_value(c).expect("a configuration is plain data");
     for section in HARDWARE {

@@ -2,7 +2,7 @@
 use crate::config::{Config, MapKind, View};
 use crate::error::{Error, Result};
 use crate::golden::{Pyramid, RayInput, encode_ray};
-use crate::scene::{Camera, ViewRay, bordered_codes, load, procedural};
+use crate::scene::{Camera, Taken, ViewRay, bordered_codes, load_codes, procedural};
 use crate::trace::rays_inside;
 use std::path::Path;
 
@@ -16,6 +16,8 @@ pub struct Scene {
     pub kind: MapKind,
     /// Name for messages: a kind, or the file's name.
     pub name: String,
+    /// What was taken of the file, if it is one.
+    pub taken: Option<Taken>,
 }
 
 impl Scene {
@@ -26,18 +28,21 @@ impl Scene {
     pub fn new(c: &Config, file: Option<&Path>, resample: bool) -> Result<Self> {
         let t = &c.traverse;
         let file = file.or(c.map.file.as_deref().filter(|_| c.map.kind == MapKind::File));
-        let (map, kind, name) = match file {
-            Some(path) => (load(path)?, MapKind::File, path.display().to_string()),
-            None => (
-                procedural(c.map.kind, t.levels - c.map.border.levels(), c.map.seed)?,
-                c.map.kind,
-                c.map.kind.word().to_string(),
-            ),
+        let (texels, taken, kind, name) = match file {
+            Some(path) => {
+                let (texels, taken) = load_codes(path, &c.map, t.levels, t.height_bits, resample)?;
+                (texels, Some(taken), MapKind::File, path.display().to_string())
+            }
+            None => {
+                let kind = c.map.kind;
+                let map = procedural(kind, t.levels - c.map.border.levels(), c.map.seed)?;
+                let texels = bordered_codes(&map, c.map.border, t.levels, t.height_bits, resample || c.map.resample)
+                    .map_err(|e| Error::input(format!("{kind}: {e}")))?;
+                (texels, None, kind, kind.word().to_string())
+            }
         };
-        let texels = bordered_codes(&map, c.map.border, t.levels, t.height_bits, resample || c.map.resample)
-            .map_err(|e| Error::input(format!("{name}: {e}")))?;
         let pyramid = Pyramid::build(t.levels, t.height_bits, &texels)?;
-        Ok(Self { texels, pyramid, kind, name })
+        Ok(Self { texels, pyramid, kind, name, taken })
     }
 
     /// The rays of a standard view at the configured size, every `stride`-th pixel; as [`Scene::rays`].

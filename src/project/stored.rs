@@ -9,8 +9,11 @@ use std::path::Path;
 pub(super) fn pyramid_of(d: &Design, image: &[u64]) -> Result<Pyramid> {
     let n = d.traverse.levels;
     let side = 1u32 << n;
-    let texel = |k: u32| image[address(n, 0, k % side, k / side)] as u32;
-    Pyramid::build(n, d.traverse.height_bits, &(0..side * side).map(texel).collect::<Vec<u32>>())
+    let texel = |k: u32| {
+        let word = image.get(address(n, 0, k % side, k / side)).and_then(|word| u32::try_from(*word).ok());
+        word.ok_or_else(|| Error::input(format!("memory.hex holds no pyramid of {side} x {side} texels")))
+    };
+    Pyramid::build(n, d.traverse.height_bits, &(0..side * side).map(texel).collect::<Result<Vec<u32>>>()?)
 }
 
 /// The words of a ray.

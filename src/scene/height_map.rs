@@ -8,6 +8,8 @@ pub enum Depth {
     Bits(u32),
     /// Floating point: finer than any code.
     Float,
+    /// Floating point in a range that was given: rounded to whatever depth is asked for.
+    Ranged,
     /// A formula: made at whatever depth is asked for.
     Formula,
 }

@@ -1,23 +1,20 @@
-//! Height maps from image files.
+//! Height maps from files: from the file's numbers to heights in 0 to 1, row by row.
+use super::codes::{Fit, Ways};
+use super::formats::{self, Samples};
 use super::height_map::{Depth, HeightMap};
-use super::pgm;
+use super::source::Source;
+use super::taken::Taken;
+use crate::config::{MapConfig, MapRange};
 use crate::error::{Error, Result};
-use image::{ColorType, DynamicImage, ExtendedColorType, ImageDecoder, ImageFormat, ImageReader, Limits};
-use std::io::Cursor;
 use std::path::Path;
 
-/// Reads PNG, PGM (and the other portable maps), TIFF or OpenEXR; what the file is, its content decides, not its name.
-///
-/// Whole numbers of n bits are divided by 2^n - 1 (a PGM's by its own maximum), with no bit lost; floats count as they are.
-/// A pixel of red = green = blue has exactly that height; alpha is ignored. An EXR gives its channel `Y`, or `R`, `G`, `B`, or its only channel.
+/// Reads a map with the default choices; see [`load_codes`].
 ///
 /// # Errors
-/// [`Error::File`] if it can't be read; [`Error::Input`] if it is no such image, is broken or empty, or holds a height
-/// that is not in [0, 1] (NaN and infinity included) or a pixel that is coloured, which names the pixel.
+/// As [`load_codes`].
 pub fn load(path: impl AsRef<Path>) -> Result<HeightMap> {
-    let path = path.as_ref();
-    let bytes = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
-    decode(&bytes, &path.display().to_string())
+    let source = Source::file(path.as_ref())?;
+    named(&source, heights(&source, &MapConfig::default())).map(|x| x.0)
 }
 
 /// As [`load`], from bytes; `name` stands for the file in the sentences.
@@ -25,159 +22,298 @@ pub fn load(path: impl AsRef<Path>) -> Result<HeightMap> {
 /// # Errors
 /// As [`load`].
 pub fn decode(bytes: &[u8], name: &str) -> Result<HeightMap> {
-    if bytes.is_empty() {
-        return Err(Error::input(format!("{name}: the file is empty: a PNG, PGM, TIFF or OpenEXR image is needed")));
-    }
-    let result = match image::guess_format(bytes) {
-        Ok(ImageFormat::Png) => by_image(bytes, ImageFormat::Png, "PNG"),
-        Ok(ImageFormat::Pnm) if pgm::is_pgm(bytes) => pgm::decode(bytes),
-        Ok(ImageFormat::Pnm) => by_image(bytes, ImageFormat::Pnm, "portable map"),
-        Ok(ImageFormat::Tiff) => tiff(bytes),
-        Ok(ImageFormat::OpenExr) => exr(bytes),
-        _ => Err(Error::input("not an image of a known type: PNG, PGM, TIFF or OpenEXR is needed")),
-    };
+    decode_as(bytes, name, &MapConfig::default()).map(|x| x.0)
+}
+
+/// As [`decode`], with the choices of a configuration (range, no data, channel, part, size); and what was taken.
+///
+/// # Errors
+/// As [`load`].
+pub fn decode_as(bytes: &[u8], name: &str, map: &MapConfig) -> Result<(HeightMap, Taken)> {
+    let source = Source::bytes(bytes, name);
+    named(&source, heights(&source, map))
+}
+
+/// Reads a map as codes of `height_bits` bits for 2^levels x 2^levels texels, row by row (`docs/maps.md`); what the file is, its
+/// content decides, and its name only where content can't. `resample` is asked for besides `map.resample`.
+///
+/// Whole numbers of n bits are divided by 2^n - 1 (a PGM's by its own maximum), floats count as they are, and with `map.range` both
+/// are placed in that range. A pixel of red = green = blue has exactly that height.
+///
+/// # Errors
+/// [`Error::File`] if it can't be read; [`Error::Input`] if it is of no known kind, broken, empty, of more than `map.max_texels`,
+/// coloured, not opaque, has heights out of the range or texels without data, is ambiguous, or does not fit.
+pub fn load_codes(
+    path: &Path,
+    map: &MapConfig,
+    levels: u32,
+    height_bits: u32,
+    resample: bool,
+) -> Result<(Vec<u32>, Taken)> {
+    codes(&Source::file(path)?, map, levels, height_bits, resample)
+}
+
+/// As [`load_codes`], from bytes; `name` stands for the file.
+///
+/// # Errors
+/// As [`load_codes`].
+pub fn decode_codes(
+    bytes: &[u8],
+    name: &str,
+    map: &MapConfig,
+    levels: u32,
+    height_bits: u32,
+    resample: bool,
+) -> Result<(Vec<u32>, Taken)> {
+    codes(&Source::bytes(bytes, name), map, levels, height_bits, resample)
+}
+
+fn codes(source: &Source, map: &MapConfig, levels: u32, height_bits: u32, resample: bool) -> Result<(Vec<u32>, Taken)> {
+    let own = levels - map.border.levels();
+    let ways = Ways { resample: resample || map.resample, crop: map.crop, pad: map.pad };
+    let kept = |size: (usize, usize)| ways.kept(size, 1 << own);
+    let fit = |size: (usize, usize), depth: Depth| Fit::new(size, depth, map.border, own, height_bits, ways);
+    let (fit, mut taken) = named(source, read(source, map, kept, fit))?;
+    taken.fit = fit.told();
+    Ok((super::border::prepared(map.border, own, fit.codes()), taken))
+}
+
+fn heights(source: &Source, map: &MapConfig) -> Result<(HeightMap, Taken)> {
+    let start = |size: (usize, usize), depth: Depth| Ok(Heights { size, depth, samples: Vec::new() });
+    let (heights, taken) = read(source, map, |size| size, start)?;
+    let Heights { size: (width, height), depth, samples } = heights;
+    Ok((HeightMap::new(width, height, samples, depth)?, taken))
+}
+
+/// Names the file in what is wrong with it.
+fn named<T>(source: &Source, result: Result<T>) -> Result<T> {
     result.map_err(|error| match error {
-        Error::Input(text) => Error::Input(format!("{name}: {text}")),
+        Error::Input(text) => Error::Input(format!("{}: {text}", source.name())),
         other => other,
     })
 }
 
-fn broken(kind: &str, error: impl std::fmt::Display) -> Error {
-    let text = error.to_string();
-    Error::input(format!("not a readable {kind}: {}", text.trim().trim_end_matches('.').replace('\n', " ")))
+/// Takes heights in 0 to 1, row by row.
+pub(super) trait Sink {
+    /// The next row of what is kept.
+    fn row(&mut self, heights: &[f64]);
 }
 
-fn by_image(bytes: &[u8], format: ImageFormat, kind: &str) -> Result<HeightMap> {
-    let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
-    reader.limits(Limits::default());
-    let decoder = reader.into_decoder().map_err(|error| broken(kind, error))?;
-    let (width, height) = decoder.dimensions();
-    let decoded: ColorType = decoder.color_type();
-    // Depths below a byte are widened on reading, but remain what the source can tell apart.
-    let bits = match decoder.original_color_type() {
-        ExtendedColorType::L1 => 1,
-        ExtendedColorType::L2 => 2,
-        ExtendedColorType::L4 => 4,
-        _ => 8 * u32::from(decoded.bytes_per_pixel()) / u32::from(decoded.channel_count()),
-    };
-    let picture = DynamicImage::from_decoder(decoder).map_err(|error| broken(kind, error))?;
-    let (channels, depth, samples) = match &picture {
-        DynamicImage::ImageLuma8(pixels) => (1, Depth::Bits(bits), unit8(pixels.as_raw())),
-        DynamicImage::ImageLumaA8(pixels) => (2, Depth::Bits(bits), unit8(pixels.as_raw())),
-        DynamicImage::ImageRgb8(pixels) => (3, Depth::Bits(bits), unit8(pixels.as_raw())),
-        DynamicImage::ImageRgba8(pixels) => (4, Depth::Bits(bits), unit8(pixels.as_raw())),
-        DynamicImage::ImageLuma16(pixels) => (1, Depth::Bits(16), unit16(pixels.as_raw())),
-        DynamicImage::ImageLumaA16(pixels) => (2, Depth::Bits(16), unit16(pixels.as_raw())),
-        DynamicImage::ImageRgb16(pixels) => (3, Depth::Bits(16), unit16(pixels.as_raw())),
-        DynamicImage::ImageRgba16(pixels) => (4, Depth::Bits(16), unit16(pixels.as_raw())),
-        DynamicImage::ImageRgb32F(pixels) => (3, Depth::Float, pixels.as_raw().iter().map(|&x| x.into()).collect()),
-        DynamicImage::ImageRgba32F(pixels) => (4, Depth::Float, pixels.as_raw().iter().map(|&x| x.into()).collect()),
-        _ => return Err(broken(kind, "its pixels are of an unknown type")),
-    };
-    let heights = grey(&samples, channels, width as usize)?;
-    HeightMap::new(width as usize, height as usize, heights, depth)
+struct Heights {
+    size: (usize, usize),
+    depth: Depth,
+    samples: Vec<f64>,
 }
 
-fn unit8(values: &[u8]) -> Vec<f64> {
-    values.iter().map(|&value| f64::from(value) / 255.0).collect()
+impl Sink for Heights {
+    fn row(&mut self, heights: &[f64]) {
+        self.samples.extend_from_slice(heights);
+    }
 }
 
-fn unit16(values: &[u16]) -> Vec<f64> {
-    values.iter().map(|&value| f64::from(value) / 65535.0).collect()
+/// What a file holds in the part of it that is kept.
+#[derive(Default)]
+struct Seen {
+    /// Lowest and highest finite height.
+    ends: Option<(f64, f64)>,
+    /// Texels without data, and the first of them.
+    missing: (u64, Option<(usize, usize)>),
+    /// Heights out of the range that was asked about, or infinite.
+    outside: u64,
+    texels: u64,
 }
 
-/// The one channel of pixels in rows of `width`: a height map holds no colour, and which mixture of three channels would be the height is
-/// not ours to guess. Of a pixel with a channel out of range that channel is taken, for whoever checks the range.
-fn grey(samples: &[f64], channels: usize, width: usize) -> Result<Vec<f64>> {
-    let height = |(at, pixel): (usize, &[f64])| match pixel[..channels.min(3)] {
-        [red, green, blue] => {
-            let colours = [red, green, blue];
-            match colours.into_iter().find(|c| !(0.0..=1.0).contains(c)) {
-                Some(illegal) => Ok(illegal),
-                None if red == green && green == blue => Ok(red),
-                None => Err(Error::input(format!(
-                    "a picture in colour (pixel ({}, {}) has red, green and blue {red}, {green}, {blue}): a height map has one channel, or three that are equal",
-                    at % width,
-                    at / width
-                ))),
+impl Seen {
+    fn height(&mut self, value: f64) {
+        let (low, high) = self.ends.unwrap_or((value, value));
+        self.ends = Some((low.min(value), high.max(value)));
+    }
+
+    fn missing(&mut self, place: (usize, usize)) {
+        self.missing = (self.missing.0 + 1, self.missing.1.or(Some(place)));
+    }
+}
+
+/// What marks a texel without data.
+#[derive(Clone, Copy)]
+struct NoData {
+    samples: Samples,
+    value: Option<f64>,
+}
+
+impl NoData {
+    fn is(self, sample: f64) -> bool {
+        sample.is_nan() || self.value.is_some_and(|value| self.samples.same(sample, value))
+    }
+}
+
+/// Reads all that is kept, for sentences that tell about the whole, and for the range `auto`.
+fn scan(
+    source: &Source,
+    map: &MapConfig,
+    kept: impl Fn((usize, usize)) -> (usize, usize),
+    range: Option<(f64, f64)>,
+) -> Result<Seen> {
+    let mut opened = formats::open(source, map)?;
+    let nodata = NoData { samples: opened.info.samples, value: map.nodata.or(opened.info.nodata) };
+    let (columns, rows) = kept((opened.info.width, opened.info.height));
+    let mut row = formats::filled(0.0, opened.info.width)?;
+    let mut seen = Seen { texels: columns as u64 * rows as u64, ..Seen::default() };
+    for y in 0..rows {
+        opened.rows.next(&mut row)?;
+        for (x, &sample) in row[..columns].iter().enumerate() {
+            if nodata.is(sample) {
+                seen.missing((x, y));
+            } else {
+                let out = range.is_some_and(|(low, high)| !(low..=high).contains(&sample)) || sample.is_infinite();
+                seen.outside += u64::from(out);
+                if sample.is_finite() {
+                    seen.height(sample);
+                }
             }
         }
-        _ => Ok(pixel[0]),
-    };
-    samples.chunks_exact(channels).enumerate().map(height).collect()
+    }
+    Ok(seen)
 }
 
-/// Grey TIFFs, which `image` reads in 8 and 16 bits only; colour goes through `image`.
-fn tiff(bytes: &[u8]) -> Result<HeightMap> {
-    use tiff::ColorType::Gray;
-    use tiff::decoder::DecodingResult;
-    let failed = |error: tiff::TiffError| broken("TIFF", error);
-    let mut decoder = tiff::decoder::Decoder::new(Cursor::new(bytes)).map_err(failed)?;
-    let (width, height) = decoder.dimensions().map_err(failed)?;
-    if width == 0 || height == 0 {
-        return Err(Error::input(format!("an empty image ({width} x {height}): at least one pixel is needed")));
-    }
-    let Gray(8 | 16 | 32 | 64) = decoder.colortype().map_err(failed)? else {
-        return by_image(bytes, ImageFormat::Tiff, "TIFF");
+/// The range that is mapped to 0 and full height, and how finely the file tells heights apart in it.
+fn range_of(
+    source: &Source,
+    map: &MapConfig,
+    samples: Samples,
+    kept: impl Fn((usize, usize)) -> (usize, usize),
+) -> Result<((f64, f64), Depth)> {
+    let whole = |low: f64, high: f64| {
+        // Levels that whole numbers tell apart in it.
+        let steps = (high - low).ceil().clamp(1.0, f64::from(u32::MAX)) as u32;
+        if matches!(samples, Samples::Float(_)) { Depth::Ranged } else { Depth::Bits(steps.ilog2() + 1) }
     };
-    let (depth, samples) = match decoder.read_image().map_err(failed)? {
-        DecodingResult::U8(values) => (Depth::Bits(8), unit8(&values)),
-        DecodingResult::U16(values) => (Depth::Bits(16), unit16(&values)),
-        DecodingResult::U32(values) => {
-            (Depth::Bits(32), values.iter().map(|&value| f64::from(value) / f64::from(u32::MAX)).collect())
+    match (map.range, samples) {
+        (None, Samples::Unsigned(max)) => Ok(((0.0, max as f64), Depth::Bits(max.ilog2() + 1))),
+        (None, Samples::Float(_)) => Ok(((0.0, 1.0), Depth::Float)),
+        (None, Samples::Signed(_)) => {
+            let ends = scan(source, map, kept, None)?.ends.unwrap_or((0.0, 1.0));
+            Err(Error::input(format!(
+                "its heights are {samples} numbers from {} to {}, and which become 0 and full height is not ours to guess: say it with {}",
+                ends.0,
+                ends.1,
+                guess(ends)
+            )))
         }
-        DecodingResult::F16(values) => (Depth::Float, values.iter().map(|value| value.to_f64()).collect()),
-        DecodingResult::F32(values) => (Depth::Float, values.iter().map(|&value| value.into()).collect()),
-        DecodingResult::F64(values) => (Depth::Float, values),
-        _ => return Err(broken("TIFF", "unsigned whole numbers of at most 32 bits, or floats, are needed")),
-    };
-    HeightMap::new(width as usize, height as usize, samples, depth)
+        (Some(MapRange::Limits([low, high])), _) => Ok(((low, high), whole(low, high))),
+        (Some(MapRange::Auto(_)), _) => {
+            let seen = scan(source, map, kept, None)?;
+            if seen.outside > 0 {
+                return Err(Error::input(format!("{} of {} heights are infinite", seen.outside, seen.texels)));
+            }
+            let (low, high) = seen.ends.ok_or_else(|| Error::input("no texel has data"))?;
+            Ok(((low, high), whole(low, high)))
+        }
+    }
 }
 
-/// Read by `exr` itself, because `image` knows only EXRs with the three colours.
-fn exr(bytes: &[u8]) -> Result<HeightMap> {
-    use exr::prelude::{FlatSamples, ReadChannels, ReadLayers, read};
-    let file = read()
-        .no_deep_data()
-        .largest_resolution_level()
-        .all_channels()
-        .first_valid_layer()
-        .all_attributes()
-        .from_buffered(Cursor::new(bytes))
-        .map_err(|error| broken("OpenEXR", error))?;
-    let layer = &file.layer_data;
-    let channels = &layer.channel_data.list;
-    let find = |name: &str| channels.iter().find(|channel| channel.name.eq(name));
-    let chosen = match (find("Y"), find("R"), find("G"), find("B"), channels.as_slice()) {
-        (Some(grey), ..) => vec![grey],
-        (_, Some(red), Some(green), Some(blue), _) => vec![red, green, blue],
-        (.., [only]) => vec![only],
-        _ => {
-            let names: Vec<_> = channels.iter().map(|channel| channel.name.to_string()).collect();
-            return Err(broken(
-                "OpenEXR",
-                format!("it has the channels {}; Y, or R, G and B, or one alone are needed", names.join(", ")),
-            ));
-        }
-    };
-    if chosen.iter().any(|channel| channel.sampling != exr::math::Vec2(1, 1)) {
-        return Err(broken("OpenEXR", "its channels are subsampled"));
+/// Reads a file into a sink, which is made for the columns and rows that `kept` keeps of it.
+fn read<S: Sink>(
+    source: &Source,
+    map: &MapConfig,
+    kept: impl Fn((usize, usize)) -> (usize, usize) + Copy,
+    start: impl FnOnce((usize, usize), Depth) -> Result<S>,
+) -> Result<(S, Taken)> {
+    let first = formats::open(source, map)?;
+    let samples = first.info.samples;
+    // Only one reader of a file at a time, where a scan comes between.
+    let scans = matches!((map.range, samples), (Some(MapRange::Auto(_)), _) | (None, Samples::Signed(_)));
+    let first = (!scans).then_some(first);
+    let ((low, high), depth) = range_of(source, map, samples, kept)?;
+    if let Some(fill) = map.fill.filter(|fill| !(low..=high).contains(fill)) {
+        return Err(Error::input(format!(
+            "map.fill = {fill} is no height from {low} to {high}: give one, in the file's units, or another map.range"
+        )));
     }
-    let planes: Vec<Vec<f64>> = chosen
-        .iter()
-        .map(|channel| match &channel.sample_data {
-            FlatSamples::F16(values) => values.iter().map(|value| value.to_f64()).collect(),
-            FlatSamples::F32(values) => values.iter().map(|&value| value.into()).collect(),
-            // EXR's whole numbers are identifiers; only 0 and 1 are heights.
-            FlatSamples::U32(values) => values.iter().map(|&value| value.into()).collect(),
-        })
-        .collect();
-    let samples = match planes.as_slice() {
-        [red, green, blue] => {
-            let pixels: Vec<f64> = red.iter().zip(green).zip(blue).flat_map(|((&r, &g), &b)| [r, g, b]).collect();
-            grey(&pixels, 3, layer.size.width())?
+    let mut opened = first.map_or_else(|| formats::open(source, map), Ok)?;
+    let size = (opened.info.width, opened.info.height);
+    let (columns, rows) = kept(size);
+    let value = map.nodata.or(opened.info.nodata);
+    let nodata = NoData { samples, value };
+    let mut sink = start((columns, rows), depth)?;
+    let mut row = formats::filled(0.0, size.0)?;
+    let mut seen = Seen::default();
+    // A map of one height is flat at the bottom.
+    let span = if high > low { high - low } else { 1.0 };
+    for y in 0..rows {
+        opened.rows.next(&mut row)?;
+        for (x, sample) in row[..columns].iter_mut().enumerate() {
+            if nodata.is(*sample) {
+                seen.missing((x, y));
+                let Some(fill) = map.fill else {
+                    let note = opened.info.note.take();
+                    drop(opened);
+                    return Err(missing(&scan(source, map, kept, None)?, value, note, low));
+                };
+                *sample = fill;
+            } else if (low..=high).contains(sample) {
+                seen.height(*sample);
+            } else {
+                drop(opened);
+                let seen = scan(source, map, kept, Some((low, high)))?;
+                return Err(outside((x, y), *sample, (low, high), map, &seen));
+            }
+            *sample = (*sample - low) / span;
         }
-        _ => planes.into_iter().next().unwrap_or_default(),
+        sink.row(&row[..columns]);
+    }
+    let info = opened.info;
+    let taken = Taken {
+        file: source.name().to_owned(),
+        format: info.format.to_owned(),
+        width: size.0,
+        height: size.1,
+        samples: samples.to_string(),
+        part: info.part,
+        channel: info.channel,
+        range: [low, high],
+        lowest: seen.ends.map(|ends| ends.0),
+        highest: seen.ends.map(|ends| ends.1),
+        nodata: value,
+        nodata_texels: seen.missing.0,
+        fill: map.fill.filter(|_| seen.missing.0 > 0),
+        kept: [columns, rows],
+        fit: None,
+        note: info.note,
     };
-    HeightMap::new(layer.size.width(), layer.size.height(), samples, Depth::Float)
+    Ok((sink, taken))
+}
+
+/// How the range is asked for that a file with these heights needs.
+fn guess((low, high): (f64, f64)) -> String {
+    let limits = if low < high { format!("--set map.range={low},{high} or ") } else { String::new() };
+    format!("{limits}--set map.range=auto")
+}
+
+fn missing(seen: &Seen, value: Option<f64>, note: Option<String>, low: f64) -> Error {
+    let (count, first) = seen.missing;
+    let (x, y) = first.unwrap_or_default();
+    let mark = value.map_or_else(|| "not a number".to_owned(), |value| format!("{value}, or not a number"));
+    let why = note.map(|note| format!("; the file has a {note}")).unwrap_or_default();
+    let low = seen.ends.map_or(low, |ends| ends.0);
+    Error::input(format!(
+        "{count} of {} texels have no data ({mark}), the first is pixel ({x}, {y}){why}: give the height that they take, in the file's units, as --set map.fill={low}",
+        seen.texels
+    ))
+}
+
+fn outside((x, y): (usize, usize), sample: f64, (low, high): (f64, f64), map: &MapConfig, seen: &Seen) -> Error {
+    let needed = match map.range {
+        None => "heights must be in 0 to 1".to_owned(),
+        Some(_) => format!("map.range = [{low}, {high}]"),
+    };
+    let ends = seen.ends.unwrap_or((0.0, 1.0));
+    Error::input(format!(
+        "pixel ({x}, {y}) is {sample}: {needed}; {} of {} texels lie outside, and the file's heights go from {} to {}: use {}",
+        seen.outside,
+        seen.texels,
+        ends.0,
+        ends.1,
+        guess(ends)
+    ))
 }

@@ -3,6 +3,7 @@ use crate::error::{Error, Result};
 use std::path::Path;
 
 const COLUMNS: [&str; 4] = ["u", "v", "du", "dv"];
+const LOD: &str = "lod";
 
 /// Rays of a table.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,16 +14,16 @@ pub struct RayTable {
     pub lods: Option<Vec<u32>>,
 }
 
-/// Reads rays from a CSV file whose first line names the columns `u`, `v`, `du`, `dv` and perhaps `lod` in any order; other columns are
-/// ignored. Entry points are in tiles, directions in tiles per full height. Numbers must be finite, but need not be
+/// Reads rays from a CSV file whose first line names the columns `u`, `v`, `du`, `dv` and perhaps `lod`, each once, in any order. Other
+/// columns are passed over, but for one that looks like a misspelt `lod`; with `lod_expected` there are none unless `lod` is there. Entry points are in tiles, directions in tiles per full height. Numbers must be finite, but need not be
 /// rays that the unit accepts: that is the unit's to say.
 ///
 /// # Errors
 /// [`Error::File`] if it can't be read; [`Error::Input`] naming line (from 1, the header's) and column.
-pub fn read_rays(path: impl AsRef<Path>) -> Result<RayTable> {
+pub fn read_rays(path: impl AsRef<Path>, lod_expected: bool) -> Result<RayTable> {
     let path = path.as_ref();
     let bytes = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
-    parse_table(&bytes, &path.display().to_string())
+    parse_table(&bytes, &path.display().to_string(), lod_expected)
 }
 
 /// As [`parse_table`], without the finest levels.
@@ -30,19 +31,66 @@ pub fn read_rays(path: impl AsRef<Path>) -> Result<RayTable> {
 /// # Errors
 /// [`Error::Input`] naming line and column.
 pub fn parse_rays(bytes: &[u8], name: &str) -> Result<Vec<[f64; 4]>> {
-    Ok(parse_table(bytes, name)?.rays)
+    Ok(parse_table(bytes, name, false)?.rays)
+}
+
+/// Where the columns stand: those of a ray, and the finest level if there is one.
+fn columns(header: &csv::StringRecord, name: &str, lod_expected: bool) -> Result<([usize; 4], Option<usize>)> {
+    let told = |at: usize, text: String| Error::input(format!("{name}, line 1, column {}: {text}", at + 1));
+    let known = || COLUMNS.iter().chain(std::iter::once(&LOD));
+    let lod = header.iter().position(|column| column == LOD);
+    for (at, column) in header.iter().enumerate() {
+        let lower = column.to_ascii_lowercase();
+        if known().any(|known| *known == column) {
+            if header.iter().take(at).any(|before| before == column) {
+                return Err(told(at, format!("a second column {column}: each stands there once")));
+            }
+        } else if let Some(known) = known().find(|known| **known == lower) {
+            return Err(told(at, format!("{column:?} is written {known}")));
+        } else if strsim::damerau_levenshtein(&lower, LOD) < 2 || (lod_expected && lod.is_none()) {
+            return Err(told(at, format!("{column:?} is none of u, v, du, dv and lod: did you mean lod?")));
+        }
+    }
+    let mut places = [0; 4];
+    for (at, column) in places.iter_mut().zip(COLUMNS) {
+        *at = header.iter().position(|name| name == column).ok_or_else(|| {
+            Error::input(format!("{name}, line 1: no column {column}: the header must name u, v, du and dv"))
+        })?;
+    }
+    Ok((places, lod))
+}
+
+/// A quoted field ends in its own line: one that does not would swallow the lines below it.
+fn quotes_closed(bytes: &[u8], name: &str) -> Result<()> {
+    for (line, text) in bytes.split(|&byte| byte == b'\n').enumerate() {
+        let (mut column, mut start, mut quoted) = (1, true, false);
+        for &byte in text {
+            match byte {
+                b'"' if start || quoted => quoted = !quoted,
+                b',' if !quoted => column += 1,
+                _ => {}
+            }
+            // A doubled quote opens the field again.
+            start = !quoted && (byte == b',' || byte == b'"');
+        }
+        if quoted {
+            return Err(Error::input(format!("{name}, line {}, column {column}: a quote is not closed", line + 1)));
+        }
+    }
+    Ok(())
 }
 
 /// As [`read_rays`], from bytes; `name` stands for the file in the sentences.
 ///
 /// # Errors
 /// [`Error::Input`] naming line and column.
-pub fn parse_table(bytes: &[u8], name: &str) -> Result<RayTable> {
+pub fn parse_table(bytes: &[u8], name: &str, lod_expected: bool) -> Result<RayTable> {
     // Spreadsheets like to put a byte order mark first; it is no part of the first column's name.
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     if bytes.iter().all(u8::is_ascii_whitespace) {
         return Err(Error::input(format!("{name} is empty: a header u,v,du,dv and one line a ray are needed")));
     }
+    quotes_closed(bytes, name)?;
     let broken = |error: csv::Error| {
         let line = error.position().map_or(String::new(), |position| format!(", line {}", position.line()));
         let what = match error.kind() {
@@ -54,17 +102,7 @@ pub fn parse_table(bytes: &[u8], name: &str) -> Result<RayTable> {
     // Lines of another length are let through here, for a better sentence below.
     let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).flexible(true).from_reader(bytes);
     let header = reader.headers().map_err(broken)?.clone();
-    let mut place = [0; 4];
-    for (place, column) in place.iter_mut().zip(COLUMNS) {
-        let mut found = header.iter().enumerate().filter(|(_, name)| *name == column);
-        *place = found.next().map(|(at, _)| at).ok_or_else(|| {
-            Error::input(format!("{name}, line 1: no column {column}: the header must name u, v, du and dv"))
-        })?;
-        if found.next().is_some() {
-            return Err(Error::input(format!("{name}, line 1: two columns are named {column}: one is needed")));
-        }
-    }
-    let lod_at = header.iter().position(|name| name == "lod");
+    let (place, lod_at) = columns(&header, name, lod_expected)?;
     let (mut rays, mut lods) = (Vec::new(), Vec::new());
     for record in reader.records() {
         let record = record.map_err(broken)?;

@@ -192,6 +192,10 @@ pub fn read_set(dir: &Path) -> Result<(VectorSet, bool)> {
             d.schema
         )));
     }
+    if let Some(column) = d.inputs.iter().chain(&d.outputs).find(|column| !(1..=64).contains(&column.width)) {
+        let (at, width) = (at("vectors.json"), column.width);
+        return Err(Error::input(format!("{at}: column {} has {width} bits, 1 to 64 are legal", column.name)));
+    }
     let stimulus = rows(&text("stimulus.hex")?, &d.inputs, &at("stimulus.hex"))?;
     let expected = rows(&text("expected.hex")?, &d.outputs, &at("expected.hex"))?;
     let set = VectorSet {
@@ -227,11 +231,12 @@ fn rows(text: &str, columns: &[Column], at: &str) -> Result<Vec<Vec<u64>>> {
         Error::input(format!("{at}, line {line}: {head}, where the number of rows and the bits of a row stand"))
     })?;
     let (count, bits) = (word(line, count, 32)? as usize, word(line, bits.trim(), 32)?);
-    let described: u32 = columns.iter().map(|c| c.width).sum();
-    if bits != u64::from(described) {
+    let described: u64 = columns.iter().map(|c| u64::from(c.width)).sum();
+    if bits != described {
         return Err(Error::input(format!("{at} announces rows of {bits} bits, vectors.json describes {described}")));
     }
-    let mut out = Vec::with_capacity(count);
+    // What the head announces is compared with what is there, not allocated.
+    let mut out = Vec::new();
     for (line, l) in lines {
         let words: Vec<&str> = l.split_whitespace().collect();
         if words.len() != columns.len() {

@@ -1,6 +1,6 @@
 //! The configuration: defaults, TOML, `--set`, and the sentences of its errors.
 use proptest::prelude::*;
-use reliefrtl::config::{Config, DatapathKind, LevelUp, MapKind, Profile, View, keys};
+use reliefrtl::config::{Config, DatapathKind, LevelUp, MapKind, MapRange, Profile, View, keys};
 use reliefrtl::error::Error;
 
 fn sentence<T: std::fmt::Debug>(result: Result<T, Error>) -> String {
@@ -62,8 +62,21 @@ fn the_commented_file_reads_back() {
 
 #[test]
 fn the_key_table_is_the_configuration() {
-    let mut config = Config::default();
-    config.map.file = Some("map.png".into());
+    // Keys without a value, and those that are only written where they are not the default.
+    let config = with(&[
+        "map.file=map.png",
+        "map.range=auto",
+        "map.nodata=-9999",
+        "map.fill=0",
+        "map.channel=Y",
+        "map.part=0",
+        "map.size=4,8",
+        "map.byte_order=big",
+        "map.max_texels=5",
+        "map.lossy=true",
+        "map.crop=true",
+        "map.pad=true",
+    ]);
     let json = serde_json::to_value(&config).unwrap();
     let mut fields = Vec::new();
     for (section, entries) in json.as_object().unwrap() {
@@ -81,6 +94,39 @@ fn the_key_table_is_the_configuration() {
             }
         }
     }
+}
+
+#[test]
+fn how_a_map_is_read() {
+    let config = with(&["map.range=[-10, 873.5]", "map.size=1201,1201", "map.part=1", "map.nodata=-9999"]);
+    assert_eq!(config.map.range, Some(MapRange::Limits([-10.0, 873.5])));
+    assert_eq!(
+        (config.map.size, config.map.part.as_deref(), config.map.nodata),
+        (Some([1201; 2]), Some("1"), Some(-9999.0))
+    );
+    assert_eq!(Config::from_toml(&config.to_commented_toml(), "c.toml").unwrap(), config);
+    assert_eq!(with(&["map.range=-1,1"]).map.range, Some(MapRange::Limits([-1.0, 1.0])));
+    assert_eq!(with(&["map.range=auto", "map.range="]).map.range, None);
+    let legal = "[low, high] with low below high, or \"auto\" is legal";
+    for value in ["[1, 1]", "[2, 1]", "[0]", "[0, nan]", "[0, 1, 2]", "[-1e308, 1e308]", "\"full\"", "5"] {
+        let told = parse(&format!("[map]\nrange = {value}"));
+        assert!(told.starts_with("map.range = ") && told.contains(legal), "{told}");
+    }
+    for (line, what) in [
+        ("size = [0, 4]", "is no size"),
+        ("size = [4]", "is no size"),
+        ("nodata = nan", "is not a finite number"),
+        ("fill = \"0\"", "is not a finite number"),
+        ("channel = \"\"", "is not a text in quotes"),
+        ("part = 1", "is not a text in quotes"),
+        ("byte_order = \"middle\"", "is not one of little, big"),
+        ("max_texels = 0", "is too small"),
+    ] {
+        let told = parse(&format!("[map]\n{line}"));
+        assert!(told.contains(what), "{line}: {told}");
+    }
+    let told = sentence(with(&["map.range=0,1", "map.fill=2"]).validate());
+    assert_eq!(told, "map.fill = 2 lies outside map.range = [0, 1]: a height in it is needed");
 }
 
 #[test]

@@ -4,7 +4,6 @@ mod check;
 mod config;
 mod emit;
 mod files;
-mod images;
 mod input;
 mod interrupt;
 mod levels;

@@ -1,7 +1,7 @@
 //! Procedural maps, cameras, ray lists and pictures.
 use reliefrtl::error::Error;
 use reliefrtl::scene::{
-    Camera, HeightMap, MapKind, Picture, ShadePoint, Shader, View, parse_rays, procedural, to_codes,
+    Camera, HeightMap, MapKind, Picture, ShadePoint, Shader, View, parse_rays, parse_table, procedural, to_codes,
 };
 
 fn sentence<T: std::fmt::Debug>(result: Result<T, Error>) -> String {
@@ -165,7 +165,10 @@ fn ray_lists() {
     assert_eq!(refused(b"u,v,du,dv\n"), "r.csv holds no ray: a line below the header is needed");
     assert_eq!(refused(b"u,v,du\n0,0,0\n"), "r.csv, line 1: no column dv: the header must name u, v, du and dv");
     assert_eq!(refused(b"0,0,0,0\n"), "r.csv, line 1: no column u: the header must name u, v, du and dv");
-    assert_eq!(refused(b"u,v,du,dv,u\n0,0,0,0,0\n"), "r.csv, line 1: two columns are named u: one is needed");
+    assert_eq!(
+        refused(b"u,v,du,dv,u\n0,0,0,0,0\n"),
+        "r.csv, line 1, column 5: a second column u: each stands there once"
+    );
     assert_eq!(refused(b"u,v,du,dv\n0,0,0,0\n0,0,x,0\n"), "r.csv, line 3, column du: \"x\" is not a number");
     assert_eq!(refused(b"u,v,du,dv\n0,NaN,0,0\n"), "r.csv, line 2, column v: NaN is not a finite number");
     assert_eq!(refused(b"u,v,du,dv\n0,0,0,-inf\n"), "r.csv, line 2, column dv: -inf is not a finite number");
@@ -175,6 +178,28 @@ fn ray_lists() {
         "r.csv, line 2: 8 values for 4 columns: a decimal point, not a comma, is needed"
     );
     assert_eq!(refused(b"u,v,du,dv\n0,\xff,0,0\n"), "r.csv, line 2: is not UTF-8 text");
+}
+
+#[test]
+fn columns_of_ray_lists() {
+    let told = |text: &str, lod| sentence(parse_table(text.as_bytes(), "r.csv", lod));
+    let twice = "r.csv, line 1, column 6: a second column lod: each stands there once";
+    assert_eq!(told("u,v,du,dv,lod,lod\n0,0,0,0,2,0\n", true), twice);
+    assert_eq!(told("u,v,du,dv,lod,lod\n0,0,0,0,2,0\n", false), twice);
+    let misspelt = "r.csv, line 1, column 5: \"lot\" is none of u, v, du, dv and lod: did you mean lod?";
+    assert_eq!(told("u,v,du,dv,lot\n0,0,0,0,2\n", false), misspelt);
+    assert!(told("u,v,du,dv,level\n0,0,0,0,2\n", true).starts_with("r.csv, line 1, column 5: \"level\" is none of"));
+    assert_eq!(told("u,v,du,Dv,dv\n0,0,0,0,2\n", false), "r.csv, line 1, column 4: \"Dv\" is written dv");
+    // Another column is nobody's business where every expected one is there.
+    let table = parse_table(b"u,v,du,dv,lod,name\n0,0,0,0,2,\"a, \"\"b\"\"\"\n", "r.csv", true).unwrap();
+    assert_eq!((table.rays.len(), table.lods), (1, Some(vec![2])));
+    assert_eq!(parse_table(b"u,v,du,dv\n0,0,0,0\n", "r.csv", true).unwrap().lods, None);
+    // A quote that is not closed would swallow rays.
+    let open = "u,v,du,dv,name\n0.1,0.1,0,0,a\n0.2,0.2,0,0,\"b\n0.3,0.3,0,0,c\n";
+    assert_eq!(told(open, false), "r.csv, line 3, column 5: a quote is not closed");
+    assert_eq!(told("\"u,v,du,dv\n0,0,0,0\n", false), "r.csv, line 1, column 1: a quote is not closed");
+    assert_eq!(told("u,v,du,dv\n0,\"0\"\",0,0\n1,1,0,0\n", false), "r.csv, line 2, column 2: a quote is not closed");
+    assert_eq!(parse_rays(b"\"u\",\"v\",du,dv\n\"0.5\",0,0,0\n", "r.csv").unwrap(), [[0.5, 0.0, 0.0, 0.0]]);
 }
 
 #[test]

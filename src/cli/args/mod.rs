@@ -86,6 +86,22 @@ pub enum Verb {
     },
 }
 
+impl Verb {
+    /// The options about the height map, of verbs that have them.
+    pub fn map(&self) -> Option<&MapArgs> {
+        match self {
+            Self::Build(a) => Some(&a.map),
+            Self::Vectors(a) => Some(&a.map),
+            Self::Trace(a) => Some(&a.map),
+            Self::Render(a) => Some(&a.map),
+            Self::Accuracy(a) => Some(&a.map),
+            Self::Report(a) => Some(&a.map),
+            Self::Fit(a) => Some(&a.map),
+            _ => None,
+        }
+    }
+}
+
 /// Options of `build` and `vectors`.
 #[derive(Args, Debug)]
 pub struct BuildArgs {
@@ -95,6 +111,9 @@ pub struct BuildArgs {
     /// The height map.
     #[command(flatten)]
     pub map: MapArgs,
+    /// Says what is taken of the map's file (size, channel, range, texels without data), and builds nothing.
+    #[arg(long)]
+    pub print_map: bool,
 }
 
 /// Options of `vectors`.
@@ -205,12 +224,31 @@ pub struct ConfigArgs {
 /// The height map of a verb.
 #[derive(Args, Debug)]
 pub struct MapArgs {
-    /// Height map: PNG, PGM, TIFF or EXR; without it the configured one.
+    /// Height map: PNG, PGM, PFM, TIFF, EXR, BMP, TGA, WebP, DDS, HGT, ESRI ASC, R16 or RAW; without it the configured one. The keys
+    /// map.range, nodata, fill, channel, part, size and byte_order say how it is read.
     #[arg(long, value_name = "FILE")]
     pub map: Option<PathBuf>,
     /// Resamples the map (size and bit depth) to what the configuration asks for.
     #[arg(long)]
     pub resample: bool,
+    /// Cuts a larger map to its first columns and rows, from the top left.
+    #[arg(long)]
+    pub crop: bool,
+    /// Continues a smaller map by its last column and row.
+    #[arg(long)]
+    pub pad: bool,
+    /// Reads maps of up to N texels instead of map.max_texels.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1 << 40))]
+    pub max_texels: Option<u64>,
+}
+
+impl MapArgs {
+    /// Puts what was asked for on the command line into the configuration; `resample` goes to whoever reads the map.
+    pub fn apply(&self, map: &mut crate::config::MapConfig) {
+        map.crop |= self.crop;
+        map.pad |= self.pad;
+        map.max_texels = self.max_texels.unwrap_or(map.max_texels);
+    }
 }
 
 /// Options of `trace`.

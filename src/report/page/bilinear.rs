@@ -119,7 +119,8 @@ pub fn pictures(plan: &Plan) -> Result<Value> {
     let levels = PICTURE_LEVELS + first.border.levels();
     // A file is resampled for this: the picture shows texels, not the map.
     let file = plan.sites[0].file.clone();
-    let map = MapConfig { kind: first.kind, file, seed: first.seed, resample: true, ..plan.config.map.clone() };
+    let map = plan.config.map.clone();
+    let map = MapConfig { kind: first.kind, file, seed: first.seed, resample: true, crop: false, pad: false, ..map };
     let site = Site::new(&plan.config, &map, levels, false)?;
     let Some(c) = config(plan, &site, FORMATS[0]) else { return Ok(Value::Null) };
     // Tests need no more than one picture.

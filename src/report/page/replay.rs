@@ -17,10 +17,11 @@ fn sets(c: &Config) -> String {
                 || key == "file"
                 || key == "kind" && section == "map" && value == "file";
             if !skip {
-                out += &format!(
-                    " --set {section}.{key}={}",
-                    value.as_str().map_or_else(|| Value::to_string(value), str::to_owned)
-                );
+                let value = value.as_str().map_or_else(|| Value::to_string(value), str::to_owned);
+                // Brackets and blanks mean something to a shell.
+                let plain = value.chars().all(|c| c.is_ascii_alphanumeric() || "._,-".contains(c));
+                let value = if plain { value } else { format!("'{}'", value.replace('\'', "'\\''")) };
+                out += &format!(" --set {section}.{key}={value}");
             }
         }
     }

@@ -2,7 +2,7 @@
 use crate::config::{Border, Config, Design, MapConfig, MapKind};
 use crate::error::{Error, Result};
 use crate::golden::Pyramid;
-use crate::scene::{Camera, ViewRay, bordered_codes, load, procedural};
+use crate::scene::{Camera, ViewRay, bordered_codes, load_codes, procedural};
 use crate::trace::rays_inside;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -51,16 +51,19 @@ impl Site {
     /// A map that can't be read or does not fit.
     pub fn new(c: &Config, map: &MapConfig, levels: u32, sweep: bool) -> Result<Self> {
         let height_bits = c.traverse.height_bits;
-        let (heights, name) = match &map.file {
+        let (texels, name) = match &map.file {
             Some(file) if map.kind == MapKind::File => {
-                (load(file)?, file.file_stem().unwrap_or_default().to_string_lossy().into_owned())
+                let name = file.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+                (load_codes(file, map, levels, height_bits, false)?.0, name)
             }
-            _ => (procedural(map.kind, levels - map.border.levels(), map.seed)?, map.kind.word().to_owned()),
+            _ => {
+                let heights = procedural(map.kind, levels - map.border.levels(), map.seed)?;
+                let name = map.kind.word().to_owned();
+                let texels = bordered_codes(&heights, map.border, levels, height_bits, map.resample)
+                    .map_err(|e| Error::input(format!("{name}: {e}")))?;
+                (texels, name)
+            }
         };
-        let texels = bordered_codes(&heights, map.border, levels, height_bits, map.resample).map_err(|e| {
-            let name = map.file.as_ref().map_or_else(|| name.clone(), |f| f.display().to_string());
-            Error::input(format!("{name}: {e}"))
-        })?;
         let pyramid = Pyramid::build(levels, height_bits, &texels)?;
         let bytes: Vec<u8> = texels.iter().flat_map(|code| code.to_le_bytes()).collect();
         let codes = blake3::hash(&bytes).to_hex()[..12].to_owned();

@@ -4,6 +4,8 @@ use reliefrtl::error::Error;
 use reliefrtl::scene::{Depth, HeightMap, decode, load, to_codes};
 use std::io::Cursor;
 
+const READ: &str = "PNG, PGM (PBM, PPM, PAM), PFM, TIFF (BigTIFF, GeoTIFF), OpenEXR, BMP, TGA, lossless WebP, DDS (R8, R16, R32F, BC4), SRTM HGT, ESRI ASC, and R16 / RAW with map.size";
+
 fn sentence<T: std::fmt::Debug>(result: Result<T, Error>) -> String {
     let error = result.expect_err("it must be refused");
     assert_eq!(error.exit_code(), 2);
@@ -66,7 +68,7 @@ fn every_code_of_8_and_16_bits_survives() {
     let all8: Vec<u8> = (0..=255).collect();
     let codes8: Vec<u32> = (0..256).collect();
     let rgb: Vec<u8> = all8.iter().flat_map(|&grey| [grey; 3]).collect();
-    let rgba: Vec<u8> = all8.iter().flat_map(|&grey| [grey, grey, grey, 7]).collect();
+    let rgba: Vec<u8> = all8.iter().flat_map(|&grey| [grey, grey, grey, 255]).collect();
     let mut p5 = b"P5 16 16 255\n".to_vec();
     p5.extend(&all8);
     for bytes in [
@@ -134,43 +136,41 @@ fn floats_count_as_they_are() {
 #[test]
 fn colour_is_no_height() {
     let told = refused(&png(&[9, 9, 9, 0, 255, 0], 2, 1, Kind::Rgb8));
-    assert!(told.contains("in colour (pixel (1, 0) has red, green and blue 0, 1, 0)"), "{told}");
+    assert!(told.contains("in colour (pixel (1, 0) has red, green and blue 0, 255, 0)"), "{told}");
     assert!(refused(b"P3 1 1 255 0 0 255").contains("a height map has one channel"));
     assert!(refused(&rgb_exr(vec![0.5, 0.5, 0.25], 1, 1)).contains("0.5, 0.5, 0.25"));
-    // Alpha is no colour.
-    assert_eq!(map(&png(&[255, 255, 255, 7], 1, 1, Kind::Rgba8)).samples, [1.0]);
+    // Alpha is no colour, but where it is not opaque there is a hole.
+    assert_eq!(map(&png(&[255; 4], 1, 1, Kind::Rgba8)).samples, [1.0]);
+    let told = refused(&png(&[255, 255, 255, 7], 1, 1, Kind::Rgba8));
+    assert!(told.contains("pixel (0, 0) is not opaque (alpha 7 of 255)"), "{told}");
 }
 
 #[test]
 fn floats_out_of_range_name_the_pixel() {
     assert_eq!(
         refused(&grey_float_tiff(&[0.0, 1.0, 0.5, f32::NAN], 2, 2)),
-        "map: pixel (1, 1) is not a number: heights must be in 0 to 1"
+        "map: 1 of 4 texels have no data (not a number), the first is pixel (1, 1): give the height that they take, in the file's units, as --set map.fill=0"
     );
     assert_eq!(
         refused(&grey_float_tiff(&[0.0, f32::INFINITY], 2, 1)),
-        "map: pixel (1, 0) is inf: heights must be in 0 to 1"
+        "map: pixel (1, 0) is inf: heights must be in 0 to 1; 1 of 2 texels lie outside, and the file's heights go from 0 to 0: use --set map.range=auto"
     );
     assert_eq!(
         refused(&one_channel_exr("Y", &[0.0, 0.0, 1.5, 0.0], 2)),
-        "map: pixel (0, 1) is 1.5: heights must be in 0 to 1"
+        "map: pixel (0, 1) is 1.5: heights must be in 0 to 1; 1 of 4 texels lie outside, and the file's heights go from 0 to 1.5: use --set map.range=0,1.5 or --set map.range=auto"
     );
-    assert_eq!(refused(&rgb_exr(vec![-0.5; 3], 1, 1)), "map: pixel (0, 0) is -0.5: heights must be in 0 to 1");
-    assert_eq!(
-        refused(&rgb_exr(vec![0.2, f32::NAN, 0.2], 1, 1)),
-        "map: pixel (0, 0) is not a number: heights must be in 0 to 1"
+    assert!(
+        refused(&rgb_exr(vec![-0.5; 3], 1, 1)).starts_with("map: pixel (0, 0) is -0.5: heights must be in 0 to 1;")
     );
-    assert_eq!(
-        refused(&rgb_exr(vec![0.0, 0.0, 1.2], 1, 1)),
-        "map: pixel (0, 0) is 1.2000000476837158: heights must be in 0 to 1"
-    );
+    assert!(refused(&rgb_exr(vec![0.2, f32::NAN, 0.2], 1, 1)).starts_with("map: 1 of 1 texels have no data"));
+    assert!(refused(&rgb_exr(vec![1.2; 3], 1, 1)).starts_with("map: pixel (0, 0) is 1.2000000476837158: heights"));
 }
 
 #[test]
 fn broken_files() {
-    assert_eq!(refused(b""), "map: the file is empty: a PNG, PGM, TIFF or OpenEXR image is needed");
-    assert_eq!(refused(b"GIF89a..."), "map: not an image of a known type: PNG, PGM, TIFF or OpenEXR is needed");
-    assert_eq!(refused(b"hello"), "map: not an image of a known type: PNG, PGM, TIFF or OpenEXR is needed");
+    assert_eq!(refused(b""), format!("map: the file is empty: {READ} are read"));
+    assert_eq!(refused(b"GIF89a..."), format!("map: not a file of a known kind: {READ} are read"));
+    assert_eq!(refused(b"hello"), format!("map: not a file of a known kind: {READ} are read"));
     let whole = png(&[0; 1024], 32, 32, Kind::L8);
     assert!(refused(&whole[..whole.len() / 2]).starts_with("map: not a readable PNG: "));
     let whole = grey_float_tiff(&[0.0; 64], 8, 8);
@@ -179,18 +179,18 @@ fn broken_files() {
     assert!(refused(&whole[..whole.len() - 30]).starts_with("map: not a readable OpenEXR: "));
     assert_eq!(
         refused(b"P5 4 4 255\nabc"),
-        "map: not a readable PGM: 4 x 4 pixels of 255 levels are announced, but only 3 bytes follow"
+        "map: not a readable PGM: 4 x 4 pixels of 4 bytes a row are announced, but only 3 bytes follow"
     );
     assert_eq!(refused(b"P5 0 4 255\n"), "map: an empty image (0 x 4): at least one pixel is needed");
     assert_eq!(
         refused(b"P5 99999999999 99999999999 255\n"),
-        "map: not a readable PGM: 99999999999 x 99999999999 pixels of 255 levels are announced, but only 0 bytes follow"
+        "map: 99999999999 x 99999999999 are 9999999999800000000001 texels, more than map.max_texels = 67108864: if they are meant, ask for them with --max-texels 9999999999800000000001"
     );
-    assert_eq!(refused(b"P5 4 4"), "map: not a readable PGM: it ends before the maximum");
+    assert_eq!(refused(b"P5 4 4"), "map: not a readable portable map: it ends before the maximum");
     assert_eq!(refused(b"P5 4 4 70000\n"), "map: not a readable PGM: its maximum is 70000, 1 to 65535 are legal");
     assert_eq!(
         refused(b"P2 2 1 9\n1 x9 9"),
-        "map: not a readable PGM: \"x9\" is not a number where pixel (1, 0) should stand"
+        "map: not a readable portable map: \"x9\" is not a number where pixel (1, 0) should stand"
     );
     assert_eq!(refused(b"P2 2 1 9\n1 10"), "map: not a readable PGM: pixel (1, 0) is 10, above its maximum 9");
     let missing = sentence(load("no/such/map.png"));
@@ -231,15 +231,20 @@ fn another_size_or_depth_is_refused_with_the_fix() {
     );
     assert_eq!(
         codes(flat(64, 32, eight), 6, 8),
-        "the map is 64 x 32, not square, and traverse.levels = 6 needs 64 x 64: use --resample"
+        "the map is 64 x 32, not square, and traverse.levels = 6 needs 64 x 64: use --set traverse.levels=5 --crop (its first 32 x 32), --pad (continued to 64 x 64), or --resample (filtered to 64 x 64)"
     );
     assert_eq!(
         codes(flat(100, 100, eight), 6, 8),
-        "the map is 100 x 100, no power of two, and traverse.levels = 6 needs 64 x 64: use --resample"
+        "the map is 100 x 100, no power of two, and traverse.levels = 6 needs 64 x 64: use --crop (its first 64 x 64), --set traverse.levels=7 --pad (continued to 128 x 128), or --resample (filtered to 64 x 64)"
+    );
+    let told = codes(flat(1025, 1025, eight), 8, 8);
+    assert!(
+        told.contains("use --set traverse.levels=10 --crop (its first 1024 x 1024), --set traverse.levels=11 --pad"),
+        "{told}"
     );
     assert_eq!(
         codes(flat(1, 1, eight), 2, 8),
-        "the map is 1 x 1, not 4 to 4096 texels wide, and traverse.levels = 2 needs 4 x 4: use --resample"
+        "the map is 1 x 1, not 4 to 4096 texels wide, and traverse.levels = 2 needs 4 x 4: use --resample (filtered to 4 x 4)"
     );
     assert_eq!(
         codes(flat(8, 8, Depth::Bits(16)), 2, 8),

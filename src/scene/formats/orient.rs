@@ -1,0 +1,49 @@
+//! Pictures that are stored turned or mirrored.
+use super::{Info, Opened, Rows, filled};
+use crate::error::Result;
+
+/// A picture whose stored rows must be turned, as the tag of TIFF and EXIF says: 1 is upright, 2 mirrored, 3 upside down, 4 both, 5 to 8
+/// with rows and columns exchanged.
+pub(super) fn upright(opened: Opened<'_>, orientation: u32) -> Result<Opened<'_>> {
+    if !(2..=8).contains(&orientation) {
+        return Ok(opened);
+    }
+    let Opened { info, mut rows } = opened;
+    let (width, height) = (info.width, info.height);
+    let mut samples = filled(0.0, width * height)?;
+    samples.chunks_exact_mut(width).try_for_each(|row| rows.next(row))?;
+    let turned = orientation >= 5;
+    let info = if turned { Info { width: height, height: width, ..info } } else { info };
+    Ok(Opened { info, rows: Box::new(Turned { samples, width, height, orientation, at: 0 }) })
+}
+
+struct Turned {
+    samples: Vec<f64>,
+    /// As stored.
+    width: usize,
+    /// As stored.
+    height: usize,
+    orientation: u32,
+    at: usize,
+}
+
+impl Rows for Turned {
+    fn next(&mut self, row: &mut [f64]) -> Result<()> {
+        let (right, bottom) = (self.width - 1, self.height - 1);
+        let y = self.at;
+        for (x, height) in row.iter_mut().enumerate() {
+            let (column, line) = match self.orientation {
+                2 => (right - x, y),
+                3 => (right - x, bottom - y),
+                4 => (x, bottom - y),
+                5 => (y, x),
+                6 => (y, bottom - x),
+                7 => (right - y, bottom - x),
+                _ => (right - y, x),
+            };
+            *height = self.samples[line * self.width + column];
+        }
+        self.at += 1;
+        Ok(())
+    }
+}

@@ -1,0 +1,210 @@
+//! TIFF, BigTIFF and GeoTIFF: tags by the crate `tiff`, pages, palettes, and no-data values.
+use super::orient::upright;
+use super::pick::Pick;
+use super::tiff_chunks::{Chunks, Grid, Meaning, Number};
+use super::{Info, Opened, Samples, broken, sized};
+use crate::config::MapConfig;
+use crate::error::{Error, Result};
+use crate::scene::source::Handle;
+use std::io::{Read, Seek, SeekFrom};
+use tiff::decoder::Decoder;
+use tiff::tags::{CompressionMethod, PhotometricInterpretation as Photo, SampleFormat, Tag};
+
+pub(super) const KIND: &str = "TIFF";
+/// Pages that are looked at.
+const PAGES: usize = 1000;
+
+type Tags<'a> = Decoder<Handle<'a>>;
+
+fn failed(error: tiff::TiffError) -> Error {
+    broken(KIND, error)
+}
+
+pub(super) fn open<'a>(handle: Handle<'a>, len: u64, map: &MapConfig) -> Result<Opened<'a>> {
+    let mut tags = Decoder::new(counted(handle, len)?).map_err(failed)?;
+    let part = page(&mut tags, map)?;
+    let number = |tags: &mut Tags<'a>, tag: Tag| tags.find_tag_unsigned::<u32>(tag).map_err(failed);
+    let (width, height) = tags.dimensions().map_err(failed)?;
+    let (width, height) = sized(width.into(), height.into(), map)?;
+    let photo = number(&mut tags, Tag::PhotometricInterpretation)?.and_then(|code| Photo::from_u16(code as u16));
+    let photo = photo.ok_or_else(|| broken(KIND, "it does not say what its pixels mean"))?;
+    let per_pixel = number(&mut tags, Tag::SamplesPerPixel)?.unwrap_or(1) as usize;
+    let bits = first(&mut tags, Tag::BitsPerSample)?.unwrap_or(1);
+    let format = SampleFormat::from_u16_exhaustive(first(&mut tags, Tag::SampleFormat)?.unwrap_or(1) as u16);
+    let numbers = match (format, bits) {
+        (SampleFormat::Uint | SampleFormat::Void, 1..=32) => Number::Unsigned,
+        (SampleFormat::Int, 2..=32) => Number::Signed,
+        (SampleFormat::IEEEFP, 16 | 32 | 64) => Number::Float,
+        (format, bits) => {
+            let read = "whole numbers of at most 32 bits and floats of 16, 32 or 64 are read";
+            return Err(broken(KIND, format!("its samples are {format:?} of {bits} bits: {read}")));
+        }
+    };
+    let names = names(&mut tags, photo, per_pixel)?;
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let stored = match numbers {
+        Number::Unsigned => Samples::bits(bits),
+        Number::Signed => Samples::Signed(bits),
+        Number::Float => Samples::Float(bits),
+    };
+    let (meaning, names, samples) = match photo {
+        Photo::RGBPalette if numbers == Number::Unsigned && bits <= 16 && per_pixel == 1 => {
+            let (palette, samples) = palette(&mut tags, bits)?;
+            (Meaning::Palette(palette), vec!["R", "G", "B"], samples)
+        }
+        Photo::BlackIsZero | Photo::RGB => (Meaning::Plain, names, stored),
+        Photo::WhiteIsZero if numbers != Number::Signed => (Meaning::Inverted, names, stored),
+        other => {
+            return Err(broken(
+                KIND,
+                format!("its pixels are {other:?} ({format:?}), and grey, RGB and grey palettes are read"),
+            ));
+        }
+    };
+    let pick = Pick::new(&names, samples.full(), map)?;
+    let compression = number(&mut tags, Tag::Compression)?.unwrap_or(1) as u16;
+    let compression = CompressionMethod::from_u16_exhaustive(compression);
+    if matches!(compression, CompressionMethod::JPEG | CompressionMethod::ModernJPEG | CompressionMethod::WebP)
+        && !map.lossy
+    {
+        return Err(Error::input(format!(
+            "this TIFF is compressed with loss ({compression:?}): its heights are not those that were stored; use one without loss, or read it all the same with --set map.lossy=true"
+        )));
+    }
+    let orientation = number(&mut tags, Tag::Orientation)?.unwrap_or(1);
+    let nodata = nodata(&mut tags)?;
+    let info = Info { channel: pick.label(), part, nodata, ..Info::new(KIND, width, height, samples) };
+    let grid = Grid::new(&mut tags, (width, height), per_pixel, bits)?;
+    let chunks = Chunks::new(tags, grid, (numbers, meaning), pick, compression, len)?;
+    upright(Opened { info, rows: Box::new(chunks) }, orientation)
+}
+
+/// The file from its start, after a look at its directories: no tag announces more values than the file has bytes for, which `tiff`
+/// would allocate.
+fn counted(mut handle: Handle<'_>, len: u64) -> Result<Handle<'_>> {
+    let ended = |error: std::io::Error| broken(KIND, error);
+    let mut head = [0; 4];
+    handle.read_exact(&mut head).map_err(ended)?;
+    let (little, big) = (head[0] == b'I', head.contains(&43));
+    let number = |handle: &mut Handle<'_>, bytes: usize| -> Result<u64> {
+        let mut word = [0; 8];
+        handle.read_exact(&mut word[..bytes]).map_err(ended)?;
+        let push = |word: u64, byte: &u8| word << 8 | u64::from(*byte);
+        Ok(if little { word[..bytes].iter().rev().fold(0, push) } else { word[..bytes].iter().fold(0, push) })
+    };
+    let wide = if big { 8 } else { 4 };
+    if big {
+        number(&mut handle, 4)?;
+    }
+    let mut place = number(&mut handle, wide)?;
+    for _ in 0..PAGES {
+        if place == 0 || place >= len {
+            break;
+        }
+        handle.seek(SeekFrom::Start(place)).map_err(ended)?;
+        let entries = number(&mut handle, if big { 8 } else { 2 })?;
+        if entries > len {
+            return Err(broken(KIND, format!("a directory of {entries} entries is announced in {len} bytes")));
+        }
+        for _ in 0..entries {
+            let (tag, kind) = (number(&mut handle, 2)?, number(&mut handle, 2)?);
+            let count = number(&mut handle, wide)?;
+            number(&mut handle, wide)?;
+            let size = match kind {
+                3 | 8 => 2,
+                4 | 9 | 11 | 13 => 4,
+                5 | 10 | 12 | 16..=18 => 8,
+                _ => 1,
+            };
+            if count.saturating_mul(size) > len {
+                return Err(broken(KIND, format!("{count} values of tag {tag} are announced in {len} bytes")));
+            }
+        }
+        place = number(&mut handle, wide)?;
+    }
+    handle.rewind().map_err(ended)?;
+    Ok(handle)
+}
+
+/// The first number of a tag.
+fn first(tags: &mut Tags<'_>, tag: Tag) -> Result<Option<u32>> {
+    Ok(tags.find_tag_unsigned_vec::<u32>(tag).map_err(failed)?.and_then(|list| list.first().copied()))
+}
+
+/// Goes to the page that is asked for, or the only one that is no reduced copy and no mask.
+fn page(tags: &mut Tags<'_>, map: &MapConfig) -> Result<Option<String>> {
+    let mut pages = Vec::new();
+    loop {
+        let kind = tags.find_tag_unsigned::<u32>(Tag::NewSubfileType).map_err(failed)?.unwrap_or(0);
+        pages.push((tags.dimensions().map_err(failed)?, kind & 5 == 0));
+        if !tags.more_images() || pages.len() == PAGES {
+            break;
+        }
+        tags.next_image().map_err(failed)?;
+    }
+    let listed = || {
+        let one = |(at, ((width, height), _)): (usize, &((u32, u32), bool))| format!("{at} ({width} x {height})");
+        pages.iter().enumerate().take(20).map(one).collect::<Vec<_>>().join(", ")
+    };
+    let mut whole = (0..pages.len()).filter(|&at| pages[at].1);
+    let at = match (&map.part, whole.next(), whole.next()) {
+        (Some(asked), ..) => {
+            asked.parse().ok().filter(|&at: &usize| at < pages.len()).ok_or_else(|| {
+                Error::input(format!("there is no page {asked:?} (map.part): the file has {}", listed()))
+            })?
+        }
+        (None, Some(at), None) => at,
+        (None, None, _) => 0,
+        (None, Some(_), Some(_)) => {
+            return Err(Error::input(format!(
+                "the file has the pages {}, and which one is the map is not ours to guess: choose it with --set map.part=0",
+                listed()
+            )));
+        }
+    };
+    tags.seek_to_image(at).map_err(failed)?;
+    Ok((pages.len() > 1).then(|| at.to_string()))
+}
+
+/// The names of the samples of a pixel: what their meaning gives, `A` for opacity, else numbers from 1.
+fn names(tags: &mut Tags<'_>, photo: Photo, per_pixel: usize) -> Result<Vec<String>> {
+    let extra = tags.find_tag_unsigned_vec::<u32>(Tag::ExtraSamples).map_err(failed)?.unwrap_or_default();
+    let own: &[&str] = if photo == Photo::RGB { &["R", "G", "B"] } else { &["Y"] };
+    if per_pixel < own.len() || per_pixel > 64 {
+        return Err(broken(KIND, format!("it has {per_pixel} samples a pixel")));
+    }
+    let one = |at: usize| match own.get(at) {
+        Some(name) => (*name).to_owned(),
+        // Colours with a fourth sample that nobody explains are taken for colours with opacity.
+        None if matches!(extra.get(at - own.len()), Some(1 | 2)) => "A".to_owned(),
+        None if extra.is_empty() && photo == Photo::RGB && at == 3 => "A".to_owned(),
+        None => (at + 1).to_string(),
+    };
+    Ok((0..per_pixel).map(one).collect())
+}
+
+/// Red, green and blue of each number: of 8 bits, if none needs more, else of 16.
+fn palette(tags: &mut Tags<'_>, bits: u32) -> Result<(Vec<[f64; 3]>, Samples)> {
+    let list = tags.find_tag_unsigned_vec::<u16>(Tag::ColorMap).map_err(failed)?.unwrap_or_default();
+    let colours = 1usize << bits;
+    if list.len() != 3 * colours {
+        return Err(broken(KIND, format!("its palette has {} numbers instead of {}", list.len(), 3 * colours)));
+    }
+    let wide = list.iter().any(|word| word % 257 != 0);
+    let value = |at: usize| f64::from(if wide { list[at] } else { list[at] / 257 });
+    let palette = (0..colours).map(|at| [value(at), value(colours + at), value(2 * colours + at)]).collect();
+    Ok((palette, Samples::bits(if wide { 16 } else { 8 })))
+}
+
+/// What GDAL wrote down as the value of no data.
+fn nodata(tags: &mut Tags<'_>) -> Result<Option<f64>> {
+    if tags.find_tag(Tag::GdalNodata).map_err(failed)?.is_none() {
+        return Ok(None);
+    }
+    let text = tags.get_tag_ascii_string(Tag::GdalNodata).map_err(failed)?;
+    let text = text.trim_matches(|c: char| c == '\0' || c.is_whitespace());
+    text.parse().map(Some).map_err(|_| {
+        let shown: String = text.chars().take(20).collect();
+        broken(KIND, format!("its no-data value {shown:?} (tag 42113) is not a number"))
+    })
+}

@@ -1,0 +1,485 @@
+//! Every kind of file that is read, from known codes to the same codes.
+use super::make::{Tiff, dds, exr, png};
+use super::{keys, sentence};
+use image::{ExtendedColorType as Kind, ImageEncoder, ImageFormat};
+use png::{BitDepth, ColorType};
+use reliefrtl::scene::{decode_as, decode_codes};
+use std::io::Cursor;
+
+/// Sixteen codes of this many bits, the ends among them.
+fn ramp(bits: u32) -> Vec<u64> {
+    let max = u64::MAX >> (64 - bits);
+    (0..16).map(|at| if at == 15 { max } else { at * 7919 * (max / 16 + 1) % (max + 1) }).collect()
+}
+
+/// The codes of a 4 x 4 map of at most 16 bits.
+fn codes(bytes: &[u8], name: &str, bits: u32, sets: &[&str]) -> Vec<u64> {
+    let read = decode_codes(bytes, name, &keys(sets), 2, bits, false);
+    read.unwrap_or_else(|e| panic!("{e}")).0.iter().map(|code| u64::from(*code)).collect()
+}
+
+/// Samples in the file's units, whatever their number.
+fn units(bytes: &[u8], name: &str, low: f64, high: f64, sets: &[&str]) -> Vec<f64> {
+    let range = format!("map.range={low},{high}");
+    let map = keys(&[sets, &[range.as_str()]].concat());
+    let (map, _) = decode_as(bytes, name, &map).unwrap_or_else(|e| panic!("{e}"));
+    map.samples.iter().map(|height| (height * (high - low) + low).round()).collect()
+}
+
+/// Big-endian bits of samples, rows of four filled up to bytes.
+fn packed(words: &[u64], bits: u32) -> Vec<u8> {
+    let row = |row: &[u64]| {
+        let mut out = vec![0u8; (4 * bits as usize).div_ceil(8)];
+        for (at, word) in row.iter().enumerate() {
+            for bit in 0..bits as usize {
+                let place = at * bits as usize + bit;
+                out[place / 8] |= ((word >> (bits as usize - 1 - bit) & 1) as u8) << (7 - place % 8);
+            }
+        }
+        out
+    };
+    words.chunks(4).flat_map(row).collect()
+}
+
+#[test]
+fn png_at_its_own_depth() {
+    for (depth, bits) in
+        [(BitDepth::One, 1), (BitDepth::Two, 2), (BitDepth::Four, 4), (BitDepth::Eight, 8), (BitDepth::Sixteen, 16)]
+    {
+        let words = ramp(bits);
+        let file = png(4, depth, ColorType::Grayscale, &packed(&words, bits), |_| ());
+        if bits > 1 {
+            assert_eq!(codes(&file, "m.png", bits, &[]), words, "{bits} bits");
+        }
+        assert_eq!(
+            codes(&file, "m.png", 16, &[]),
+            words.iter().map(|w| w * 65535 / ((1 << bits) - 1)).collect::<Vec<_>>()
+        );
+    }
+    // A grey palette, whose numbers are not the heights.
+    let palette: Vec<u8> = (0..16u8).flat_map(|grey| [255 - 3 * grey; 3]).collect();
+    let words: Vec<u64> = (0..16).collect();
+    let file = png(4, BitDepth::Four, ColorType::Indexed, &packed(&words, 4), |e| e.set_palette(palette.clone()));
+    assert_eq!(codes(&file, "m.png", 8, &[]), (0..16).map(|at| 255 - 3 * at).collect::<Vec<u64>>());
+    // A transparent colour is a hole where it occurs.
+    let keyed = |grey: u16| {
+        let trns = grey.to_be_bytes().to_vec();
+        png(4, BitDepth::Eight, ColorType::Grayscale, &packed(&ramp(8), 8), move |e| e.set_trns(trns.clone()))
+    };
+    assert_eq!(codes(&keyed(3), "m.png", 8, &[]), ramp(8));
+    let told = sentence(decode_codes(&keyed(255), "m.png", &keys(&[]), 2, 8, false));
+    assert!(told.starts_with("m.png: pixel (3, 3) is not opaque (alpha 0 of 255)"), "{told}");
+    assert_eq!(codes(&keyed(255), "m.png", 8, &["map.channel=Y"]), ramp(8));
+}
+
+#[test]
+fn interlaced_png() {
+    // 8 x 1 of 1 bit in Adam7: passes of columns 0, 4, (2, 6), (1, 3, 5, 7), each a row with its filter byte.
+    let mut raw = Vec::new();
+    for pass in [[1u8, 0, 0, 0].as_slice(), &[0], &[1, 1], &[0, 1, 0, 1]] {
+        let pass = if pass.len() == 4 && raw.is_empty() { &pass[..1] } else { pass };
+        let byte = pass.iter().enumerate().fold(0u8, |byte, (at, bit)| byte | bit << (7 - at));
+        raw.extend([0, byte]);
+    }
+    let mut file = b"\x89PNG\r\n\x1a\n".to_vec();
+    let mut deflate = flate2::write::ZlibEncoder::new(Vec::new(), flate2::Compression::default());
+    std::io::Write::write_all(&mut deflate, &raw).unwrap();
+    let header = [0, 0, 0, 8, 0, 0, 0, 1, 1, 0, 0, 0, 1];
+    for (kind, data) in [(b"IHDR", header.to_vec()), (b"IDAT", deflate.finish().unwrap()), (b"IEND", Vec::new())] {
+        file.extend((data.len() as u32).to_be_bytes());
+        let chunk = [kind.as_slice(), &data].concat();
+        let mut crc = flate2::Crc::new();
+        crc.update(&chunk);
+        file.extend(chunk);
+        file.extend(crc.sum().to_be_bytes());
+    }
+    let (map, _) = decode_as(&file, "m.png", &keys(&[])).unwrap();
+    assert_eq!(map.samples, [1.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 1.0]);
+}
+
+#[test]
+fn tiff_of_every_depth() {
+    for bits in 1..=16 {
+        let words = ramp(bits);
+        for big_endian in [false, true] {
+            let file = Tiff { big_endian, ..Tiff::grey(4, bits, &words) }.bytes();
+            if bits > 1 {
+                assert_eq!(codes(&file, "m.tif", bits, &[]), words, "{bits} bits");
+            }
+            let inverted: Vec<u64> = words.iter().map(|w| (1 << bits) - 1 - w).collect();
+            let white = Tiff { big_endian, photometric: 0, ..Tiff::grey(4, bits, &inverted) }.bytes();
+            assert_eq!(codes(&white, "m.tif", 16, &[]), codes(&file, "m.tif", 16, &[]), "{bits} bits, 0 is white");
+        }
+    }
+    let words = ramp(32);
+    let exact: Vec<f64> = words.iter().map(|w| *w as f64).collect();
+    let file = Tiff::grey(4, 32, &words).bytes();
+    assert_eq!(units(&file, "m.tif", 0.0, f64::from(u32::MAX), &[]), exact);
+}
+
+#[test]
+fn tiff_of_signed_numbers_and_floats() {
+    for bits in [8, 16, 32] {
+        let values: Vec<i64> = (0..16).map(|at| at * 7 - 60 + if at == 3 { 120 - 21 } else { 0 }).collect();
+        let words: Vec<u64> = values.iter().map(|v| *v as u64 & (u64::MAX >> (64 - bits))).collect();
+        let file = Tiff { format: 2, ..Tiff::grey(4, bits, &words) }.bytes();
+        let exact: Vec<f64> = values.iter().map(|v| *v as f64).collect();
+        assert_eq!(units(&file, "m.tif", -100.0, 155.0, &[]), exact);
+        let shifted: Vec<u64> = values.iter().map(|v| (v + 100) as u64).collect();
+        assert_eq!(codes(&file, "m.tif", 8, &["map.range=-100,155"]), shifted, "a range of 255 steps is 8 bits");
+    }
+    let values: Vec<f64> = (0..16).map(|at| f64::from(at) * 64.0 - 300.0).collect();
+    let half = |v: f64| u64::from(half_bits(v));
+    let single = |v: f64| u64::from((v as f32).to_bits());
+    for (bits, words) in [
+        (16, values.iter().map(|v| half(*v)).collect::<Vec<u64>>()),
+        (32, values.iter().map(|v| single(*v)).collect()),
+        (64, values.iter().map(|v| v.to_bits()).collect()),
+    ] {
+        for predictor in [1, 3] {
+            for big_endian in [false, true] {
+                let compression = if predictor == 3 { 8 } else { 1 };
+                let grey = Tiff::grey(4, bits, &words);
+                let file = Tiff { format: 3, predictor, compression, big_endian, ..grey }.bytes();
+                assert_eq!(units(&file, "m.tif", -300.0, 660.0, &[]), values, "{bits} bits, predictor {predictor}");
+            }
+        }
+    }
+}
+
+/// A half-precision number of few bits.
+fn half_bits(v: f64) -> u16 {
+    let bits = v.to_bits();
+    let exponent = (bits >> 52 & 2047) as i32 - 1023;
+    if v == 0.0 { 0 } else { (bits >> 63 << 15) as u16 | ((exponent + 15) as u16) << 10 | (bits >> 42 & 1023) as u16 }
+}
+
+#[test]
+fn tiff_however_it_is_cut_and_packed() {
+    let words = ramp(12);
+    let wide: Vec<u64> = words.iter().map(|w| w * 5 % 65536).collect();
+    for compression in [1, 5, 8, 32773, 50000] {
+        for (bits, words) in [(12, &words), (16, &wide), (8, &ramp(8))] {
+            for predictor in [1, 2] {
+                for tile in [None, Some((16, 16)), Some((3, 2))] {
+                    for big_tiff in [false, true] {
+                        let grey = Tiff::grey(4, bits, words);
+                        let file = Tiff { compression, predictor, tile, big_tiff, ..grey };
+                        assert_eq!(codes(&file.bytes(), "m.tif", bits, &[]), *words, "{file:?}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn tiff_of_several_samples() {
+    let words = ramp(16);
+    for planar in [false, true] {
+        for tile in [None, Some((3, 2))] {
+            let mixed = |alpha: u64| words.iter().flat_map(|w| [*w, alpha]).collect::<Vec<u64>>();
+            let grey = |words: &[u64]| Tiff { samples: 2, planar, tile, height: 4, ..Tiff::grey(4, 16, words) };
+            let opaque = Tiff { extra: Some(2), ..grey(&mixed(65535)) }.bytes();
+            assert_eq!(codes(&opaque, "m.tif", 16, &[]), words);
+            let holes = Tiff { extra: Some(2), ..grey(&mixed(65534)) }.bytes();
+            let told = sentence(decode_codes(&holes, "m.tif", &keys(&[]), 2, 16, false));
+            assert!(told.contains("pixel (0, 0) is not opaque (alpha 65534 of 65535)"), "{told}");
+            assert_eq!(codes(&holes, "m.tif", 16, &["map.channel=Y"]), words);
+            // Two bands that nobody explains.
+            let bands = Tiff { extra: Some(0), ..grey(&mixed(7)) }.bytes();
+            let told = sentence(decode_codes(&bands, "m.tif", &keys(&[]), 2, 16, false));
+            assert!(told.contains("the file has the channels Y, 2, and which one"), "{told}");
+            assert_eq!(codes(&bands, "m.tif", 16, &["map.channel=2"]), [7; 16]);
+            let three: Vec<u64> = words.iter().flat_map(|w| [*w; 3]).collect();
+            let rgb = Tiff { samples: 3, photometric: 2, planar, tile, height: 4, ..Tiff::grey(4, 16, &three) };
+            assert_eq!(codes(&rgb.bytes(), "m.tif", 16, &[]), words);
+        }
+    }
+}
+
+#[test]
+fn tiff_palettes() {
+    let numbers: Vec<u64> = (0..16).collect();
+    for bits in [4, 8] {
+        let entry = |at: u16| 65535 - 257 * 3 * (at % 16);
+        let palette: Vec<u16> = (0..3).flat_map(|_| (0..1u16 << bits).map(entry)).collect();
+        let grey = Tiff::grey(4, bits, &numbers);
+        let file = Tiff { photometric: 3, palette: Some(palette), ..grey }.bytes();
+        assert_eq!(codes(&file, "m.tif", 8, &[]), (0..16).map(|at| 255 - 3 * at).collect::<Vec<u64>>());
+    }
+}
+
+#[test]
+fn tiff_turned_and_mirrored() {
+    // 3 columns, 2 rows: a b c / d e f as it shall be seen.
+    let seen = [10u64, 20, 30, 40, 50, 60];
+    for (orientation, stored, width) in [
+        (1, [10, 20, 30, 40, 50, 60], 3),
+        (2, [30, 20, 10, 60, 50, 40], 3),
+        (3, [60, 50, 40, 30, 20, 10], 3),
+        (4, [40, 50, 60, 10, 20, 30], 3),
+        (5, [10, 40, 20, 50, 30, 60], 2),
+        (6, [30, 60, 20, 50, 10, 40], 2),
+        (7, [60, 30, 50, 20, 40, 10], 2),
+        (8, [40, 10, 50, 20, 60, 30], 2),
+    ] {
+        let file = Tiff { orientation, ..Tiff::grey(width, 8, &stored) }.bytes();
+        let (map, taken) = decode_as(&file, "m.tif", &keys(&[])).unwrap();
+        assert_eq!((taken.width, taken.height), (3, 2), "orientation {orientation}");
+        let there: Vec<u64> = map.samples.iter().map(|h| (h * 255.0).round() as u64).collect();
+        assert_eq!(there, seen, "orientation {orientation}");
+    }
+}
+
+#[test]
+fn tiff_pages() {
+    let (first, second) = (Tiff::grey(4, 8, &ramp(8)), Tiff::grey(4, 8, &[9; 16]));
+    // A reduced copy is no page to choose from.
+    let overview = first.pages(&[(&Tiff::grey(2, 8, &[1; 4]), 1)]);
+    assert_eq!(codes(&overview, "m.tif", 8, &[]), ramp(8));
+    let two = first.pages(&[(&second, 0)]);
+    let told = sentence(decode_codes(&two, "m.tif", &keys(&[]), 2, 8, false));
+    assert!(told.contains("the file has the pages 0 (4 x 4), 1 (4 x 4), and which one"), "{told}");
+    assert_eq!(codes(&two, "m.tif", 8, &["map.part=1"]), [9; 16]);
+    let told = sentence(decode_codes(&two, "m.tif", &keys(&["map.part=2"]), 2, 8, false));
+    assert!(told.contains("there is no page \"2\" (map.part): the file has 0 (4 x 4), 1 (4 x 4)"), "{told}");
+}
+
+#[test]
+fn portable_maps() {
+    let words = ramp(8);
+    let text = |words: &[u64]| words.iter().map(|w| format!(" {w}")).collect::<String>();
+    let bytes: Vec<u8> = words.iter().map(|w| *w as u8).collect();
+    let wide: Vec<u8> = ramp(10).iter().flat_map(|w| (*w as u16).to_be_bytes()).collect();
+    let colour: Vec<u8> = bytes.iter().flat_map(|b| [*b; 3]).collect();
+    let opaque: Vec<u8> = bytes.iter().flat_map(|b| [*b, 255]).collect();
+    let p2 = format!("P2\n# ten bits\n4 4\n1023{}\n", text(&ramp(10)));
+    let p3: String = words.iter().map(|w| format!("{w} {w} {w}\n")).collect();
+    let pam = |depth: u32, max: u32, kind: &str| {
+        format!("P7\nWIDTH 4\nHEIGHT 4\nDEPTH {depth}\nMAXVAL {max}\nTUPLTYPE {kind}\nENDHDR\n").into_bytes()
+    };
+    assert_eq!(codes(p2.as_bytes(), "m", 10, &[]), ramp(10));
+    assert_eq!(codes(&[b"P5 4 4 1023\n".as_slice(), &wide].concat(), "m", 10, &[]), ramp(10));
+    assert_eq!(codes(&[pam(1, 1023, "GRAYSCALE"), wide].concat(), "m", 10, &[]), ramp(10));
+    for file in [
+        [b"P5 4 4 255\n".as_slice(), &bytes].concat(),
+        format!("P3 4 4 255\n{p3}").into_bytes(),
+        [b"P6 4 4 255\n".as_slice(), &colour].concat(),
+        [pam(1, 255, "GRAYSCALE"), bytes].concat(),
+        [pam(3, 255, "RGB"), colour].concat(),
+        [pam(2, 255, "GRAYSCALE_ALPHA"), opaque].concat(),
+    ] {
+        assert_eq!(codes(&file, "m", 8, &[]), words);
+    }
+    // In a bitmap 1 is black; digits need no space between them.
+    let bits: Vec<u64> = [0, 3, 3, 0, 3, 0, 0, 0, 3, 3, 3, 3, 0, 0, 0, 3].to_vec();
+    for file in [b"P1 4 4 1001 0111\n0000 1110".to_vec(), b"P4 4 4\n\x90\x70\x00\xe0".to_vec()] {
+        assert_eq!(codes(&file, "m", 2, &[]), bits);
+    }
+}
+
+#[test]
+fn pfm_from_the_bottom_in_both_orders() {
+    let values: Vec<f32> = (0..16).map(|at| at as f32 * 3.5 - 20.0).collect();
+    let upward: Vec<f32> = values.chunks(4).rev().flatten().copied().collect();
+    let exact: Vec<f64> = values.iter().map(|v| f64::from(*v)).collect();
+    let little: Vec<u8> = upward.iter().flat_map(|v| v.to_le_bytes()).collect();
+    let big: Vec<u8> = upward.iter().flat_map(|v| v.to_be_bytes()).collect();
+    let colour: Vec<u8> = upward.iter().flat_map(|v| [v.to_le_bytes(); 3]).flatten().collect();
+    for file in [
+        [b"Pf\n4 4\n-1.0\n".as_slice(), &little].concat(),
+        [b"Pf\n4 4\n1.0\n".as_slice(), &big].concat(),
+        [b"PF 4 4 -1\n".as_slice(), &colour].concat(),
+    ] {
+        let (map, _) = decode_as(&file, "m.pfm", &keys(&["map.range=-20,44"])).unwrap();
+        assert_eq!(map.samples.iter().map(|h| h * 64.0 - 20.0).collect::<Vec<f64>>(), exact);
+    }
+}
+
+#[test]
+fn files_without_a_header() {
+    let words = ramp(16);
+    let little: Vec<u8> = words.iter().flat_map(|w| (*w as u16).to_le_bytes()).collect();
+    let big: Vec<u8> = words.iter().flat_map(|w| (*w as u16).to_be_bytes()).collect();
+    assert_eq!(codes(&little, "m.r16", 16, &[]), words, "a square tells its size");
+    assert_eq!(codes(&little, "m.raw", 16, &["map.size=4,4"]), words);
+    assert_eq!(codes(&big, "m.RAW", 16, &["map.size=4,4", "map.byte_order=big"]), words);
+    assert_eq!(codes(&big, "m.bin", 16, &["map.size=4,4", "map.byte_order=big"]), words);
+    let bytes: Vec<u8> = ramp(8).iter().map(|w| *w as u8).collect();
+    assert_eq!(codes(&bytes, "m.raw", 8, &["map.size=4,4"]), ramp(8));
+    let floats: Vec<u8> = (0..16).flat_map(|at| (at as f32).to_le_bytes()).collect();
+    assert_eq!(codes(&floats, "m.r32", 4, &["map.range=0,15"]), (0..16).collect::<Vec<u64>>());
+    let told = sentence(decode_codes(&little, "m.raw", &keys(&[]), 2, 16, false));
+    assert!(
+        told.starts_with("m.raw: a RAW file has no header (32 bytes): give its size with --set map.size="),
+        "{told}"
+    );
+    let told = sentence(decode_codes(&little, "m.raw", &keys(&["map.size=5,4"]), 2, 16, false));
+    assert!(told.contains("32 bytes, which are no 5 x 4 heights (map.size)"), "{told}");
+    let told = sentence(decode_codes(&little[..30], "m.r16", &keys(&[]), 2, 16, false));
+    assert!(told.contains("30 bytes are no square of heights of 2 bytes"), "{told}");
+}
+
+#[test]
+fn srtm_tiles() {
+    let values: Vec<i16> = (0..16).map(|at| at * 300 - 430).collect();
+    let file: Vec<u8> = values.iter().flat_map(|v| v.to_be_bytes()).collect();
+    let exact: Vec<f64> = values.iter().map(|v| f64::from(*v)).collect();
+    assert_eq!(units(&file, "N47E011.hgt", -1000.0, 9000.0, &[]), exact);
+    let mut holes = file;
+    holes[2..4].copy_from_slice(&(-32768i16).to_be_bytes());
+    let told = sentence(decode_as(&holes, "a.hgt", &keys(&["map.range=-1000,9000"])));
+    assert!(
+        told.starts_with("a.hgt: 1 of 16 texels have no data (-32768, or not a number), the first is pixel (1, 0)"),
+        "{told}"
+    );
+    assert_eq!(units(&holes, "a.hgt", -1000.0, 9000.0, &["map.fill=12"])[1], 12.0);
+    let told = sentence(decode_as(&holes[..20], "a.hgt", &keys(&[])));
+    assert!(told.contains("20 bytes are no square of 16-bit heights (1201 x 1201 or 3601 x 3601"), "{told}");
+}
+
+#[test]
+fn esri_grids() {
+    let file = "NCOLS 4\r\nnrows 4\nxllcorner 1.5\nyllcorner -2\ncellsize 30\nNODATA_value -9999\n0 1 2 3\n4.0 5 6e0 7\n8 9 10 11\n12 13 14 -9999\n";
+    let mut exact: Vec<f64> = (0..16).map(f64::from).collect();
+    assert!(sentence(decode_as(file.as_bytes(), "m.asc", &keys(&["map.range=0,15"]))).contains("pixel (3, 3)"));
+    exact[15] = 2.0;
+    assert_eq!(units(file.as_bytes(), "m.asc", 0.0, 15.0, &["map.fill=2"]), exact);
+    for (text, what) in [
+        ("ncols 4\nnrows 4\n1 2 3", "16 heights"),
+        ("ncols 1\nnrows 2\n1 2 3", "\"3\" stands behind its last pixel"),
+        ("ncols 1\nnrows 2\ncolour red\n1 2", "\"colour\" is no key of its header"),
+        ("ncols 1\nncols 2\n1 2", "ncols stands there twice"),
+        ("ncols 2\n1 2", "its header lacks nrows"),
+        ("ncols 1\nnrows 2\n1 x", "\"x\" is not a number where pixel (0, 1) should stand"),
+    ] {
+        let told = sentence(decode_as(text.as_bytes(), "m", &keys(&[])));
+        assert!(
+            told.contains(what) || (what == "16 heights" && told.contains("4 x 4 heights are announced in")),
+            "{told}"
+        );
+    }
+}
+
+#[test]
+fn exr_by_channel() {
+    let values: Vec<f32> = (0..16).map(|at| at as f32 / 15.0).collect();
+    let zero = [0.0f32; 16];
+    let grey = |file: &[u8], sets: &[&str]| {
+        let sets = [sets, &["map.range=0,1"]].concat();
+        codes(file, "m.exr", 4, &sets)
+    };
+    let ramp: Vec<u64> = (0..16).collect();
+    assert_eq!(grey(&exr(&[("Y", &values)], 4), &[]), ramp);
+    assert_eq!(grey(&exr(&[("depth", &values)], 4), &[]), ramp);
+    assert_eq!(grey(&exr(&[("R", &values), ("G", &values), ("B", &values)], 4), &[]), ramp);
+    let both = exr(&[("R", &zero), ("G", &zero), ("B", &zero), ("height", &values)], 4);
+    let told = sentence(decode_as(&both, "m.exr", &keys(&[])));
+    let asked = "m.exr: the file has the channels B, G, R, height, and which one holds the heights is not ours to guess: choose it with --set map.channel=height";
+    assert_eq!(told, asked);
+    assert_eq!(grey(&both, &["map.channel=height"]), ramp);
+    assert_eq!(grey(&both, &["map.channel=R"]), [0; 16]);
+    let told = sentence(decode_as(&both, "m.exr", &keys(&["map.channel=Z"])));
+    assert_eq!(told, "m.exr: there is no channel \"Z\" (map.channel): the file has B, G, R, height");
+}
+
+/// An OpenEXR of parts of 2 x 2 heights, each at its place in the display window.
+fn parts(list: &[(&str, &[f32], (i32, i32))], display: (usize, usize), encoding: exr::prelude::Encoding) -> Vec<u8> {
+    use exr::prelude::*;
+    let layer = |(name, values, place): &(&str, &[f32], (i32, i32))| {
+        let channel = AnyChannel::new("Y", FlatSamples::F32(values.to_vec()));
+        let named = LayerAttributes::named(*name).with_position(Vec2(place.0, place.1));
+        Layer::new((2, 2), named, encoding, AnyChannels::sort([channel].into_iter().collect()))
+    };
+    let window = IntegerBounds::new((0, 0), display);
+    let image = Image::from_layers(ImageAttributes::new(window), list.iter().map(layer).collect::<Vec<_>>());
+    let mut out = Cursor::new(Vec::new());
+    image.write().to_buffered(&mut out).unwrap();
+    out.into_inner()
+}
+
+#[test]
+fn exr_by_part_and_window() {
+    use exr::prelude::Encoding;
+    let (values, other) = ([0.25f32, 0.5, 0.75, 1.0], [0.0f32; 4]);
+    let read = |file: &[u8], sets: &[&str]| decode_as(file, "m.exr", &keys(sets));
+    for encoding in [Encoding::UNCOMPRESSED, Encoding::FAST_LOSSLESS, Encoding::SMALL_LOSSLESS] {
+        let two = parts(&[("mask", &other, (0, 0)), ("height", &values, (0, 0))], (2, 2), encoding);
+        let told = sentence(read(&two, &[]));
+        assert!(told.contains("the file has the parts 0 (mask), 1 (height), and which one"), "{told}");
+        for part in ["map.part=height", "map.part=1"] {
+            let (map, taken) = read(&two, &[part]).unwrap();
+            assert_eq!((map.samples, taken.part.as_deref()), (vec![0.25, 0.5, 0.75, 1.0], Some("1 (height)")));
+        }
+        assert!(sentence(read(&two, &["map.part=2"])).contains("there is no part \"2\" (map.part)"));
+        // The data window is a part of the display window, or reaches beyond it.
+        let small = parts(&[("height", &values, (1, 0))], (3, 3), encoding);
+        let told = sentence(read(&small, &[]));
+        let why = "5 of 9 texels have no data (not a number), the first is pixel (0, 0); the file has a data window of 2 x 2 at (1, 0) of a display window of 3 x 3";
+        assert!(told.contains(why), "{told}");
+        let (map, _) = read(&small, &["map.fill=0.125"]).unwrap();
+        assert_eq!(map.samples, [0.125, 0.25, 0.5, 0.125, 0.75, 1.0, 0.125, 0.125, 0.125]);
+        let large = parts(&[("height", &values, (-1, -1))], (1, 1), encoding);
+        assert_eq!(read(&large, &[]).unwrap().0.samples, [1.0]);
+    }
+}
+
+#[test]
+fn dds_of_one_channel() {
+    use ddsfile::DxgiFormat::{BC1_UNorm, BC4_UNorm, R8_UNorm, R16_UNorm, R32_Float};
+    let words = ramp(16);
+    let two: Vec<u8> = words.iter().flat_map(|w| (*w as u16).to_le_bytes()).collect();
+    assert_eq!(codes(&dds(4, 4, R16_UNorm, &two), "m.dds", 16, &[]), words);
+    let one: Vec<u8> = ramp(8).iter().map(|w| *w as u8).collect();
+    assert_eq!(codes(&dds(4, 4, R8_UNorm, &one), "m.dds", 8, &[]), ramp(8));
+    let floats: Vec<u8> = (0..16).flat_map(|at| (at as f32).to_le_bytes()).collect();
+    assert_eq!(codes(&dds(4, 4, R32_Float, &floats), "m.dds", 4, &["map.range=0,15"]), (0..16).collect::<Vec<u64>>());
+    // Eight values between two ends: texel k has place k % 8.
+    let places = |k: u64| (0..16u64).fold(0, |word, at| word | (at * k % 8) << (3 * at)).to_le_bytes();
+    let block = |first: u8, last: u8, k: u64| [&[first, last], &places(k)[..6]].concat();
+    let six = [210, 0, 180, 150, 120, 90, 60, 30];
+    let expected: Vec<u64> = (0..16).map(|at| six[at % 8]).collect();
+    assert_eq!(codes(&dds(4, 4, BC4_UNorm, &block(210, 0, 1)), "m.dds", 8, &[]), expected);
+    let four = [50, 200, 80, 110, 140, 170, 0, 255];
+    let expected: Vec<u64> = (0..16).map(|at| four[at * 3 % 8]).collect();
+    assert_eq!(codes(&dds(4, 4, BC4_UNorm, &block(50, 200, 3)), "m.dds", 8, &[]), expected);
+    let told = sentence(decode_as(&dds(4, 4, BC1_UNorm, &[0; 8]), "m.dds", &keys(&[])));
+    assert!(told.contains("its pixels are BC1_UNorm: of one channel, R8, R16"), "{told}");
+}
+
+#[test]
+fn pictures_of_bytes() {
+    let bytes: Vec<u8> = ramp(8).iter().map(|w| *w as u8).collect();
+    let colour: Vec<u8> = bytes.iter().flat_map(|b| [*b; 3]).collect();
+    let mut bmp = Vec::new();
+    image::codecs::bmp::BmpEncoder::new(&mut bmp).encode(&bytes, 4, 4, Kind::L8).unwrap();
+    let mut colours = Vec::new();
+    image::codecs::bmp::BmpEncoder::new(&mut colours).encode(&colour, 4, 4, Kind::Rgb8).unwrap();
+    let mut tga = Vec::new();
+    image::codecs::tga::TgaEncoder::new(&mut tga).write_image(&bytes, 4, 4, Kind::L8).unwrap();
+    let mut webp = Vec::new();
+    image::codecs::webp::WebPEncoder::new_lossless(&mut webp).write_image(&bytes, 4, 4, Kind::L8).unwrap();
+    for (file, name) in [(bmp, "m.bmp"), (colours, "m"), (tga, "m.tga"), (webp, "m.webp")] {
+        assert_eq!(codes(&file, name, 8, &[]), ramp(8), "{name}");
+    }
+}
+
+#[test]
+fn what_is_compressed_with_loss_is_read_only_when_asked_for() {
+    let grey = image::GrayImage::from_pixel(8, 8, image::Luma([128]));
+    let mut jpeg = Cursor::new(Vec::new());
+    image::DynamicImage::ImageLuma8(grey).write_to(&mut jpeg, ImageFormat::Jpeg).unwrap();
+    let jpeg = jpeg.into_inner();
+    let told = sentence(decode_as(&jpeg, "m.jpg", &keys(&[])));
+    assert!(
+        told.starts_with("m.jpg: a JPEG is compressed with loss: its heights are not those that were stored"),
+        "{told}"
+    );
+    assert!(told.contains("--set map.lossy=true"), "{told}");
+    let (map, taken) = decode_as(&jpeg, "m.jpg", &keys(&["map.lossy=true"])).unwrap();
+    assert_eq!((map.samples[0], taken.format.as_str()), (128.0 / 255.0, "JPEG"));
+    // The head of a lossy WebP is enough to refuse it.
+    let webp = [b"RIFF\x1a\0\0\0WEBPVP8 ".as_slice(), &[14, 0, 0, 0], &[0; 14]].concat();
+    assert!(sentence(decode_as(&webp, "m.webp", &keys(&[]))).contains("this WebP is compressed with loss"));
+}
