@@ -2,9 +2,11 @@
 """Elaborates emitted Verilog with slang: any warning is an error.
 
     python slang_check.py [--benches] DIR...
+    python slang_check.py --words WORD...
 
 Every DIR is the output of `reliefrtl emit`: rtl/filelist.f names its files, from DIR. Each module is a top of its own,
 at its default parameters; with --benches, each file of testbench/ is instead, with the look into the loop compiled in.
+With --words, slang's own command line is elaborated, whatever it reads.
 Prints how many modules were elaborated; ends with 1 if slang had anything to say.
 """
 
@@ -23,7 +25,12 @@ def check(directory, benches):
     define = ["-DITERATIONS"] if benches else []
     read = files + asked if benches else files
     # Options come before files, so that a file's name can't be taken for one.
-    words = ["slang", "--std", "1364-2005", "-Wextra", "-Werror", *define, *tops, *map(str, read)]
+    return elaborate([*define, *tops, *map(str, read)])
+
+
+def elaborate(words):
+    """Elaborates what a command line names; returns the number of tops, or None if slang complained."""
+    words = ["slang", "--std", "1364-2005", "-Wextra", "-Werror", *words]
     d = driver.Driver()
     d.addStandardArgs()
     if not d.parseCommandLine(shlex.join(words)) or not d.processOptions() or not d.parseAllSources():
@@ -38,6 +45,10 @@ def check(directory, benches):
 
 def main():
     """Checks all directories, also after a bad one."""
+    if sys.argv[1:2] == ["--words"]:
+        count = elaborate(sys.argv[2:])
+        print(f"modules elaborated without a warning: {count}")
+        return 1 if count is None else 0
     benches = "--benches" in sys.argv[1:]
     directories = [word for word in sys.argv[1:] if word != "--benches"]
     counts = [(directory, check(pathlib.Path(directory), benches)) for directory in directories]

@@ -1,6 +1,7 @@
 //! Text of the emitted benches, one pair of files a unit, from templates.
-use crate::emit::Files;
+use crate::emit::{Files, file_list};
 use crate::ir::{Expr, Module};
+use crate::verilog::Style;
 use minijinja::{Environment, context};
 use serde::Serialize;
 use std::sync::Arc;
@@ -22,9 +23,17 @@ struct Param {
     default: i64,
 }
 
-/// The benches of `units` and of `traverse`; all names, those of the benches too, start with `prefix`. Beside `traverse` stands the number of clocks until its
+#[derive(Serialize)]
+struct Term {
+    name: &'static str,
+    value: String,
+}
+
+/// The benches of `units` and of `traverse`; all names, those of the benches too, start with the prefix of `style`. Beside `traverse` stands the number of clocks until its
 /// pipeline can be full.
-pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Module, u32)>, prefix: &str) -> Files {
+pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Arc<Module>, u32)>, style: impl Into<Style>) -> Files {
+    let style = style.into();
+    let prefix = &style.prefix;
     let mut env = Environment::new();
     env.set_keep_trailing_newline(true);
     let templates = [
@@ -37,7 +46,7 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Module, u32)>, pref
     }
     let render = |name: &str, value: minijinja::Value| {
         let t = env.get_template(name).expect("template is there");
-        t.render(value).expect("templates use only what they are given")
+        style.dress(&t.render(value).expect("templates use only what they are given"))
     };
     let mut files = Files::from([(
         "testbench/verilator_main.cpp".to_string(),
@@ -46,12 +55,13 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Module, u32)>, pref
     for m in units {
         let latency = m.latency.unwrap_or(0);
         let value = context! {
-            prefix, unit => m.name, dut => format!("{prefix}{}", m.name), params => params(m), latency, clocked => m.clk.is_some(),
+            prefix, unit => m.name, dut => format!("{prefix}{}", m.name), params => params(m), terms => terms(m), latency, clocked => m.clk.is_some(),
             travel_in => if latency == 0 { "1'b1" } else { "2" },
             inputs => ports(m.data_inputs().map(|p| p.1)), outputs => ports(m.data_outputs().map(|p| p.1)),
         };
         files.insert(format!("testbench/{prefix}tb_{}.v", m.name), render("unit", value.clone()));
         files.insert(format!("testbench/{prefix}tb_{}_top.v", m.name), render("top", value));
+        files.insert(format!("testbench/{prefix}tb_{}.f", m.name), list(m, prefix));
     }
     let Some((traverse, warm_up)) = traverse else { return files };
     let named = |names: &[&str]| ports(names.iter().map(|n| traverse.port(n).expect("traverse has its ports").1));
@@ -59,7 +69,7 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Module, u32)>, pref
     let chosen = traverse.nodes.iter().filter(|n| n.name.as_deref() == Some("done")).filter_map(|n| n.stage).min();
     let value = context! {
             enters => chosen.unwrap_or(0),
-    prefix, unit => "traverse", dut => format!("{prefix}traverse"), params => params(traverse),
+            prefix, unit => "traverse", dut => format!("{prefix}traverse"), params => params(traverse), terms => terms(traverse),
             files => files_of(traverse), warm_up,
             // The published datapath has rays that never end by themselves.
             lingers => traverse.params.iter().any(|p| p.name == "NUDGE_W"),
@@ -67,7 +77,19 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Module, u32)>, pref
         };
     files.insert(format!("testbench/{prefix}tb_traverse.v"), render("traverse", value.clone()));
     files.insert(format!("testbench/{prefix}tb_traverse_top.v"), render("top", value));
+    files.insert(format!("testbench/{prefix}tb_traverse.f"), list(traverse, prefix));
     files
+}
+
+/// The files of a bench and of what it tests, from where the list stands (`-F`).
+fn list(m: &Arc<Module>, prefix: &str) -> String {
+    let bench = format!("{prefix}tb_{}", m.name);
+    file_list("../rtl/", prefix, &m.hierarchy()) + &format!("{bench}.v\n{bench}_top.v\n")
+}
+
+/// What the module under test has to be, besides its parameters.
+fn terms(m: &Module) -> Vec<Term> {
+    m.contract().iter().map(|t| Term { name: t.name, value: t.literal() }).collect()
 }
 
 fn params(m: &Module) -> Vec<Param> {

@@ -48,8 +48,9 @@ fn some(c: &Config, tops: &[Arc<Module>]) -> Result<(usize, Files)> {
     files.extend(emit::flow(c, tops, &files));
     let mut whole = project::text(c)?.files;
     whole.retain(|path, _| {
-        let bench =
-            |top: &Arc<Module>| ["", "_top"].map(|end| format!("testbench/{}tb_{}{end}.v", c.emit.prefix, top.name));
+        let bench = |top: &Arc<Module>| {
+            ["_top.v", ".v", ".f"].map(|end| format!("testbench/{}tb_{}{end}", c.emit.prefix, top.name))
+        };
         path == "testbench/verilator_main.cpp" || tops.iter().any(|top| bench(top).contains(path))
     });
     files.extend(whole);

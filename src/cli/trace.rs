@@ -153,7 +153,7 @@ fn simulate(c: &Config, sim: Simulator, scene: &Scene, rays: &[RayInput]) -> Res
     let t = &p.traverse;
     let set = ray_set(&d, &scene.pyramid, rays, c.vectors.seed)?;
     let mut files = p.files;
-    files.extend(bench_files(&[], Some((&t.module, t.setup + t.slots + t.finish)), &c.emit.prefix));
+    files.extend(bench_files(&[], Some((&t.module, t.setup + t.slots + t.finish)), &c.emit));
     files.extend(set_files(&set.set).into_iter().map(|(n, text)| (format!("golden/traverse/{n}"), text)));
     files.insert("golden/traverse/memory.hex".into(), set.memory);
     let work = Scratch::new()?;

@@ -39,6 +39,8 @@ pub(crate) fn problem(key: &Key, value: &Value) -> Option<String> {
             Some(format!("{path} = {shown} is not a list in brackets of {legal}"))
         }
         (Legal::Prefix, Value::String(text)) if is_prefix(text) => None,
+        (Legal::Timescale, Value::String(text)) if is_timescale(text) => None,
+        (Legal::Timescale, _) => Some(format!("{path} = {shown} is no time scale: {legal}")),
         (Legal::Prefix, _) => Some(format!("{path} = {shown} can't stand before a module's name: {legal}")),
     }
 }
@@ -124,6 +126,22 @@ pub(crate) fn is_prefix(text: &str) -> bool {
     text.len() <= 32
         && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
         && !text.starts_with(|c: char| c.is_ascii_digit())
+}
+
+/// True for nothing, or `unit/precision` as a `timescale` takes it.
+fn is_timescale(text: &str) -> bool {
+    // In powers of ten of a femtosecond.
+    let exponent = |time: &str| {
+        let at = time.find(|c: char| !c.is_ascii_digit())?;
+        let count = ["1", "10", "100"].iter().position(|n| *n == &time[..at])?;
+        let unit = ["fs", "ps", "ns", "us", "ms", "s"].iter().position(|n| *n == &time[at..])?;
+        Some(3 * unit + count)
+    };
+    let times = || {
+        let (unit, precision) = text.split_once('/')?;
+        Some((exponent(unit)?, exponent(precision)?))
+    };
+    text.is_empty() || times().is_some_and(|(unit, precision)| precision <= unit)
 }
 
 /// A value as it would stand in the file, cut if it is long.

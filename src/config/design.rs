@@ -22,6 +22,16 @@ pub enum LevelUp {
 impl LevelUp {
     /// All rules.
     pub const ALL: [Self; 5] = [Self::None, Self::Tevs, Self::Selective, Self::Coherent, Self::Always];
+    /// The word in the TOML file.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Tevs => "tevs",
+            Self::Selective => "selective",
+            Self::Coherent => "coherent",
+            Self::Always => "always",
+        }
+    }
 }
 
 /// How hits are found (`docs/datapath.md`, `docs/published.md`, `docs/fixed.md`).

@@ -332,12 +332,31 @@ impl Default for VectorsConfig {
     }
 }
 
+/// What the `` `default_nettype`` is behind an emitted file.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum DefaultNettype {
+    /// Verilog's own: an undeclared net is a wire. The file itself is read with `none`.
+    #[default]
+    Wire,
+    /// As in the file itself: an undeclared net is an error.
+    None,
+    /// What it was before the file, which says nothing of it.
+    Keep,
+}
+
+words!(DefaultNettype: Wire = "wire", None = "none", Keep = "keep");
+
 /// What the emitted files look like.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct EmitConfig {
     /// Put before the name of every emitted module and file; empty, or a Verilog identifier.
     pub prefix: String,
+    /// The operand of the `` `timescale`` of every emitted file; empty: they have none.
+    pub timescale: String,
+    /// What undeclared nets are behind every emitted file.
+    pub default_nettype: DefaultNettype,
     /// Units besides what the traversal needs.
     pub units: Vec<ExtraUnit>,
     /// Clock of the constraints in `flow/`, MHz; 1 to 1000.
@@ -346,6 +365,12 @@ pub struct EmitConfig {
 
 impl Default for EmitConfig {
     fn default() -> Self {
-        Self { prefix: "relief_".into(), units: Vec::new(), clock_mhz: 84 }
+        Self {
+            prefix: "relief_".into(),
+            timescale: String::new(),
+            default_nettype: DefaultNettype::Wire,
+            units: Vec::new(),
+            clock_mhz: 84,
+        }
     }
 }

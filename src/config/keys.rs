@@ -1,7 +1,7 @@
 //! Every key of the configuration in one table: its meaning, its legal values.
 //!
 //! The commented file, the schema's ranges, the checks and their sentences all come from here.
-use super::{Border, ByteOrder, ExtraUnit, MapKind, Rounding, Specials, Subnormals, View};
+use super::{Border, ByteOrder, DefaultNettype, ExtraUnit, MapKind, Rounding, Specials, Subnormals, View};
 use std::fmt;
 
 /// What a key accepts.
@@ -31,6 +31,8 @@ pub enum Legal {
     Size,
     /// Nothing, or a Verilog identifier of at most 32 characters.
     Prefix,
+    /// Nothing, or the operand of a `` `timescale``.
+    Timescale,
 }
 
 impl fmt::Display for Legal {
@@ -47,6 +49,7 @@ impl fmt::Display for Legal {
             Self::Range => f.write_str("[low, high] with low below high, or \"auto\""),
             Self::Size => f.write_str("[width, height], each 1 to 2^31 - 1"),
             Self::Prefix => f.write_str("empty, or letters, digits and _ with no digit first, at most 32"),
+            Self::Timescale => f.write_str("empty, or unit/precision of 1, 10 or 100 s, ms, us, ns, ps or fs, like 1ns/1ps, the precision no coarser than the unit"),
         }
     }
 }
@@ -77,6 +80,9 @@ impl Legal {
             }
             Self::Prefix => {
                 entry.insert("pattern".into(), "^([A-Za-z_][A-Za-z0-9_]{0,31})?$".into());
+            }
+            Self::Timescale => {
+                entry.insert("pattern".into(), "^(10{0,2}([munpf]?s)/10{0,2}([munpf]?s))?$".into());
             }
             Self::Flag | Self::Word(_) | Self::Path | Self::Number | Self::Text | Self::Range | Self::Size => {}
         }
@@ -263,6 +269,16 @@ pub const KEYS: &[Key] = &[
     key("vectors.arithmetic", "vectors of each arithmetic unit", Legal::Whole(1, 1_000_000)),
     key("vectors.rays", "rays of each view", Legal::Whole(1, 1_000_000)),
     key("emit.prefix", "put before the name of every emitted module and file", Legal::Prefix),
+    key(
+        "emit.timescale",
+        "the `timescale of every emitted file; with none, a file takes that of whatever was read before it",
+        Legal::Timescale,
+    ),
+    key(
+        "emit.default_nettype",
+        "what undeclared nets are behind every emitted file; keep says nothing of them, before or behind",
+        Legal::Word(DefaultNettype::WORDS),
+    ),
     key("emit.units", "units besides what the traversal needs", Legal::SomeWords(ExtraUnit::WORDS)),
     key("emit.clock_mhz", "clock that the constraints in flow/ ask for, in MHz", Legal::Whole(1, 1000)),
 ];

@@ -23,7 +23,7 @@ pub use design::{
 };
 pub use extra::{ExtraUnit, ExtraUnits};
 pub use input::{
-    Auto, Border, ByteOrder, EmitConfig, FormatConfig, Generator, MapConfig, MapKind, MapRange, NanRule, VectorsConfig,
+    Auto, Border, ByteOrder, DefaultNettype, EmitConfig, FormatConfig, Generator, MapConfig, MapKind, MapRange, NanRule, VectorsConfig,
     View, ViewConfig,
 };
 pub use profile::Profile;

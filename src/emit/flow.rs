@@ -2,6 +2,7 @@
 use super::Files;
 use crate::config::Config;
 use crate::ir::Module;
+use crate::verilog::SPDX;
 use minijinja::{Environment, context};
 use std::sync::Arc;
 
@@ -46,13 +47,19 @@ fn of(c: &Config, top: &Module, rtl: &Files, place: &str) -> Files {
     let mut out = Files::new();
     for (file, text) in SCRIPTS {
         let text = env.render_str(text, &value).expect("templates use only what they are given");
-        out.insert(format!("{place}/{file}"), text);
+        out.insert(format!("{place}/{file}"), licensed(&text));
     }
     for (kind, text) in CLOCKS {
         let text = env.render_str(text, &value).expect("templates use only what they are given");
-        out.insert(format!("{place}/{name}.{kind}"), text);
+        out.insert(format!("{place}/{name}.{kind}"), licensed(&text));
     }
     out
+}
+
+/// The text with the licence as its first comment, behind the line that names an interpreter.
+fn licensed(text: &str) -> String {
+    let head = if text.starts_with("#!") { text.find('\n').map_or(0, |at| at + 1) } else { 0 };
+    format!("{}# {SPDX}\n{}", &text[..head], &text[head..])
 }
 
 #[cfg(test)]

@@ -17,6 +17,14 @@ pub fn manifest(c: &Config, modules: &[Arc<Module>], files: &Files) -> Value {
     })
 }
 
+/// What is no parameter of the module though it stands as one: the latency and the variant that an instance has to ask for, and what was
+/// chosen.
+fn generated_for(m: &Module) -> Value {
+    let terms = m.contract().into_iter().map(|t| json!({"name": t.name, "value": t.value, "literal": t.literal()}));
+    let choices = m.choices.iter().map(|(name, word)| json!({"choice": name, "word": word}));
+    terms.chain(choices).collect()
+}
+
 fn module(c: &Config, m: &Module, files: &Files) -> Value {
     let file = format!("rtl/{}{}.v", c.emit.prefix, m.name);
     let text = files.get(&file).map(String::as_str).unwrap_or_default();
@@ -52,6 +60,7 @@ fn module(c: &Config, m: &Module, files: &Files) -> Value {
         "file": file,
         "source": m.source,
         "parameters": params,
+        "generated_for": generated_for(m),
         "conditions": m.checks.iter().map(|k| format!("{} <= {}", k.lhs, k.rhs)).collect::<Vec<_>>(),
         "ports": m.ports.iter().map(port).collect::<Vec<_>>(),
         "instances": instances,

@@ -7,9 +7,9 @@ mod tree;
 
 pub use flow::flow;
 pub use manifest::manifest;
-pub use tree::{emitted_name, manifest_prefix};
+pub use tree::{emitted_name, manifest_emit};
 
-use crate::config::{Config, DatapathKind, Divider, ExtraUnit, Trim};
+use crate::config::Config;
 use crate::error::{Error, Result};
 use crate::ir::Module;
 use crate::verilog::{Style, print_module};
@@ -24,6 +24,9 @@ pub type Files = BTreeMap<String, String>;
 ///
 /// # Errors
 /// If the configuration does not fit its own modules' conditions on parameters.
+///
+/// # Panics
+/// If units need one module in two forms: a bug of the units.
 pub fn modules(tops: &[Arc<Module>]) -> Result<Vec<Arc<Module>>> {
     let mut out: Vec<Arc<Module>> = Vec::new();
     for top in tops {
@@ -32,68 +35,33 @@ pub fn modules(tops: &[Arc<Module>]) -> Result<Vec<Arc<Module>>> {
             if !failed.is_empty() {
                 return Err(Error::input(format!("the configuration is illegal for {}", failed.join("; "))));
             }
-            if !out.iter().any(|o| o.name == m.name) {
-                out.push(m);
+            match out.iter().find(|o| o.name == m.name) {
+                None => out.push(m),
+                Some(known) => {
+                    let same = known.contract() == m.contract();
+                    assert!(same, "{} is needed in two forms, of which only one can have the name", m.name);
+                }
             }
         }
     }
     Ok(out)
 }
 
-/// The line of each banner that names the configuration.
-pub fn config_line(c: &Config) -> String {
-    let (t, m, l) = (&c.traverse, &c.mode, &c.latency);
-    let mut clocks = String::new();
-    for (unit, n) in [(ExtraUnit::Sqrt, l.sqrt), (ExtraUnit::Add3, l.add3)] {
-        if c.emit.units.contains(&unit) {
-            clocks += &format!(" {} {n}", ExtraUnit::WORDS[unit as usize].trim_start_matches("fp_"));
-        }
+/// `rtl/*.v` of `modules`, and lists of them: `rtl/filelist.f` from the output directory, the others from where they stand themselves (`-F`).
+pub fn rtl(c: &Config, modules: &[Arc<Module>]) -> Files {
+    let style = Style::from(&c.emit);
+    let prefix = &style.prefix;
+    let mut files = Files::new();
+    for m in modules {
+        files.insert(format!("rtl/{prefix}{}.v", m.name), print_module(m, &style));
+        files.insert(format!("rtl/{prefix}{}.f", m.name), file_list("", prefix, &m.hierarchy()));
     }
-    let trim = match m.trim {
-        Trim::None => "",
-        Trim::Descent => ", trim after descents",
-        Trim::Always => ", trim always",
-    };
-    let lod = if m.lod { ", level of detail" } else { "" };
-    let more = format!("{trim}{lod}{}", if m.bilinear { ", bilinear" } else { "" });
-    let numbers = match c.datapath.kind {
-        DatapathKind::Fixed => {
-            format!("fixed point {}, reciprocal {}", c.datapath.fraction_bits, c.datapath.reciprocal_bits)
-        }
-        DatapathKind::Watertight | DatapathKind::Published => format!("float {}", c.format.float()),
-    };
-    let divider = if l.divider == Divider::Table { " by table" } else { "" };
-    let start = if m.start_level { "start level" } else { "from the root" };
-    let path = match c.datapath.kind {
-        DatapathKind::Watertight => "",
-        DatapathKind::Published => "published datapath, ",
-        DatapathKind::Fixed => "fixed datapath, ",
-    };
-    format!(
-        "{path}{numbers}, levels {}, heights {} bits, {start}, {} down, up {}{more}; clocks add {} mul {} div {}{divider} compare {} from_int {} to_int {}{clocks}",
-        t.levels,
-        t.height_bits,
-        m.levels_down,
-        format!("{:?}", m.level_up).to_lowercase(),
-        l.add,
-        l.mul,
-        l.div,
-        l.compare,
-        l.from_int,
-        l.to_int
-    )
+    files.insert(format!("rtl/{prefix}all.f"), file_list("", prefix, modules));
+    files.insert("rtl/filelist.f".into(), file_list("rtl/", prefix, modules));
+    files
 }
 
-/// `rtl/*.v` and `rtl/filelist.f` of `modules`.
-pub fn rtl(c: &Config, modules: &[Arc<Module>]) -> Files {
-    let style = Style { config: config_line(c), prefix: c.emit.prefix.clone() };
-    let mut files = Files::new();
-    let mut list = String::new();
-    for m in modules {
-        let path = format!("rtl/{}{}.v", style.prefix, m.name);
-        list += &format!("{path}\n");
-        files.insert(path, print_module(m, &style));
-    }
-    files.insert("rtl/filelist.f".into(), list);
-    files
+/// A line for the file of each module, behind `folder`.
+pub fn file_list(folder: &str, prefix: &str, modules: &[Arc<Module>]) -> String {
+    modules.iter().map(|m| format!("{folder}{prefix}{}.v\n", m.name)).collect()
 }

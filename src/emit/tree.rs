@@ -1,14 +1,16 @@
 //! Names in a tree that was emitted before: the prefix is the tree's, whatever the configuration at hand says.
+use crate::config::EmitConfig;
 use crate::config::check::is_prefix;
 use crate::error::{Error, Result};
 use serde_json::Value;
 use std::path::Path;
 
-/// The prefix (`emit.prefix`) in the manifest of the tree `dir`; `None` without a manifest, or where it holds no legal one.
-pub fn manifest_prefix(dir: &Path) -> Option<String> {
+/// What the files of the tree `dir` look like, as its manifest says; `None` without a manifest, or where its prefix is no legal one.
+pub fn manifest_emit(dir: &Path) -> Option<EmitConfig> {
     let text = std::fs::read_to_string(dir.join("manifest.json")).ok()?;
-    let manifest: Value = serde_json::from_str(&text).ok()?;
-    manifest["config"]["emit"]["prefix"].as_str().filter(|p| is_prefix(p)).map(str::to_string)
+    let mut manifest: Value = serde_json::from_str(&text).ok()?;
+    let emit: EmitConfig = serde_json::from_value(manifest["config"]["emit"].take()).ok()?;
+    is_prefix(&emit.prefix).then_some(emit)
 }
 
 /// Name of the emitted file `<prefix><bare><end>` in `folder` of the tree `dir`, without `end`: an identifier. The manifest's prefix counts;
@@ -26,7 +28,7 @@ pub fn emitted_name(dir: &Path, folder: &str, bare: &str, end: &str) -> Result<S
     let mut found: Vec<String> =
         listed.flatten().filter_map(|e| e.file_name().into_string().ok()).filter_map(stem).collect();
     found.sort();
-    if let Some(named) = manifest_prefix(dir).map(|p| p + bare).filter(|n| found.contains(n)) {
+    if let Some(named) = manifest_emit(dir).map(|e| e.prefix + bare).filter(|n| found.contains(n)) {
         return Ok(named);
     }
     match &found[..] {

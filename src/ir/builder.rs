@@ -34,6 +34,8 @@ impl Builder {
         let m = Module {
             name: name.into(),
             summary: summary.into(),
+            choices: vec![],
+            variant_memo: Default::default(),
             notes: vec![],
             source: source.into(),
             params: vec![],
@@ -60,6 +62,10 @@ impl Builder {
     /// A line for the banner.
     pub fn note(&self, line: impl Into<String>) {
         self.st.borrow_mut().m.notes.push(line.into());
+    }
+    /// What was chosen at generation and no parameter can change; names the module where an instance asks for another.
+    pub fn choice(&self, name: &str, word: impl ToString) {
+        self.st.borrow_mut().m.choices.push((name.into(), word.to_string()));
     }
     /// Declares a Verilog parameter.
     pub fn param(&self, name: &str, default: u32, doc: &str) -> Expr {

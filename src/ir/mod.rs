@@ -1,5 +1,6 @@
 //! The one description of the hardware: fixed-width operations in pipeline stages, widths over module parameters.
 mod builder;
+mod contract;
 mod expr;
 mod lines;
 mod module;
@@ -9,6 +10,7 @@ mod sig;
 mod verify;
 
 pub use builder::{Builder, Sig};
+pub use contract::{Memo, Term};
 pub use expr::{Atom, Binding, Expr, Func};
 pub use lines::{Lines, with_lines};
 pub use module::*;

@@ -37,7 +37,7 @@ pub fn alone_text(c: &Config, units: &[Arc<Module>]) -> Result<Files> {
     let manifest = emit::manifest(c, &modules, &files);
     files.insert("manifest.json".into(), serde_json::to_string_pretty(&manifest).expect("plain data") + "\n");
     files.extend(emit::flow(c, units, &files));
-    files.extend(bench_files(units, None, &c.emit.prefix));
+    files.extend(bench_files(units, None, &c.emit));
     Ok(files)
 }
 

@@ -75,9 +75,9 @@ pub fn check_tree(
     seen: &(dyn Fn(&Checked) + Sync),
 ) -> Result<Vec<Checked>> {
     let mut c = c.clone();
-    // The names in a tree are the tree's own; what it computes is the configuration's.
-    if let Some(prefix) = crate::emit::manifest_prefix(dir) {
-        c.emit.prefix = prefix;
+    // Names and directives in a tree are the tree's own; what it computes is the configuration's.
+    if let Some(e) = crate::emit::manifest_emit(dir) {
+        (c.emit.prefix, c.emit.timescale, c.emit.default_nettype) = (e.prefix, e.timescale, e.default_nettype);
     }
     let c = &c;
     let d = c.design();

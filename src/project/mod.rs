@@ -76,10 +76,10 @@ pub fn text(c: &Config) -> Result<Project> {
     let mut p = hardware(c)?;
     let d = c.design();
     let depth = p.traverse.setup + p.traverse.slots + p.traverse.finish;
-    p.files.extend(bench_files(&units(&d), Some((&p.traverse.module, depth)), &c.emit.prefix));
+    p.files.extend(bench_files(&units(&d), Some((&p.traverse.module, depth)), &c.emit));
     let names: Vec<String> = p.files.keys().filter_map(|f| f.strip_prefix("rtl/")).map(str::to_string).collect();
     let names: Vec<String> = names.into_iter().filter(|f| f.ends_with(".v")).collect();
-    p.files.extend(proof_files(&d, &all(&d), &p.traverse, &c.emit.prefix, &names));
+    p.files.extend(proof_files(&d, &all(&d), &p.traverse, &(&c.emit).into(), &names));
     Ok(p)
 }
 

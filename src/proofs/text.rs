@@ -5,12 +5,14 @@ use crate::config::{Design, LevelUp, Trim};
 use crate::emit::Files;
 use crate::ir::{Binding, Module};
 use crate::units::traversal::Traverse;
+use crate::verilog::{SPDX, Style};
 use minijinja::{Environment, context};
 use std::fmt::Write;
 use std::sync::Arc;
 
 /// Harness and script of every proof of a design, under `testbench/`; `files` are the emitted modules without folder, in `rtl/`.
-pub fn proof_files(d: &Design, units: &[Arc<Module>], t: &Traverse, prefix: &str, files: &[String]) -> Files {
+pub fn proof_files(d: &Design, units: &[Arc<Module>], t: &Traverse, style: &Style, files: &[String]) -> Files {
+    let prefix = &style.prefix;
     let mut out = Files::new();
     for p in proofs(units) {
         let over: Binding = p.over.iter().map(|(k, v)| ((*k).to_string(), *v)).collect();
@@ -32,16 +34,21 @@ pub fn proof_files(d: &Design, units: &[Arc<Module>], t: &Traverse, prefix: &str
             let m = copies.iter().find(|m| m.name == unit).expect("the design has the unit");
             m.binding_with(&values)[&param]
         });
+        let copies = units.to_vec();
+        env.add_function("terms", move |unit: String, params: String| {
+            let m = copies.iter().flat_map(|m| m.hierarchy()).find(|m| m.name == unit);
+            passed(&m.expect("the design has the unit"), [params].into_iter().filter(|p| !p.is_empty()).collect())
+        });
         let counts = p.name == "traverse" && flights.counts();
         let harness = if counts { include_str!("templates/fv_traverse_counted.v") } else { p.text };
         let value = context! {
             flights => flights.value(),
             claim => p.claim, latency => p.clocks(units), prefix,
             levels_down => d.mode.levels_down, parity => matches!(d.mode.level_up, LevelUp::Tevs | LevelUp::Selective),
-            trims => d.mode.trim != Trim::None, lod => d.mode.lod, rule => rule(d.mode.level_up), slots => flights.len(), lengths => LENGTHS.collect::<Vec<u32>>(), tag_w => d.traverse.tag_bits,
+            trims => d.mode.trim != Trim::None, lod => d.mode.lod, rule => d.mode.level_up.word(), slots => flights.len(), lengths => LENGTHS.collect::<Vec<u32>>(), tag_w => d.traverse.tag_bits,
         };
         let text = env.render_str(harness, value).expect("templates use only what they are given");
-        out.insert(format!("testbench/{prefix}fv_{}.v", p.name), text);
+        out.insert(format!("testbench/{prefix}fv_{}.v", p.name), style.dress(&text));
         let extra = match p.name {
             "traverse" => flights.script(),
             "delay_line" => rings(),
@@ -74,10 +81,14 @@ fn instance(m: &Module, over: &Binding, prefix: &str, mark: &str, driven: &str) 
         pins.push(format!(".{0}({mark}{0})", p.name));
     }
     pins.extend(m.clk.is_some().then(|| ".clk(clk), .ce(1'b1)".to_string()));
-    let params = m.params.iter().map(|p| format!(".{}({})", p.name, b[&p.name]));
-    let params: Vec<String> = params.collect();
-    let params = if params.is_empty() { String::new() } else { format!(" #({})", params.join(", ")) };
+    let params = passed(m, m.params.iter().map(|p| format!(".{}({})", p.name, b[&p.name])).collect());
     format!("{nets}  {prefix}{}{params} {mark}dut (\n    {}\n  );", m.name, pins.join(",\n    "))
+}
+
+/// The parameters of an instance of `m`, and what `m` has to be besides: ` #(...)`, or nothing.
+fn passed(m: &Module, mut params: Vec<String>) -> String {
+    params.extend(m.contract().iter().map(|t| format!(".{}({})", t.name, t.literal())));
+    if params.is_empty() { String::new() } else { format!(" #({})", params.join(", ")) }
 }
 
 /// Clocks of the lines that are proved: all.
@@ -110,17 +121,6 @@ fn script(p: &Proof, mode: &str, depth: u32, extra: &str, prefix: &str, files: &
     let list: String = files.iter().map(|f| format!("../rtl/{f}\n")).collect();
     let read: String = files.iter().map(|f| format!("read_verilog {f}\n")).collect();
     format!(
-        "[options]\nmode {mode}\ndepth {depth}\n\n[engines]\n{engine}\n\n[script]\nread_verilog -formal {name}.v\n{read}hierarchy -check -top {name}\nproc\nflatten\n{extra}opt_clean\nprep -top {name}\n\n[files]\n{name}.v\n{list}"
+        "[options]\n# {SPDX}\nmode {mode}\ndepth {depth}\n\n[engines]\n{engine}\n\n[script]\nread_verilog -formal {name}.v\n{read}hierarchy -check -top {name}\nproc\nflatten\n{extra}opt_clean\nprep -top {name}\n\n[files]\n{name}.v\n{list}"
     )
-}
-
-/// The rule's word in the configuration.
-fn rule(up: LevelUp) -> &'static str {
-    match up {
-        LevelUp::None => "none",
-        LevelUp::Tevs => "tevs",
-        LevelUp::Selective => "selective",
-        LevelUp::Coherent => "coherent",
-        LevelUp::Always => "always",
-    }
 }

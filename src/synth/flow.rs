@@ -1,6 +1,7 @@
 //! Running the tools and reading what they say.
 use super::path::{Critical, critical};
 use super::top::{TOP, top_module};
+use crate::config::DefaultNettype;
 use crate::error::{Error, Result};
 use crate::files::Scratch;
 use crate::ir::Module;
@@ -152,7 +153,8 @@ fn run(mut c: Command, what: &str) -> Result<String> {
 
 /// The files that are measured of `module`: its text, that of all that it holds, and the registers around it.
 pub(super) fn texts(module: &Arc<Module>, copies: u32) -> Vec<(String, Vec<u8>)> {
-    let style = Style { config: String::new(), prefix: String::new() };
+    // Without checks and directives: what is measured is what computes.
+    let style = Style { default_nettype: DefaultNettype::Keep, ..Style::default() };
     let modules = module.hierarchy();
     let text = |m: &Arc<Module>| (format!("{}.v", m.name), print_module(m, &style).into_bytes());
     let mut files: Vec<(String, Vec<u8>)> = modules.iter().map(text).collect();

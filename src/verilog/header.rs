@@ -1,6 +1,7 @@
 //! Everything that stands before a module's body: banner, parameters, ports, derived constants, conditions.
 use super::expr::konst_name;
 use super::layout::{COLUMNS, is_wide, range, wide, wrap};
+use super::style::SPDX;
 use super::text::Printer;
 use crate::ir::{Dir, Op};
 
@@ -30,9 +31,13 @@ impl Printer<'_> {
     /// What the module is, where it comes from, how long it takes.
     pub(super) fn banner(&mut self) {
         let m = self.m;
+        self.out += &format!("// {SPDX}\n");
         self.comment("", &format!("{}{}: ", self.style.prefix, m.name), &m.summary);
         self.comment("", "Source     ", &format!("{} (emitted: do not edit)", m.source));
-        self.comment("", "Config     ", &self.style.config);
+        if !m.choices.is_empty() {
+            let choices: Vec<String> = m.choices.iter().map(|(name, word)| format!("{name} {word}")).collect();
+            self.comment("", "Chosen     ", &choices.join(", "));
+        }
         let latency = match m.latency {
             Some(0) => "none, combinational".to_string(),
             Some(1) => "1 clock".to_string(),
@@ -52,16 +57,20 @@ impl Printer<'_> {
     /// Parameters and ports, a line each.
     pub(super) fn header(&mut self) {
         let m = self.m;
-        self.out += "`default_nettype none\n";
+        self.out += &self.style.opening();
         self.out += &format!("module {}{}", self.style.prefix, m.name);
-        if !m.params.is_empty() || !m.files.is_empty() {
+        let own = m.params.iter().map(|p| (p.name.clone(), p.default.to_string(), p.doc.clone()));
+        let terms = self.style.terms(m).into_iter().map(|t| (t.name.to_string(), t.literal(), t.doc.to_string()));
+        let params: Vec<(String, String, String)> = own.chain(terms).collect();
+        if !params.is_empty() || !m.files.is_empty() {
             self.out += " #(\n";
-            let names = m.params.iter().map(|p| p.name.len()).max().unwrap_or(0);
+            let names = params.iter().map(|p| p.0.len()).max().unwrap_or(0);
+            // What it was generated for is longer than the values of the others, whose lines have no room for that.
             let values = m.params.iter().map(|p| p.default.to_string().len()).max().unwrap_or(0) + 1;
-            for (i, p) in m.params.iter().enumerate() {
-                let comma = if i + 1 < m.params.len() || !m.files.is_empty() { "," } else { "" };
-                let value = format!("{}{comma}", p.default);
-                self.out += &format!("  parameter integer {:names$} = {value:values$}  // {}", p.name, p.doc);
+            for (i, (name, value, doc)) in params.iter().enumerate() {
+                let comma = if i + 1 < params.len() || !m.files.is_empty() { "," } else { "" };
+                let value = format!("{value}{comma}");
+                self.out += &format!("  parameter integer {name:names$} = {value:values$}  // {doc}");
                 self.out.push('\n');
             }
             for (i, f) in m.files.iter().enumerate() {
@@ -128,7 +137,8 @@ impl Printer<'_> {
 
     /// What parameters may be.
     pub(super) fn checks(&mut self) {
-        if self.m.checks.is_empty() {
+        let terms = self.style.terms(self.m);
+        if self.m.checks.is_empty() && terms.is_empty() {
             return;
         }
         self.out += "\n  // Illegal parameters end elaboration here: the missing module's name says what must hold.\n  generate\n";
@@ -144,6 +154,18 @@ impl Printer<'_> {
             let name = format!("must_hold_{}_at_most_{}", sum(&c.lhs), sum(&c.rhs));
             self.out += &wrap(&format!("    if ({} > {}) begin : gen_illegal_{i}", c.lhs, c.rhs));
             self.out += &wrap(&format!("      {name} u_illegal ();"));
+            self.out += "    end\n";
+        }
+        // One after the other: some tools name only the last of several that are missing.
+        for (i, t) in terms.iter().enumerate() {
+            let branch = t.name.to_ascii_lowercase();
+            let head = if i > 0 { "    end else if" } else { "    if" };
+            self.out += &format!("{head} ({} != {}) begin : gen_other_{branch}\n", t.name, t.literal());
+            let tail = " u_illegal ();";
+            let most = COLUMNS.saturating_sub("      ".len() + self.style.prefix.len() + tail.len());
+            self.out += &format!("      {}{}{tail}\n", self.style.prefix, self.m.misfit(t, most));
+        }
+        if !terms.is_empty() {
             self.out += "    end\n";
         }
         self.out += "  endgenerate\n";

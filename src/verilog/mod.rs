@@ -4,6 +4,8 @@ mod expr;
 mod header;
 mod layout;
 mod prim;
+mod style;
 mod text;
 
-pub use text::{Style, print_module};
+pub use style::{SPDX, Style};
+pub use text::print_module;

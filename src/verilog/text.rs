@@ -4,16 +4,8 @@ use super::expr::{Binds, Expressions};
 use super::header::has_word;
 use super::layout::{COLUMNS, bare, range, wrap};
 use super::prim;
+use super::style::Style;
 use crate::ir::{Atom, Body, Expr, Module, Names, NodeId, Op};
-
-/// What the text has besides the module itself.
-#[derive(Clone, Debug, Default)]
-pub struct Style {
-    /// The line of the banner that names the configuration.
-    pub config: String,
-    /// Stands before every module name.
-    pub prefix: String,
-}
 
 /// Prints a module. The same module gives the same bytes: no date, path, host or hash order reaches the text.
 pub fn print_module(m: &Module, style: &Style) -> String {
@@ -25,7 +17,7 @@ pub fn print_module(m: &Module, style: &Style) -> String {
         }
         Body::Prim(prim) => prim::body(prim).into_owned(),
     };
-    let body = body + "endmodule\n`default_nettype wire\n";
+    let body = body + "endmodule\n" + style.closing();
     p.banner();
     p.header();
     p.constants(&body);
@@ -286,7 +278,9 @@ impl Printer<'_> {
             "" => format!(".{n}({n})"),
             _ => format!(".{n}(({n} == \"\") ? \"\" : {{{n}, \"{suffix}\"}})"),
         };
-        let params: Vec<String> = inst.params.iter().map(value).chain(inst.files.iter().map(file)).collect();
+        let terms = self.style.terms(&inst.module).into_iter().map(|t| format!(".{}({})", t.name, t.literal()));
+        let params: Vec<String> =
+            inst.params.iter().map(value).chain(terms).chain(inst.files.iter().map(file)).collect();
         let head = if params.is_empty() {
             format!("  {} {} (", module, inst.name)
         } else {

@@ -24,9 +24,10 @@ fn wrap(dir: &Path, m: &Module, taken: &[&str], body: &str) {
     let head = format!("module {name} ");
     assert!(text.contains(&head));
     std::fs::write(rtl.join(format!("{inner}.v")), text.replacen(&head, &format!("module {inner} "), 1)).unwrap();
-    let params: Vec<String> =
-        m.params.iter().map(|p| format!("parameter integer {} = {}", p.name, p.default)).collect();
-    let passed: Vec<String> = m.params.iter().map(|p| format!(".{0}({0})", p.name)).collect();
+    let terms = m.contract().into_iter().map(|t| (t.name.to_string(), t.literal()));
+    let params = m.params.iter().map(|p| (p.name.clone(), p.default.to_string())).chain(terms);
+    let (params, passed): (Vec<String>, Vec<String>) =
+        params.map(|(name, value)| (format!("parameter integer {name} = {value}"), format!(".{name}({name})"))).unzip();
     let range = |w: &reliefrtl::ir::Expr| format!("[{}:0]", w.expanded() - 1);
     let port = |p: &reliefrtl::ir::Port| {
         let dir = if p.dir == Dir::In { "input" } else { "output" };

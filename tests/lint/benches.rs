@@ -8,9 +8,10 @@ use reliefrtl::units::traversal::traverse;
 use std::process::Command;
 
 /// Configurations whose benches differ in more than widths.
-const CHOSEN: [&str; 8] = [
+const CHOSEN: [&str; 9] = [
     "default",
     "emit.prefix=pdm_",
+    "emit.timescale=1ns/1ps emit.default_nettype=none",
     "format.exp=8 format.man=23",
     "mode.trim=always mode.lod=true",
     "mode.bilinear=true",
@@ -24,7 +25,7 @@ fn benches(e: &Emitted) -> (Vec<String>, Vec<String>) {
     let d = e.config.design();
     let t = traverse(&d);
     let depth = t.setup + t.slots + t.finish;
-    let files = bench_files(&catalogue::units(&d), Some((&t.module, depth)), &e.config.emit.prefix);
+    let files = bench_files(&catalogue::units(&d), Some((&t.module, depth)), &e.config.emit);
     std::fs::create_dir_all(e.dir.join("testbench")).expect("target is writable");
     for (path, text) in &files {
         std::fs::write(e.dir.join(path), text).expect("target is writable");

@@ -62,6 +62,8 @@ const SPREAD: &[&[&str]] = &[
     &["latency.divider=table", "latency.div=6", "datapath.kind=published"],
     &["latency.divider=table", "latency.div=5", "mode.bilinear=true", "format.exp=6", "format.man=13"],
     &["emit.prefix=pdm_"],
+    &["emit.timescale=1ns/1ps", "emit.default_nettype=none"],
+    &["emit.prefix=", "emit.default_nettype=keep"],
     &["latency.node=2", "latency.memory=4", "latency.select=1", "latency.handshake=1", "latency.decision=2"],
     &[
         "latency.handshake=3",

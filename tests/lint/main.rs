@@ -9,6 +9,7 @@ mod linters;
 mod parse;
 mod style;
 mod tools;
+mod trees;
 
 /// Fails with the first problems of a long list, all of them counted.
 pub fn no_problems(problems: &[String]) {

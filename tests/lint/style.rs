@@ -1,6 +1,8 @@
 //! Rules of the emitted text that no linter knows (`docs/verilog-style.md`).
 use super::configs::{all, file_count};
 use super::no_problems;
+use reliefrtl::config::DefaultNettype;
+use reliefrtl::verilog::SPDX;
 use std::path::Path;
 
 /// What is wrong with one file: line number and rule.
@@ -32,8 +34,10 @@ fn problems_of(text: &str) -> Vec<(usize, String)> {
         if ["'x", "'bx", "'hx", "'z", "'bz", "'hz"].iter().any(|x| code.to_lowercase().contains(x)) {
             say("an unknown value");
         }
-        if code.contains('`') && !["`default_nettype none", "`default_nettype wire"].contains(&code.trim_end()) {
-            say("a directive that is not default_nettype");
+        let directives =
+            ["`default_nettype none", "`ifndef YOSYS", "`default_nettype wire", "`endif", "`timescale 1ns/1ps"];
+        if code.contains('`') && !directives.contains(&code.trim_end()) {
+            say("a directive that is not default_nettype or the asked timescale");
         }
         // The scoped pair around wires named unused_* is the only pragma.
         match comment {
@@ -83,12 +87,18 @@ fn emitted_text_follows_the_rules_of_style() {
             checked += 1;
             problems.extend(problems_of(text).iter().map(|(n, p)| format!("{}: {path}:{n}: {p}", e.label)));
             let name = path.trim_start_matches("rtl/").trim_end_matches(".v");
+            let nets = e.config.emit.default_nettype;
             let once = [
-                ("the banner opens with the module's name", text.starts_with(&format!("// {name}: "))),
+                ("licence and name come first", text.starts_with(&format!("// {SPDX}\n// {name}: "))),
                 ("one module a file", text.matches("\nendmodule\n").count() == 1),
                 ("module and file have one name", text.contains(&format!("\nmodule {name} "))),
-                ("nets are declared, and the default comes back", text.ends_with("\n`default_nettype wire\n")),
-                ("default_nettype none comes first", text.matches("`default_nettype none\nmodule ").count() == 1),
+                ("what undeclared nets are behind it", text.ends_with(&format!("\nendmodule\n{}", behind(nets)))),
+                (
+                    "what they are in it",
+                    text.contains("`default_nettype none\nmodule ") == (nets != DefaultNettype::Keep),
+                ),
+                ("the asked timescale", text.contains("\n`timescale ") != e.config.emit.timescale.is_empty()),
+                ("nothing of another configuration", !text.contains("// Config ")),
                 ("no path or name of this machine", !local.iter().any(|n| text.contains(n.as_str()))),
                 ("no date", !has_date(text)),
             ];
@@ -97,6 +107,14 @@ fn emitted_text_follows_the_rules_of_style() {
     }
     no_problems(&problems);
     assert_eq!(checked, file_count());
+}
+
+/// The directives at the end. Yosys takes the last one of a file for all of it, so there `none` has to be the last.
+fn behind(nets: DefaultNettype) -> &'static str {
+    match nets {
+        DefaultNettype::Wire => "`ifndef YOSYS\n`default_nettype wire\n`endif\n",
+        DefaultNettype::None | DefaultNettype::Keep => "",
+    }
 }
 
 /// Four digits, a separator, two digits: a year and a month; or two colons between digits: a time.

@@ -108,10 +108,13 @@ module {{ prefix }}tb_traverse #(
 
   {{ dut }} #(
 {%- for p in params %}
-    .{{ p.name }}({{ p.name }}){% if files or not loop.last %},{% endif %}
+    .{{ p.name }}({{ p.name }}),
 {%- endfor %}
 {%- for f in files %}
-    .{{ f }}({{ f }}){% if not loop.last %},{% endif %}
+    .{{ f }}({{ f }}),
+{%- endfor %}
+{%- for t in terms %}
+    .{{ t.name }}({{ t.value }}){% if not loop.last %},{% endif %}
 {%- endfor %}
   ) dut (
     .clk(clk),

@@ -46,9 +46,12 @@ module {{ prefix }}tb_{{ unit }}{% if params %} #(
 {%- endfor %}
   wire       out_valid = (Latency == 0) ? in_valid : travel[Latency];
 
-  {{ dut }}{% if params %} #(
+  {{ dut }}{% if params or terms %} #(
 {%- for p in params %}
-    .{{ p.name }}({{ p.name }}){% if not loop.last %},{% endif %}
+    .{{ p.name }}({{ p.name }}){% if terms or not loop.last %},{% endif %}
+{%- endfor %}
+{%- for t in terms %}
+    .{{ t.name }}({{ t.value }}){% if not loop.last %},{% endif %}
 {%- endfor %}
   ){% endif %} dut (
 {%- if clocked %}

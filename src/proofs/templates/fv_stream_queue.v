@@ -15,7 +15,7 @@ module {{ prefix }}fv_stream_queue (input wire clk);
   wire [5:0] stored = arrived - gone;
   wire sets_out = offers && room;
   wire in_valid = arrives && under_way != 0;
-  {{ prefix }}stream_queue dut (
+  {{ prefix }}stream_queue{{ terms("stream_queue", "") }} dut (
     .clk(clk), .rst(rst), .sets_out(sets_out), .in_valid(in_valid), .room(room), .out_valid(out_valid),
     .out_ready(out_ready), .write_place(write_place), .read_place(read_place)
   );

@@ -9,11 +9,11 @@ module {{ prefix }}fv_stream_skid (input wire clk);
   wire in_ready, out_valid, first_open, second_open, turn;
   reg [3:0] come, gone;
   wire [3:0] out_data;
-  {{ prefix }}stream_skid dut (
+  {{ prefix }}stream_skid{{ terms("stream_skid", "") }} dut (
     .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .out_valid(out_valid), .out_ready(out_ready),
     .first_open(first_open), .second_open(second_open), .turn(turn)
   );
-  {{ prefix }}word_skid #(.W(4)) word (
+  {{ prefix }}word_skid{{ terms("word_skid", ".W(4)") }} word (
     .clk(clk), .first_open(first_open), .second_open(second_open), .turn(turn), .in_data(come), .out_data(out_data)
   );
 

@@ -11,7 +11,7 @@ module {{ prefix }}fv_traverse (input wire clk);
   (* anyseq *) wire [TAG_W-1:0] in_tag;
   wire in_ready, out_valid;
   wire [TAG_W-1:0] out_tag;
-  {{ prefix }}traverse dut (
+  {{ prefix }}traverse{{ terms("traverse", "") }} dut (
     .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .in_tag(in_tag),
     .out_valid(out_valid), .out_ready(out_ready), .out_tag(out_tag)
   );

@@ -8,7 +8,7 @@ module {{ prefix }}fv_traverse (input wire clk);
   (* anyseq *) wire in_valid;
   (* anyseq *) wire out_ready;
   wire in_ready, out_valid;
-  {{ prefix }}traverse dut (
+  {{ prefix }}traverse{{ terms("traverse", "") }} dut (
     .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .out_valid(out_valid), .out_ready(out_ready)
   );
 

@@ -31,6 +31,7 @@ fn by_rows(format: FloatFormat, latency: u32) -> Arc<Module> {
         return general::fp_div(format, latency);
     }
     let b = Builder::new("fp_div", file!(), "quotient of two floating-point numbers, rounded once");
+    b.choice("divider", "rows");
     let f = FormatParams::declare(&b, format);
     let e_w = b.local("ExpSumW", &f.exp + 2);
     let p = b.local("SigW", &f.man + 1);

@@ -46,6 +46,7 @@ const DEEP: [&str; 12] = [
 pub fn by_table(format: FloatFormat, latency: u32) -> Arc<Module> {
     assert!(format.is_plain() && latency >= Design::TABLE_CLOCKS, "Design::check_divider comes first");
     let b = Builder::new("fp_div", file!(), "quotient of two floating-point numbers, rounded once");
+    b.choice("divider", "table");
     let f = FormatParams::declare(&b, format);
     b.require(&f.man, Design::TABLE_MAN);
     let e_w = b.local("ExpSumW", &f.exp + 2);

@@ -26,6 +26,9 @@ impl FormatParams {
         b.require(&man, 28);
         let width = b.local("FloatW", &exp + &man + 1);
         b.note(note(f));
+        b.choice("rounding", f.rounding.word());
+        b.choice("subnormals", f.subnormals.word());
+        b.choice("specials", f.specials.word());
         Self { exp, man, width, format: f }
     }
     /// The bias.

@@ -26,6 +26,7 @@ pub fn level_up(d: &Design) -> Option<Arc<Module>> {
         LevelUp::Always => "level-up test: every crossing goes up",
     };
     let b = Builder::new("level_up", file!(), text);
+    b.choice("level_up", rule.word());
     let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
     if clocks > 0 {
         b.clock();

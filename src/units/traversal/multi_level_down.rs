@@ -19,6 +19,7 @@ pub fn multi_level_down(d: &Design) -> Arc<Module> {
         n => format!("level and child of a descent: {n} levels until the first crossing, then one"),
     };
     let b = Builder::new("multi_level_down", file!(), &what);
+    b.choice("levels_down", mode.levels_down);
     let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
     let idx = index_width(&b, t, Some(&levels));
     let many = u64::from(mode.levels_down);

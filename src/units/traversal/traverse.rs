@@ -38,6 +38,9 @@ fn in_registers(d: &Design) -> Traverse {
     let b =
         Builder::new("traverse", file!(), "traces rays against a height field: a looping pipeline, one node a clock");
     b.throughput("one iteration (one node) per clock; a ray takes as many iterations as its path needs");
+    b.choice("datapath", d.datapath.kind.word());
+    b.choice("levels_down", d.mode.levels_down);
+    b.choice("level_up", d.mode.level_up.word());
     let path = Datapath::of(d);
     let s = Sizes::declare(&b, d, path);
     let more =
