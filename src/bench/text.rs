@@ -68,13 +68,13 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Arc<Module>, u32)>,
     // The stage at which a slot's ray is chosen: the first that has it whole.
     let chosen = traverse.nodes.iter().filter(|n| n.name.as_deref() == Some("done")).filter_map(|n| n.stage).min();
     let value = context! {
-            enters => chosen.unwrap_or(0),
-            prefix, unit => "traverse", dut => format!("{prefix}traverse"), params => params(traverse), terms => terms(traverse),
-            files => files_of(traverse), warm_up,
-            // The published datapath has rays that never end by themselves.
-            lingers => traverse.params.iter().any(|p| p.name == "NUDGE_W"),
-            inputs => named(&crate::trace::inputs(traverse)), outputs => named(&crate::trace::outputs(traverse)),
-        };
+        enters => chosen.unwrap_or(0),
+        prefix, unit => "traverse", dut => format!("{prefix}traverse"), params => params(traverse), terms => terms(traverse),
+        files => files_of(traverse), warm_up,
+        // The published datapath has rays that never end by themselves.
+        lingers => traverse.params.iter().any(|p| p.name == "NUDGE_W"),
+        inputs => named(&crate::trace::inputs(traverse)), outputs => named(&crate::trace::outputs(traverse)),
+    };
     files.insert(format!("testbench/{prefix}tb_traverse.v"), render("traverse", value.clone()));
     files.insert(format!("testbench/{prefix}tb_traverse_top.v"), render("top", value));
     files.insert(format!("testbench/{prefix}tb_traverse.f"), list(traverse, prefix));

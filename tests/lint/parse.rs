@@ -81,13 +81,14 @@ fn read(tree: &SyntaxTree) -> (Interface, usize) {
 fn expected(module: &Value) -> Interface {
     let list = |key: &str| module[key].as_array().cloned().unwrap_or_default();
     let text = |v: &Value| v.as_str().unwrap_or_default().to_owned();
-    let own = list("parameters").into_iter().map(|p| (text(&p["name"]), p["default"].to_string()));
-    // What it was generated for stands behind its parameters, but for what was merely chosen.
+    let (own, files): (Vec<Value>, Vec<Value>) = list("parameters").into_iter().partition(|p| p["default"].is_number());
+    let with_default = |p: Value| (text(&p["name"]), p["default"].to_string());
+    // What it was generated for stands between its numbers and its files, but for what was merely chosen.
     let terms = list("generated_for").into_iter().filter(|t| t["name"].is_string());
     let terms = terms.map(|t| (text(&t["name"]), text(&t["literal"])));
     Interface {
         name: text(&module["name"]),
-        params: own.chain(terms).collect(),
+        params: own.into_iter().map(with_default).chain(terms).chain(files.into_iter().map(with_default)).collect(),
         ports: list("ports")
             .iter()
             .map(|p| (text(&p["name"]), text(&p["direction"]), p["width_expression"] != json!("1")))
