@@ -23,8 +23,8 @@ pub use design::{
 };
 pub use extra::{ExtraUnit, ExtraUnits};
 pub use input::{
-    Auto, Border, ByteOrder, DefaultNettype, EmitConfig, FormatConfig, Generator, MapConfig, MapKind, MapRange, NanRule, VectorsConfig,
-    View, ViewConfig,
+    Auto, Border, ByteOrder, DefaultNettype, EmitConfig, FormatConfig, Generator, MapConfig, MapKind, MapRange,
+    NanRule, VectorsConfig, View, ViewConfig,
 };
 pub use profile::Profile;
 
