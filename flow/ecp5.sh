@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT OR Apache-2.0
 # Places and routes relief_traverse on an ECP5 (LFE5U-85F, speed grade 8) at each seed of nextpnr.
 #   sh flow/ecp5.sh [SEED...]
 # YOSYS and NEXTPNR name the programs; without them, what is found under the names of the distributions or of YoWASP. Results go to pnr/ beside rtl/.

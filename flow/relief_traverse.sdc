@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT OR Apache-2.0
 # relief_traverse: 84 MHz.
 create_clock -name clk -period 11.904 [get_ports clk]
 # What stands around the unit is taken to end in registers: replace the zeros by your own delays.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT OR Apache-2.0
 # relief_traverse out of context in Vivado. From the directory that holds rtl/:
 #   vivado -mode batch -source flow/vivado.tcl [-tclargs PART]
 set part [expr {$argc > 0 ? [lindex $argv 0] : "xc7a200tfbg676-2"}]

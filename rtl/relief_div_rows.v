@@ -1,7 +1,6 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_div_rows: rows of restoring division: compare, subtract, double; one quotient bit each
 // Source     src/units/div_rows.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
 // Latency    none, combinational
 // Note       rem_in must be less than twice div.
 `default_nettype none
@@ -52,4 +51,6 @@ module relief_div_rows #(
   endgenerate
   assign rem_out = gen_row[ROWS-1].next;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,7 +1,7 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_fp_add: sum of two floating-point numbers, rounded once; flip b's sign to subtract
 // Source     src/units/float/add.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Chosen     rounding nearest-even, subnormals flush, specials ieee
 // Latency    3 clocks
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
@@ -10,8 +10,10 @@
 //            out); nearest, ties to even; x - x is +0.
 `default_nettype none
 module relief_fp_add #(
-  parameter integer EXP_W = 7,   // exponent bits
-  parameter integer MAN_W = 16   // fraction bits, the hidden one not counted
+  parameter integer EXP_W   = 7,   // exponent bits
+  parameter integer MAN_W   = 16,  // fraction bits, the hidden one not counted
+  parameter integer LATENCY = 3,   // clocks that it was generated for
+  parameter integer VARIANT = 32'h3711d0be  // digest of what is no parameter
 ) (
   input  wire                 clk,     // rising edge
   input  wire                 ce,      // clock enable: registers hold while 0
@@ -40,6 +42,11 @@ module relief_fp_add #(
     end
     if (MAN_W > 28) begin : gen_illegal_3
       must_hold_MAN_W_at_most_28 u_illegal ();
+    end
+    if (LATENCY != 3) begin : gen_other_latency
+      relief_fp_add_has_LATENCY_3_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h3711d0be) begin : gen_other_variant
+      relief_fp_add_has_VARIANT_3711d0be_nearest_even_flush_ieee_not_the_one_asked_for u_illegal ();
     end
   endgenerate
 
@@ -222,4 +229,6 @@ module relief_fp_add #(
 
   assign result = s3_value;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

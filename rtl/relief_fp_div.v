@@ -1,7 +1,7 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_fp_div: quotient of two floating-point numbers, rounded once
 // Source     src/units/float/div.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Chosen     divider rows, rounding nearest-even, subnormals flush, specials ieee
 // Latency    20 clocks
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
@@ -10,8 +10,10 @@
 //            out); nearest, ties to even; x - x is +0.
 `default_nettype none
 module relief_fp_div #(
-  parameter integer EXP_W = 7,   // exponent bits
-  parameter integer MAN_W = 16   // fraction bits, the hidden one not counted
+  parameter integer EXP_W   = 7,   // exponent bits
+  parameter integer MAN_W   = 16,  // fraction bits, the hidden one not counted
+  parameter integer LATENCY = 20,  // clocks that it was generated for
+  parameter integer VARIANT = 32'h168f7dd3  // digest of what is no parameter
 ) (
   input  wire                 clk,     // rising edge
   input  wire                 ce,      // clock enable: registers hold while 0
@@ -38,6 +40,11 @@ module relief_fp_div #(
     end
     if (MAN_W > 28) begin : gen_illegal_3
       must_hold_MAN_W_at_most_28 u_illegal ();
+    end
+    if (LATENCY != 20) begin : gen_other_latency
+      relief_fp_div_has_LATENCY_20_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h168f7dd3) begin : gen_other_variant
+      relief_fp_div_has_VARIANT_168f7dd3_rows_nearest_even_flush_not_the_one_asked_for u_illegal ();
     end
   endgenerate
 
@@ -753,4 +760,6 @@ module relief_fp_div #(
 
   assign result = s20_value;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,7 +1,7 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_fp_from_fixed: signed fixed-point number to the nearest floating-point number
 // Source     src/units/float/from_fixed.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Chosen     rounding nearest-even, subnormals flush, specials ieee
 // Latency    2 clocks
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
@@ -10,10 +10,12 @@
 //            out); nearest, ties to even; x - x is +0.
 `default_nettype none
 module relief_fp_from_fixed #(
-  parameter integer EXP_W  = 7,   // exponent bits
-  parameter integer MAN_W  = 16,  // fraction bits, the hidden one not counted
-  parameter integer INT_W  = 26,  // bits of the signed operand
-  parameter integer FRAC_W = 12   // of these, bits behind the point
+  parameter integer EXP_W   = 7,   // exponent bits
+  parameter integer MAN_W   = 16,  // fraction bits, the hidden one not counted
+  parameter integer INT_W   = 26,  // bits of the signed operand
+  parameter integer FRAC_W  = 12,  // of these, bits behind the point
+  parameter integer LATENCY = 2,   // clocks that it was generated for
+  parameter integer VARIANT = 32'h021ee2c6  // digest of what is no parameter
 ) (
   input  wire                 clk,     // rising edge
   input  wire                 ce,      // clock enable: registers hold while 0
@@ -49,6 +51,11 @@ module relief_fp_from_fixed #(
     end
     if (FRAC_W > INT_W) begin : gen_illegal_7
       must_hold_FRAC_W_at_most_INT_W u_illegal ();
+    end
+    if (LATENCY != 2) begin : gen_other_latency
+      relief_fp_from_fixed_has_LATENCY_2_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h021ee2c6) begin : gen_other_variant
+      relief_fp_from_fixed_has_VARIANT_021ee2c6_nearest_even_not_the_one_asked_for u_illegal ();
     end
   endgenerate
 
@@ -113,4 +120,6 @@ module relief_fp_from_fixed #(
 
   assign result = s2_value;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,7 +1,7 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_fp_lt: 1 if a < b; 0 when either is NaN; +0 and -0 are equal
 // Source     src/units/float/lt.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Chosen     rounding nearest-even, subnormals flush, specials ieee
 // Latency    1 clock
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
@@ -10,8 +10,10 @@
 //            out); nearest, ties to even; x - x is +0.
 `default_nettype none
 module relief_fp_lt #(
-  parameter integer EXP_W = 7,   // exponent bits
-  parameter integer MAN_W = 16   // fraction bits, the hidden one not counted
+  parameter integer EXP_W   = 7,   // exponent bits
+  parameter integer MAN_W   = 16,  // fraction bits, the hidden one not counted
+  parameter integer LATENCY = 1,   // clocks that it was generated for
+  parameter integer VARIANT = 32'h34d3d038  // digest of what is no parameter
 ) (
   input  wire                 clk,     // rising edge
   input  wire                 ce,      // clock enable: registers hold while 0
@@ -34,6 +36,11 @@ module relief_fp_lt #(
     end
     if (MAN_W > 28) begin : gen_illegal_3
       must_hold_MAN_W_at_most_28 u_illegal ();
+    end
+    if (LATENCY != 1) begin : gen_other_latency
+      relief_fp_lt_has_LATENCY_1_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h34d3d038) begin : gen_other_variant
+      relief_fp_lt_has_VARIANT_34d3d038_nearest_even_flush_ieee_not_the_one_asked_for u_illegal ();
     end
   endgenerate
 
@@ -67,4 +74,6 @@ module relief_fp_lt #(
 
   assign result = s1_less;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

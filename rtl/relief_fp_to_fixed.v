@@ -1,8 +1,8 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_fp_to_fixed: floating-point number to signed fixed point, toward minus infinity,
 //                     saturating
 // Source     src/units/float/to_fixed.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Chosen     rounding nearest-even, subnormals flush, specials ieee
 // Latency    2 clocks
 // Throughput one result per clock
 // Note       Infinities saturate; NaN gives 0.
@@ -12,10 +12,12 @@
 //            out); nearest, ties to even; x - x is +0.
 `default_nettype none
 module relief_fp_to_fixed #(
-  parameter integer EXP_W  = 7,   // exponent bits
-  parameter integer MAN_W  = 16,  // fraction bits, the hidden one not counted
-  parameter integer INT_W  = 26,  // bits of the signed result
-  parameter integer FRAC_W = 12   // of these, bits behind the point
+  parameter integer EXP_W   = 7,   // exponent bits
+  parameter integer MAN_W   = 16,  // fraction bits, the hidden one not counted
+  parameter integer INT_W   = 26,  // bits of the signed result
+  parameter integer FRAC_W  = 12,  // of these, bits behind the point
+  parameter integer LATENCY = 2,   // clocks that it was generated for
+  parameter integer VARIANT = 32'h00960256  // digest of what is no parameter
 ) (
   input  wire                 clk,     // rising edge
   input  wire                 ce,      // clock enable: registers hold while 0
@@ -54,6 +56,11 @@ module relief_fp_to_fixed #(
     end
     if (FRAC_W > INT_W) begin : gen_illegal_7
       must_hold_FRAC_W_at_most_INT_W u_illegal ();
+    end
+    if (LATENCY != 2) begin : gen_other_latency
+      relief_fp_to_fixed_has_LATENCY_2_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h00960256) begin : gen_other_variant
+      relief_fp_to_fixed_has_VARIANT_00960256_nearest_even_flush_not_the_one_asked_for u_illegal ();
     end
   endgenerate
 
@@ -127,4 +134,6 @@ module relief_fp_to_fixed #(
 
   assign result = s2_result_value;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,7 +1,7 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_fp_to_int: floating-point number to a signed integer, toward minus infinity, saturating
 // Source     src/units/float/to_fixed.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Chosen     rounding nearest-even, subnormals flush, specials ieee
 // Latency    2 clocks
 // Throughput one result per clock
 // Note       Infinities saturate; NaN gives 0.
@@ -11,9 +11,11 @@
 //            out); nearest, ties to even; x - x is +0.
 `default_nettype none
 module relief_fp_to_int #(
-  parameter integer EXP_W = 7,   // exponent bits
-  parameter integer MAN_W = 16,  // fraction bits, the hidden one not counted
-  parameter integer INT_W = 14   // bits of the signed result
+  parameter integer EXP_W   = 7,   // exponent bits
+  parameter integer MAN_W   = 16,  // fraction bits, the hidden one not counted
+  parameter integer INT_W   = 14,  // bits of the signed result
+  parameter integer LATENCY = 2,   // clocks that it was generated for
+  parameter integer VARIANT = 32'h097a7d26  // digest of what is no parameter
 ) (
   input  wire                 clk,     // rising edge
   input  wire                 ce,      // clock enable: registers hold while 0
@@ -46,6 +48,11 @@ module relief_fp_to_int #(
     end
     if (INT_W + MAN_W + 3 > 64) begin : gen_illegal_5
       must_hold_INT_W_plus_MAN_W_plus_3_at_most_64 u_illegal ();
+    end
+    if (LATENCY != 2) begin : gen_other_latency
+      relief_fp_to_int_has_LATENCY_2_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h097a7d26) begin : gen_other_variant
+      relief_fp_to_int_has_VARIANT_097a7d26_nearest_even_flush_not_the_one_asked_for u_illegal ();
     end
   endgenerate
 
@@ -118,4 +125,6 @@ module relief_fp_to_int #(
 
   assign result = s2_result_value;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,11 +1,12 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_height_address: address of a node's height in the pyramid memory
 // Source     src/units/traversal/height_address.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
 // Latency    none, combinational
 `default_nettype none
 module relief_height_address #(
-  parameter integer LEVELS = 8   // the map has 2^LEVELS x 2^LEVELS texels
+  parameter integer LEVELS  = 8,  // the map has 2^LEVELS x 2^LEVELS texels
+  parameter integer LATENCY = 0,  // clocks that it was generated for
+  parameter integer VARIANT = 32'h23add022  // digest of what is no parameter
 ) (
   input  wire [$clog2(LEVELS+1)-1:0] level,    // 0 .. LEVELS [levels]
   input  wire [LEVELS-1:0]           i,        // u of a texel in the node [texels]
@@ -22,6 +23,11 @@ module relief_height_address #(
     end
     if (LEVELS > 12) begin : gen_illegal_1
       must_hold_LEVELS_at_most_12 u_illegal ();
+    end
+    if (LATENCY != 0) begin : gen_other_latency
+      relief_height_address_has_LATENCY_0_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h23add022) begin : gen_other_variant
+      relief_height_address_has_VARIANT_23add022_not_the_one_asked_for u_illegal ();
     end
   endgenerate
 
@@ -43,4 +49,6 @@ module relief_height_address #(
 
   assign address = morton[2*LEVELS:0];
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,7 +1,6 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_height_banks: on-chip memory in banks, with a write port and two registers a read
 // Source     src/units/traversal/height_banks.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
 // Latency    2 clocks
 // Throughput one result per clock
 // Note       Preloaded by MEM_INIT, it is one array with two registers: what it does is the same.
@@ -89,4 +88,6 @@ module relief_height_banks #(
     end
   endgenerate
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

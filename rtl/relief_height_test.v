@@ -1,7 +1,7 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_height_test: parameter at which the ray is in the node and at or below its height
 // Source     src/units/traversal/watertight/height_test.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Chosen     rounding nearest-even, subnormals flush, specials ieee
 // Latency    4 clocks
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
@@ -12,7 +12,9 @@
 module relief_height_test #(
   parameter integer EXP_W    = 7,   // exponent bits
   parameter integer MAN_W    = 16,  // fraction bits, the hidden one not counted
-  parameter integer HEIGHT_W = 8    // bits of a height code
+  parameter integer HEIGHT_W = 8,   // bits of a height code
+  parameter integer LATENCY  = 4,   // clocks that it was generated for
+  parameter integer VARIANT  = 32'h19fd8447  // digest of what is no parameter
 ) (
   input  wire                 clk,     // rising edge
   input  wire                 ce,      // clock enable: registers hold while 0
@@ -45,13 +47,24 @@ module relief_height_test #(
     if (HEIGHT_W > 16) begin : gen_illegal_5
       must_hold_HEIGHT_W_at_most_16 u_illegal ();
     end
+    if (LATENCY != 4) begin : gen_other_latency
+      relief_height_test_has_LATENCY_4_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h19fd8447) begin : gen_other_variant
+      relief_height_test_has_VARIANT_19fd8447_nearest_even_flush_not_the_one_asked_for u_illegal ();
+    end
   endgenerate
 
   // ---- stage 0: depth -------------------------------------------------- height_test.rs
   // The complement of a code is its distance from the top plane.
   wire [HEIGHT_W:0] s0_depth = {1'b0, ~height};
   wire [FloatW-1:0] s2_t_v;
-  relief_fp_from_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(HEIGHT_W + 1)) u_from_int (
+  relief_fp_from_int #(
+    .EXP_W  (EXP_W),
+    .MAN_W  (MAN_W),
+    .INT_W  (HEIGHT_W + 1),
+    .LATENCY(2),
+    .VARIANT(32'h215185ec)
+  ) u_from_int (
     .clk   (clk),
     .ce    (ce),
     .a     (s0_depth),
@@ -76,7 +89,7 @@ module relief_height_test #(
 
   // ---- stage 2: compare ------------------------------------------------ height_test.rs
   wire s3_is_before;
-  relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_before (
+  relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(1), .VARIANT(32'h34d3d038)) u_before (
     .clk   (clk),
     .ce    (ce),
     .a     (s2_t),
@@ -84,7 +97,7 @@ module relief_height_test #(
     .result(s3_is_before)
   );
   wire s3_is_below;
-  relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_below (
+  relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(1), .VARIANT(32'h34d3d038)) u_below (
     .clk   (clk),
     .ce    (ce),
     .a     (s2_t_v),
@@ -118,4 +131,6 @@ module relief_height_test #(
   assign m = s4_reach;
   assign below = s4_is_below;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_hit_delay: a word, delayed beside a pipeline
 // Source     src/units/traversal/stream_delay.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
 // Latency    7 clocks
 // Throughput one result per clock
 `default_nettype none
 module relief_hit_delay #(
-  parameter integer W = 1   // bits of the word
+  parameter integer W       = 1,  // bits of the word
+  parameter integer LATENCY = 7,  // clocks that it was generated for
+  parameter integer VARIANT = 32'h62486e47  // digest of what is no parameter
 ) (
   input  wire         clk,       // rising edge
   input  wire         ce,        // clock enable: registers hold while 0
@@ -18,6 +19,11 @@ module relief_hit_delay #(
   generate
     if (1 > W) begin : gen_illegal_0
       must_hold_1_at_most_W u_illegal ();
+    end
+    if (LATENCY != 7) begin : gen_other_latency
+      relief_hit_delay_has_LATENCY_7_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h62486e47) begin : gen_other_variant
+      relief_hit_delay_has_VARIANT_62486e47_not_the_one_asked_for u_illegal ();
     end
   endgenerate
 
@@ -79,4 +85,6 @@ module relief_hit_delay #(
 
   assign out_data = s7_data;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,7 +1,7 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_hit_position: position of the hit inside its texel: p + d * t - x, kept in [0, 1)
 // Source     src/units/traversal/watertight/hit_position.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Chosen     rounding nearest-even, subnormals flush, specials ieee
 // Latency    7 clocks
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
@@ -10,10 +10,12 @@
 //            out); nearest, ties to even; x - x is +0.
 `default_nettype none
 module relief_hit_position #(
-  parameter integer EXP_W  = 7,   // exponent bits
-  parameter integer MAN_W  = 16,  // fraction bits, the hidden one not counted
-  parameter integer IDX_W  = 14,  // bits of a signed, unwrapped texel coordinate
-  parameter integer FRAC_W = 12   // fraction bits of the position
+  parameter integer EXP_W   = 7,   // exponent bits
+  parameter integer MAN_W   = 16,  // fraction bits, the hidden one not counted
+  parameter integer IDX_W   = 14,  // bits of a signed, unwrapped texel coordinate
+  parameter integer FRAC_W  = 12,  // fraction bits of the position
+  parameter integer LATENCY = 7,   // clocks that it was generated for
+  parameter integer VARIANT = 32'h6781d1af  // digest of what is no parameter
 ) (
   input  wire                 clk,       // rising edge
   input  wire                 ce,        // clock enable: registers hold while 0
@@ -54,11 +56,16 @@ module relief_hit_position #(
     if (FRAC_W + IDX_W + MAN_W > 60) begin : gen_illegal_8
       must_hold_FRAC_W_plus_IDX_W_plus_MAN_W_at_most_60 u_illegal ();
     end
+    if (LATENCY != 7) begin : gen_other_latency
+      relief_hit_position_has_LATENCY_7_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h6781d1af) begin : gen_other_variant
+      relief_hit_position_has_VARIANT_6781d1af_nearest_even_ieee_not_the_one_asked_for u_illegal ();
+    end
   endgenerate
 
   // ---- stage 0: position ---------------------------------------------- hit_position.rs
   wire [FloatW-1:0] s2_way;
-  relief_fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_mul (
+  relief_fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(2), .VARIANT(32'h5bd17165)) u_mul (
     .clk   (clk),
     .ce    (ce),
     .a     (d),
@@ -88,7 +95,7 @@ module relief_hit_position #(
 
   // ---- stage 2: position ---------------------------------------------- hit_position.rs
   wire [FloatW-1:0] s5_position;
-  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_add (
+  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h3711d0be)) u_add (
     .clk   (clk),
     .ce    (ce),
     .a     (s2_p),
@@ -123,10 +130,12 @@ module relief_hit_position #(
   // ---- stage 5: position ---------------------------------------------- hit_position.rs
   wire [FRAC_W+IDX_W-1:0] s7_fixed;
   relief_fp_to_fixed #(
-    .EXP_W (EXP_W),
-    .MAN_W (MAN_W),
-    .INT_W (FRAC_W + IDX_W),
-    .FRAC_W(FRAC_W)
+    .EXP_W  (EXP_W),
+    .MAN_W  (MAN_W),
+    .INT_W  (FRAC_W + IDX_W),
+    .FRAC_W (FRAC_W),
+    .LATENCY(2),
+    .VARIANT(32'h00960256)
   ) u_to_fixed (
     .clk   (clk),
     .ce    (ce),
@@ -162,4 +171,6 @@ module relief_hit_position #(
 
   assign fraction = s7_kept;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,17 +1,28 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_hit_valid_delay: a valid bit, delayed beside a pipeline
 // Source     src/units/traversal/stream_delay.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
 // Latency    7 clocks
 // Throughput one result per clock
 `default_nettype none
-module relief_hit_valid_delay (
+module relief_hit_valid_delay #(
+  parameter integer LATENCY = 7,  // clocks that it was generated for
+  parameter integer VARIANT = 32'h6f836e41  // digest of what is no parameter
+) (
   input  wire  clk,        // rising edge
   input  wire  ce,         // clock enable: registers hold while 0
   input  wire  rst,        // synchronous, active high; clears valid bits and counts, no data
   input  wire  in_valid,   // the word counts
   output wire  out_valid   // the delayed word counts
 );
+
+  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  generate
+    if (LATENCY != 7) begin : gen_other_latency
+      relief_hit_valid_delay_has_LATENCY_7_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h6f836e41) begin : gen_other_variant
+      relief_hit_valid_delay_has_VARIANT_6f836e41_not_the_one_asked_for u_illegal ();
+    end
+  endgenerate
 
   // ---- stage 1: registers --------------------------------------------- stream_delay.rs
   reg s1_valid;
@@ -85,4 +96,6 @@ module relief_hit_valid_delay (
 
   assign out_valid = s7_valid;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

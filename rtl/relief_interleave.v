@@ -1,7 +1,6 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_interleave: two words in Morton order: a in the even bits, b in the odd ones
 // Source     src/units/interleave.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
 // Latency    none, combinational
 `default_nettype none
 module relief_interleave #(
@@ -30,4 +29,6 @@ module relief_interleave #(
     end
   endgenerate
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,7 +1,7 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_level_decision: hit, descend or cross: the next node, level and parameter
 // Source     src/units/traversal/level_decision.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Chosen     rounding nearest-even, subnormals flush, specials ieee
 // Latency    none, combinational
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
 //            0 reads as zero of its sign; results below the smallest normal, after rounding, become
@@ -9,10 +9,12 @@
 //            out); nearest, ties to even; x - x is +0.
 `default_nettype none
 module relief_level_decision #(
-  parameter integer EXP_W  = 7,   // exponent bits
-  parameter integer MAN_W  = 16,  // fraction bits, the hidden one not counted
-  parameter integer LEVELS = 8,   // the map has 2^LEVELS x 2^LEVELS texels
-  parameter integer IDX_W  = 14   // bits of a signed, unwrapped texel coordinate
+  parameter integer EXP_W   = 7,   // exponent bits
+  parameter integer MAN_W   = 16,  // fraction bits, the hidden one not counted
+  parameter integer LEVELS  = 8,   // the map has 2^LEVELS x 2^LEVELS texels
+  parameter integer IDX_W   = 14,  // bits of a signed, unwrapped texel coordinate
+  parameter integer LATENCY = 0,   // clocks that it was generated for
+  parameter integer VARIANT = 32'h4ae3ce84  // digest of what is no parameter
 ) (
   input  wire                        is_inside,   // the node's height is met before the ray leaves
   input  wire                        x_first,     // it leaves by the u plane
@@ -64,6 +66,11 @@ module relief_level_decision #(
     if (IDX_W > 24) begin : gen_illegal_7
       must_hold_IDX_W_at_most_24 u_illegal ();
     end
+    if (LATENCY != 0) begin : gen_other_latency
+      relief_level_decision_has_LATENCY_0_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h4ae3ce84) begin : gen_other_variant
+      relief_level_decision_has_VARIANT_4ae3ce84_nearest_even_not_the_one_asked_for u_illegal ();
+    end
   endgenerate
 
   wire              is_hit = is_inside & ~(|level);
@@ -80,4 +87,6 @@ module relief_level_decision #(
   assign y_next = y_chosen;
   assign t_out = is_inside ? m : t_next;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,13 +1,15 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_level_up: level-up test: the crossing leaves the parent, and the predicted hit is no
 //                  neighbour
 // Source     src/units/traversal/level_up.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Chosen     level_up selective
 // Latency    none, combinational
 `default_nettype none
 module relief_level_up #(
-  parameter integer LEVELS = 8,   // the map has 2^LEVELS x 2^LEVELS texels
-  parameter integer IDX_W  = 14   // bits of a signed, unwrapped texel coordinate
+  parameter integer LEVELS  = 8,   // the map has 2^LEVELS x 2^LEVELS texels
+  parameter integer IDX_W   = 14,  // bits of a signed, unwrapped texel coordinate
+  parameter integer LATENCY = 0,   // clocks that it was generated for
+  parameter integer VARIANT = 32'h63e9f1ef  // digest of what is no parameter
 ) (
   input  wire [$clog2(LEVELS+1)-1:0] level,  // level of the crossed node [levels]
   input  wire                        even,   // the crossed plane also bounds the parent
@@ -34,6 +36,11 @@ module relief_level_up #(
     if (IDX_W > 24) begin : gen_illegal_3
       must_hold_IDX_W_at_most_24 u_illegal ();
     end
+    if (LATENCY != 0) begin : gen_other_latency
+      relief_level_up_has_LATENCY_0_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h63e9f1ef) begin : gen_other_variant
+      relief_level_up_has_VARIANT_63e9f1ef_selective_not_the_one_asked_for u_illegal ();
+    end
   endgenerate
 
   wire           below_root = ~(level == Root[LevelW-1:0]);
@@ -55,4 +62,6 @@ module relief_level_up #(
 
   assign up = even & ~is_neighbour & below_root;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,7 +1,6 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_lzc: number of leading zeros of a word; W when the word is zero
 // Source     src/units/lzc.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
 // Latency    none, combinational
 `default_nettype none
 module relief_lzc #(
@@ -55,4 +54,6 @@ module relief_lzc #(
   wire unused_last = &{1'b0, gen_level[CountW-1].empty};
   // verilator lint_on UNUSED
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

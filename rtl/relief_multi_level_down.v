@@ -1,13 +1,15 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_multi_level_down: level and child of a descent: 2 levels until the first crossing, then
 //                          one
 // Source     src/units/traversal/multi_level_down.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Chosen     levels_down 2
 // Latency    none, combinational
 `default_nettype none
 module relief_multi_level_down #(
-  parameter integer LEVELS = 8,   // the map has 2^LEVELS x 2^LEVELS texels
-  parameter integer IDX_W  = 14   // bits of a signed, unwrapped texel coordinate
+  parameter integer LEVELS  = 8,   // the map has 2^LEVELS x 2^LEVELS texels
+  parameter integer IDX_W   = 14,  // bits of a signed, unwrapped texel coordinate
+  parameter integer LATENCY = 0,   // clocks that it was generated for
+  parameter integer VARIANT = 32'h4703594c  // digest of what is no parameter
 ) (
   // 1 .. LEVELS (the result is not used at 0) [levels]
   input  wire [$clog2(LEVELS+1)-1:0] level,
@@ -42,6 +44,11 @@ module relief_multi_level_down #(
     if (IDX_W > 24) begin : gen_illegal_3
       must_hold_IDX_W_at_most_24 u_illegal ();
     end
+    if (LATENCY != 0) begin : gen_other_latency
+      relief_multi_level_down_has_LATENCY_0_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h4703594c) begin : gen_other_variant
+      relief_multi_level_down_has_VARIANT_4703594c_levels_down_2_not_the_one_asked_for u_illegal ();
+    end
   endgenerate
 
   wire              jump = ~crossed & ~({3'd0, level} < {{(LevelW + 1){1'b0}}, 2'd2});
@@ -63,4 +70,6 @@ module relief_multi_level_down #(
   assign x_down = x_child;
   assign y_down = y_child;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,7 +1,7 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_node_crossing: node crossing test: hit inside the node, or exit plane and parameter
 // Source     src/units/traversal/watertight/node_crossing.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Chosen     rounding nearest-even, subnormals flush, specials ieee
 // Latency    2 clocks
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
@@ -10,8 +10,10 @@
 //            out); nearest, ties to even; x - x is +0.
 `default_nettype none
 module relief_node_crossing #(
-  parameter integer EXP_W = 7,   // exponent bits
-  parameter integer MAN_W = 16   // fraction bits, the hidden one not counted
+  parameter integer EXP_W   = 7,   // exponent bits
+  parameter integer MAN_W   = 16,  // fraction bits, the hidden one not counted
+  parameter integer LATENCY = 2,   // clocks that it was generated for
+  parameter integer VARIANT = 32'h5b4c5bf5  // digest of what is no parameter
 ) (
   input  wire                 clk,        // rising edge
   input  wire                 ce,         // clock enable: registers hold while 0
@@ -41,12 +43,17 @@ module relief_node_crossing #(
     if (MAN_W > 28) begin : gen_illegal_3
       must_hold_MAN_W_at_most_28 u_illegal ();
     end
+    if (LATENCY != 2) begin : gen_other_latency
+      relief_node_crossing_has_LATENCY_2_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h5b4c5bf5) begin : gen_other_variant
+      relief_node_crossing_has_VARIANT_5b4c5bf5_nearest_even_not_the_one_asked_for u_illegal ();
+    end
   endgenerate
 
   // ---- stage 0: compare ---------------------------------------------- node_crossing.rs
   // All five comparisons at once; the selects follow.
   wire s1_m_before_x;
-  relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_m_tx (
+  relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(1), .VARIANT(32'h34d3d038)) u_m_tx (
     .clk   (clk),
     .ce    (ce),
     .a     (m),
@@ -54,7 +61,7 @@ module relief_node_crossing #(
     .result(s1_m_before_x)
   );
   wire s1_m_before_y;
-  relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_m_ty (
+  relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(1), .VARIANT(32'h34d3d038)) u_m_ty (
     .clk   (clk),
     .ce    (ce),
     .a     (m),
@@ -62,7 +69,7 @@ module relief_node_crossing #(
     .result(s1_m_before_y)
   );
   wire s1_y_before_x;
-  relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_ty_tx (
+  relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(1), .VARIANT(32'h34d3d038)) u_ty_tx (
     .clk   (clk),
     .ce    (ce),
     .a     (t_y),
@@ -70,7 +77,7 @@ module relief_node_crossing #(
     .result(s1_y_before_x)
   );
   wire s1_t_before_x;
-  relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_t_tx (
+  relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(1), .VARIANT(32'h34d3d038)) u_t_tx (
     .clk   (clk),
     .ce    (ce),
     .a     (t),
@@ -78,7 +85,7 @@ module relief_node_crossing #(
     .result(s1_t_before_x)
   );
   wire s1_t_before_y;
-  relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_t_ty (
+  relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(1), .VARIANT(32'h34d3d038)) u_t_ty (
     .clk   (clk),
     .ce    (ce),
     .a     (t),
@@ -121,4 +128,6 @@ module relief_node_crossing #(
   assign x_first = s2_x_not_later;
   assign t_next = s2_t_behind;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_node_planes: extent of a node along one axis, and the plane by which the ray leaves
 // Source     src/units/traversal/node_planes.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
 // Latency    none, combinational
 `default_nettype none
 module relief_node_planes #(
-  parameter integer LEVELS = 8,   // the map has 2^LEVELS x 2^LEVELS texels
-  parameter integer IDX_W  = 14   // bits of a signed, unwrapped texel coordinate
+  parameter integer LEVELS  = 8,   // the map has 2^LEVELS x 2^LEVELS texels
+  parameter integer IDX_W   = 14,  // bits of a signed, unwrapped texel coordinate
+  parameter integer LATENCY = 0,   // clocks that it was generated for
+  parameter integer VARIANT = 32'h2afa0fb3  // digest of what is no parameter
 ) (
   input  wire [$clog2(LEVELS+1)-1:0] level,   // 0 .. LEVELS [levels]
   input  wire [IDX_W-1:0]            x,       // any texel of the node [texels]
@@ -34,6 +35,11 @@ module relief_node_planes #(
     if (IDX_W > 24) begin : gen_illegal_3
       must_hold_IDX_W_at_most_24 u_illegal ();
     end
+    if (LATENCY != 0) begin : gen_other_latency
+      relief_node_planes_has_LATENCY_0_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h2afa0fb3) begin : gen_other_variant
+      relief_node_planes_has_VARIANT_2afa0fb3_not_the_one_asked_for u_illegal ();
+    end
   endgenerate
 
   wire [IDX_W-1:0] keep = {IDX_W{1'b1}} << level;
@@ -51,4 +57,6 @@ module relief_node_planes #(
   assign beyond = next;
   assign even = is_odd ^ neg;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

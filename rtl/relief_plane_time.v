@@ -1,7 +1,7 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_plane_time: ray parameter at which the ray meets a plane: (plane - p) * r
 // Source     src/units/traversal/watertight/plane_time.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Chosen     rounding nearest-even, subnormals flush, specials ieee
 // Latency    8 clocks
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
@@ -10,9 +10,11 @@
 //            out); nearest, ties to even; x - x is +0.
 `default_nettype none
 module relief_plane_time #(
-  parameter integer EXP_W = 7,   // exponent bits
-  parameter integer MAN_W = 16,  // fraction bits, the hidden one not counted
-  parameter integer IDX_W = 14   // bits of a signed, unwrapped texel coordinate
+  parameter integer EXP_W   = 7,   // exponent bits
+  parameter integer MAN_W   = 16,  // fraction bits, the hidden one not counted
+  parameter integer IDX_W   = 14,  // bits of a signed, unwrapped texel coordinate
+  parameter integer LATENCY = 8,   // clocks that it was generated for
+  parameter integer VARIANT = 32'h25aebe8a  // digest of what is no parameter
 ) (
   input  wire                 clk,    // rising edge
   input  wire                 ce,     // clock enable: registers hold while 0
@@ -44,11 +46,22 @@ module relief_plane_time #(
     if (2 > IDX_W) begin : gen_illegal_5
       must_hold_2_at_most_IDX_W u_illegal ();
     end
+    if (LATENCY != 8) begin : gen_other_latency
+      relief_plane_time_has_LATENCY_8_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h25aebe8a) begin : gen_other_variant
+      relief_plane_time_has_VARIANT_25aebe8a_nearest_even_flush_not_the_one_asked_for u_illegal ();
+    end
   endgenerate
 
   // ---- stage 0: distance ------------------------------------------------ plane_time.rs
   wire [FloatW-1:0] s2_plane_float;
-  relief_fp_from_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IDX_W)) u_from_int (
+  relief_fp_from_int #(
+    .EXP_W  (EXP_W),
+    .MAN_W  (MAN_W),
+    .INT_W  (IDX_W),
+    .LATENCY(2),
+    .VARIANT(32'h215185ec)
+  ) u_from_int (
     .clk   (clk),
     .ce    (ce),
     .a     (plane),
@@ -82,7 +95,7 @@ module relief_plane_time #(
 
   // ---- stage 2: distance ------------------------------------------------ plane_time.rs
   wire [FloatW-1:0] s5_distance;
-  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_sub (
+  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h3711d0be)) u_sub (
     .clk   (clk),
     .ce    (ce),
     .a     (s2_plane_float),
@@ -122,7 +135,7 @@ module relief_plane_time #(
 
   // ---- stage 5: parameter ----------------------------------------------- plane_time.rs
   wire [FloatW-1:0] s7_product;
-  relief_fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_mul (
+  relief_fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(2), .VARIANT(32'h5bd17165)) u_mul (
     .clk   (clk),
     .ce    (ce),
     .a     (s5_distance),
@@ -159,4 +172,6 @@ module relief_plane_time #(
 
   assign t = s8_when_met;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,7 +1,7 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_predicted_hit: texel coordinate reached at parameter m: floor(p_back + d * m)
 // Source     src/units/traversal/watertight/predicted_hit.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Chosen     rounding nearest-even, subnormals flush, specials ieee
 // Latency    7 clocks
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
@@ -10,9 +10,11 @@
 //            out); nearest, ties to even; x - x is +0.
 `default_nettype none
 module relief_predicted_hit #(
-  parameter integer EXP_W = 7,   // exponent bits
-  parameter integer MAN_W = 16,  // fraction bits, the hidden one not counted
-  parameter integer IDX_W = 14   // bits of a signed, unwrapped texel coordinate
+  parameter integer EXP_W   = 7,   // exponent bits
+  parameter integer MAN_W   = 16,  // fraction bits, the hidden one not counted
+  parameter integer IDX_W   = 14,  // bits of a signed, unwrapped texel coordinate
+  parameter integer LATENCY = 7,   // clocks that it was generated for
+  parameter integer VARIANT = 32'h76e8304f  // digest of what is no parameter
 ) (
   input  wire                 clk,     // rising edge
   input  wire                 ce,      // clock enable: registers hold while 0
@@ -43,12 +45,17 @@ module relief_predicted_hit #(
     if (2 > IDX_W) begin : gen_illegal_5
       must_hold_2_at_most_IDX_W u_illegal ();
     end
+    if (LATENCY != 7) begin : gen_other_latency
+      relief_predicted_hit_has_LATENCY_7_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h76e8304f) begin : gen_other_variant
+      relief_predicted_hit_has_VARIANT_76e8304f_nearest_even_not_the_one_asked_for u_illegal ();
+    end
   endgenerate
 
   // ---- stage 0: way -------------------------------------------------- predicted_hit.rs
   // The position is rounded down to its texel; the bias keeps it from lying ahead of the ray.
   wire [FloatW-1:0] s2_way;
-  relief_fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_mul (
+  relief_fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(2), .VARIANT(32'h5bd17165)) u_mul (
     .clk   (clk),
     .ce    (ce),
     .a     (d),
@@ -75,7 +82,7 @@ module relief_predicted_hit #(
   // ---- stage 2: way -------------------------------------------------- predicted_hit.rs
   // The position is rounded down to its texel; the bias keeps it from lying ahead of the ray.
   wire [FloatW-1:0] s5_position;
-  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_add (
+  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h3711d0be)) u_add (
     .clk   (clk),
     .ce    (ce),
     .a     (s2_p_back),
@@ -92,7 +99,13 @@ module relief_predicted_hit #(
   // ---- stage 5: way -------------------------------------------------- predicted_hit.rs
   // The position is rounded down to its texel; the bias keeps it from lying ahead of the ray.
   wire [IDX_W-1:0] s7_texel;
-  relief_fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IDX_W)) u_to_int (
+  relief_fp_to_int #(
+    .EXP_W  (EXP_W),
+    .MAN_W  (MAN_W),
+    .INT_W  (IDX_W),
+    .LATENCY(2),
+    .VARIANT(32'h097a7d26)
+  ) u_to_int (
     .clk   (clk),
     .ce    (ce),
     .a     (s5_position),
@@ -105,4 +118,6 @@ module relief_predicted_hit #(
 
   assign e = s7_texel;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,7 +1,7 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_ray_setup: a ray's constants, from texture coordinates to texels and height codes
 // Source     src/units/traversal/watertight/ray_setup.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Chosen     rounding nearest-even, subnormals flush, specials ieee
 // Latency    21 clocks
 // Throughput one result per clock
 // Note       A ray that can't be traced (see ok) has all other outputs 0.
@@ -15,7 +15,9 @@ module relief_ray_setup #(
   parameter integer MAN_W    = 16,  // fraction bits, the hidden one not counted
   parameter integer LEVELS   = 8,   // the map has 2^LEVELS x 2^LEVELS texels
   parameter integer HEIGHT_W = 8,   // bits of a height code
-  parameter integer TILE_W   = 4    // a ray travels less than 2^TILE_W tiles along each axis
+  parameter integer TILE_W   = 4,   // a ray travels less than 2^TILE_W tiles along each axis
+  parameter integer LATENCY  = 21,  // clocks that it was generated for
+  parameter integer VARIANT  = 32'h1476c652  // digest of what is no parameter
 ) (
   input  wire                        clk,      // rising edge
   input  wire                        ce,       // clock enable: registers hold while 0
@@ -120,6 +122,11 @@ module relief_ray_setup #(
     end
     if (MAN_W > 28) begin : gen_illegal_18
       must_hold_MAN_W_at_most_28 u_illegal ();
+    end
+    if (LATENCY != 21) begin : gen_other_latency
+      relief_ray_setup_has_LATENCY_21_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h1476c652) begin : gen_other_variant
+      relief_ray_setup_has_VARIANT_1476c652_nearest_even_flush_not_the_one_asked_for u_illegal ();
     end
   endgenerate
 
@@ -230,7 +237,7 @@ module relief_ray_setup #(
   // ---- stage 1: x_slope -------------------------------------------------- ray_setup.rs
   // In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.
   wire [FloatW-1:0] s21_x_r;
-  relief_fp_div #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_x_div (
+  relief_fp_div #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(20), .VARIANT(32'h168f7dd3)) u_x_div (
     .clk   (clk),
     .ce    (ce),
     .a     ({1'b0, MExp[EXP_W-1:0], MFrac[MAN_W-1:0]}),
@@ -238,7 +245,7 @@ module relief_ray_setup #(
     .result(s21_x_r)
   );
   wire [FloatW-1:0] s3_x_d;
-  relief_fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_x_mul (
+  relief_fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(2), .VARIANT(32'h5bd17165)) u_x_mul (
     .clk   (clk),
     .ce    (ce),
     .a     (s1_x_dn),
@@ -255,14 +262,20 @@ module relief_ray_setup #(
 
   // ---- stage 1: x_texels ------------------------------------------------- ray_setup.rs
   wire [IdxW-1:0] s3_x_first;
-  relief_fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW)) u_x_first (
+  relief_fp_to_int #(
+    .EXP_W  (EXP_W),
+    .MAN_W  (MAN_W),
+    .INT_W  (IdxW),
+    .LATENCY(2),
+    .VARIANT(32'h097a7d26)
+  ) u_x_first (
     .clk   (clk),
     .ce    (ce),
     .a     (s1_x_p),
     .result(s3_x_first)
   );
   wire [FloatW-1:0] s4_x_end;
-  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_x_end (
+  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h3711d0be)) u_x_end (
     .clk   (clk),
     .ce    (ce),
     .a     (s1_x_p),
@@ -273,7 +286,7 @@ module relief_ray_setup #(
   // ---- stage 1: y_slope -------------------------------------------------- ray_setup.rs
   // In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.
   wire [FloatW-1:0] s21_y_r;
-  relief_fp_div #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_y_div (
+  relief_fp_div #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(20), .VARIANT(32'h168f7dd3)) u_y_div (
     .clk   (clk),
     .ce    (ce),
     .a     ({1'b0, MExp[EXP_W-1:0], MFrac[MAN_W-1:0]}),
@@ -281,7 +294,7 @@ module relief_ray_setup #(
     .result(s21_y_r)
   );
   wire [FloatW-1:0] s3_y_d;
-  relief_fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_y_mul (
+  relief_fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(2), .VARIANT(32'h5bd17165)) u_y_mul (
     .clk   (clk),
     .ce    (ce),
     .a     (s1_y_dn),
@@ -298,14 +311,20 @@ module relief_ray_setup #(
 
   // ---- stage 1: y_texels ------------------------------------------------- ray_setup.rs
   wire [IdxW-1:0] s3_y_first;
-  relief_fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW)) u_y_first (
+  relief_fp_to_int #(
+    .EXP_W  (EXP_W),
+    .MAN_W  (MAN_W),
+    .INT_W  (IdxW),
+    .LATENCY(2),
+    .VARIANT(32'h097a7d26)
+  ) u_y_first (
     .clk   (clk),
     .ce    (ce),
     .a     (s1_y_p),
     .result(s3_y_first)
   );
   wire [FloatW-1:0] s4_y_end;
-  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_y_end (
+  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h3711d0be)) u_y_end (
     .clk   (clk),
     .ce    (ce),
     .a     (s1_y_p),
@@ -340,7 +359,7 @@ module relief_ray_setup #(
   // ---- stage 2: x_bias --------------------------------------------------- ray_setup.rs
   // A power of two above the position estimate's error, subtracted against the direction.
   wire [FloatW-1:0] s5_x_pb;
-  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_x_back (
+  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h3711d0be)) u_x_back (
     .clk   (clk),
     .ce    (ce),
     .a     (s2_x_p),
@@ -351,7 +370,7 @@ module relief_ray_setup #(
   // ---- stage 2: y_bias --------------------------------------------------- ray_setup.rs
   // A power of two above the position estimate's error, subtracted against the direction.
   wire [FloatW-1:0] s5_y_pb;
-  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_y_back (
+  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h3711d0be)) u_y_back (
     .clk   (clk),
     .ce    (ce),
     .a     (s2_y_p),
@@ -409,7 +428,13 @@ module relief_ray_setup #(
 
   // ---- stage 4: x_texels ------------------------------------------------- ray_setup.rs
   wire [IdxW-1:0] s6_x_last;
-  relief_fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW)) u_x_last (
+  relief_fp_to_int #(
+    .EXP_W  (EXP_W),
+    .MAN_W  (MAN_W),
+    .INT_W  (IdxW),
+    .LATENCY(2),
+    .VARIANT(32'h097a7d26)
+  ) u_x_last (
     .clk   (clk),
     .ce    (ce),
     .a     (s4_x_end),
@@ -418,7 +443,13 @@ module relief_ray_setup #(
 
   // ---- stage 4: y_texels ------------------------------------------------- ray_setup.rs
   wire [IdxW-1:0] s6_y_last;
-  relief_fp_to_int #(.EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW)) u_y_last (
+  relief_fp_to_int #(
+    .EXP_W  (EXP_W),
+    .MAN_W  (MAN_W),
+    .INT_W  (IdxW),
+    .LATENCY(2),
+    .VARIANT(32'h097a7d26)
+  ) u_y_last (
     .clk   (clk),
     .ce    (ce),
     .a     (s4_y_end),
@@ -487,7 +518,12 @@ module relief_ray_setup #(
 
   // ---- stage 6: level ---------------------------------------------------- ray_setup.rs
   wire [LevelW-1:0] s6_start;
-  relief_start_level #(.LEVELS(LEVELS), .IDX_W(IdxW)) u_start_level (
+  relief_start_level #(
+    .LEVELS (LEVELS),
+    .IDX_W  (IdxW),
+    .LATENCY(0),
+    .VARIANT(32'h5f64d48d)
+  ) u_start_level (
     .x    (s6_x_first),
     .y    (s6_y_first),
     .x_end(s6_x_last),
@@ -1038,4 +1074,6 @@ module relief_ray_setup #(
   assign neg_y = s21_y_d_in_sign & (s21_is_ok);
   assign first_y = s21_y_first & {IdxW{s21_is_ok}};
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

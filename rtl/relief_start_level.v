@@ -1,12 +1,13 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_start_level: lowest level at which one node holds both ends of the ray
 // Source     src/units/traversal/start_level.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
 // Latency    none, combinational
 `default_nettype none
 module relief_start_level #(
-  parameter integer LEVELS = 8,   // the map has 2^LEVELS x 2^LEVELS texels
-  parameter integer IDX_W  = 14   // bits of a signed, unwrapped texel coordinate
+  parameter integer LEVELS  = 8,   // the map has 2^LEVELS x 2^LEVELS texels
+  parameter integer IDX_W   = 14,  // bits of a signed, unwrapped texel coordinate
+  parameter integer LATENCY = 0,   // clocks that it was generated for
+  parameter integer VARIANT = 32'h5f64d48d  // digest of what is no parameter
 ) (
   input  wire [IDX_W-1:0]            x,      // u of the entry [texels]
   input  wire [IDX_W-1:0]            y,      // v of the entry [texels]
@@ -32,6 +33,11 @@ module relief_start_level #(
     if (IDX_W > 24) begin : gen_illegal_3
       must_hold_IDX_W_at_most_24 u_illegal ();
     end
+    if (LATENCY != 0) begin : gen_other_latency
+      relief_start_level_has_LATENCY_0_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h5f64d48d) begin : gen_other_variant
+      relief_start_level_has_VARIANT_5f64d48d_not_the_one_asked_for u_illegal ();
+    end
   endgenerate
 
   wire [IDX_W-1:0]  differ = (x ^ x_end) | (y ^ y_end);
@@ -46,4 +52,6 @@ module relief_start_level #(
 
   assign level = start;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,13 +1,14 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_stream_skid: handshake of a stream's two places: ready is a register
 // Source     src/units/traversal/stream_skid.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
 // Latency    varies; valid/ready on both sides
 // Throughput one result per clock
 // Note       Words leave in the order in which they come; none is lost and none comes twice. Not
 //            ready in the first clock behind reset.
 `default_nettype none
-module relief_stream_skid (
+module relief_stream_skid #(
+  parameter integer VARIANT = 32'h34741979  // digest of what is no parameter
+) (
   input  wire  clk,          // rising edge
   input  wire  rst,          // synchronous, active high; clears valid bits and counts, no data
   input  wire  in_valid,     // a word is offered
@@ -18,6 +19,13 @@ module relief_stream_skid (
   output wire  second_open,  // the second place takes what comes
   output wire  turn          // the second place is offered
 );
+
+  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  generate
+    if (VARIANT != 32'h34741979) begin : gen_other_variant
+      relief_stream_skid_has_VARIANT_34741979_not_the_one_asked_for u_illegal ();
+    end
+  endgenerate
 
   // ---- state that comes back from the last stage, and handshakes
   reg first_valid;
@@ -81,4 +89,6 @@ module relief_stream_skid (
   assign second_open = second_takes;
   assign turn = reads_second;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

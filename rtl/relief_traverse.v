@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_traverse: traces rays against a height field: a looping pipeline, one node a clock
 // Source     src/units/traversal/traverse.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
+// Chosen     datapath watertight, levels_down 2, level_up selective, rounding nearest-even,
+//            subnormals flush, specials ieee
 // Latency    varies; valid/ready on both sides
 // Throughput one iteration (one node) per clock; a ray takes as many iterations as its path needs
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
@@ -18,6 +19,7 @@ module relief_traverse #(
   parameter integer FRAC_W     = 12,     // fraction bits of the hit position
   parameter integer TAG_W      = 8,      // bits of a ray's tag
   parameter integer STEP_LIMIT = 65535,  // iterations after which a ray is given up
+  parameter integer VARIANT    = 32'h3ab6e241,  // digest of what is no parameter
   // file for $readmemh with the words of the pyramid, level 0 first; "": none
   parameter MEM_INIT = ""
 ) (
@@ -131,6 +133,9 @@ module relief_traverse #(
     if (FRAC_W + LEVELS + MAN_W + TILE_W + 2 > 60) begin : gen_illegal_21
       must_hold_FRAC_W_plus_LEVELS_plus_MAN_W_plus_TILE_W_plus_2_at_most_60 u_illegal ();
     end
+    if (VARIANT != 32'h3ab6e241) begin : gen_other_variant
+      relief_traverse_has_VARIANT_3ab6e241_watertight_selective_not_the_one_asked_for u_illegal ();
+    end
   endgenerate
 
   // ---- state that comes back from the last stage, and handshakes
@@ -196,7 +201,9 @@ module relief_traverse #(
     .MAN_W   (MAN_W),
     .LEVELS  (LEVELS),
     .HEIGHT_W(HEIGHT_W),
-    .TILE_W  (TILE_W)
+    .TILE_W  (TILE_W),
+    .LATENCY (21),
+    .VARIANT (32'h1476c652)
   ) u_setup (
     .clk    (clk),
     .ce     (setup_room),
@@ -223,7 +230,7 @@ module relief_traverse #(
   );
   wire             s0_is_set;
   wire [TAG_W-1:0] s0_set_tag;
-  relief_setup_delay #(.W(TAG_W)) u_setup_delay (
+  relief_setup_delay #(.W(TAG_W), .LATENCY(21), .VARIANT(32'h306304c2)) u_setup_delay (
     .clk      (clk),
     .ce       (setup_room),
     .rst      (rst),
@@ -237,7 +244,7 @@ module relief_traverse #(
   wire s0_setup_skid_first;
   wire s0_setup_skid_second;
   wire s0_setup_skid_turn;
-  relief_stream_skid u_setup_skid (
+  relief_stream_skid #(.VARIANT(32'h34741979)) u_setup_skid (
     .clk        (clk),
     .rst        (rst),
     .in_valid   (s0_is_set),
@@ -249,7 +256,7 @@ module relief_traverse #(
     .turn       (s0_setup_skid_turn)
   );
   wire s0_new_ok;
-  relief_word_skid #(.W(1)) u_setup_skid_new_ok (
+  relief_word_skid #(.W(1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_ok (
     .clk        (clk),
     .first_open (s0_setup_skid_first),
     .second_open(s0_setup_skid_second),
@@ -258,7 +265,7 @@ module relief_traverse #(
     .out_data   (s0_new_ok)
   );
   wire [LevelW-1:0] s0_new_level;
-  relief_word_skid #(.W($clog2(LEVELS + 1))) u_setup_skid_new_level (
+  relief_word_skid #(.W($clog2(LEVELS + 1)), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_level (
     .clk        (clk),
     .first_open (s0_setup_skid_first),
     .second_open(s0_setup_skid_second),
@@ -267,7 +274,7 @@ module relief_traverse #(
     .out_data   (s0_new_level)
   );
   wire [FloatW-1:0] s0_new_p_x;
-  relief_word_skid #(.W(EXP_W + MAN_W + 1)) u_setup_skid_new_p_x (
+  relief_word_skid #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_p_x (
     .clk        (clk),
     .first_open (s0_setup_skid_first),
     .second_open(s0_setup_skid_second),
@@ -276,7 +283,7 @@ module relief_traverse #(
     .out_data   (s0_new_p_x)
   );
   wire [FloatW-1:0] s0_new_pb_x;
-  relief_word_skid #(.W(EXP_W + MAN_W + 1)) u_setup_skid_new_pb_x (
+  relief_word_skid #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_pb_x (
     .clk        (clk),
     .first_open (s0_setup_skid_first),
     .second_open(s0_setup_skid_second),
@@ -285,7 +292,7 @@ module relief_traverse #(
     .out_data   (s0_new_pb_x)
   );
   wire [FloatW-1:0] s0_new_d_x;
-  relief_word_skid #(.W(EXP_W + MAN_W + 1)) u_setup_skid_new_d_x (
+  relief_word_skid #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_d_x (
     .clk        (clk),
     .first_open (s0_setup_skid_first),
     .second_open(s0_setup_skid_second),
@@ -294,7 +301,7 @@ module relief_traverse #(
     .out_data   (s0_new_d_x)
   );
   wire [FloatW-1:0] s0_new_r_x;
-  relief_word_skid #(.W(EXP_W + MAN_W + 1)) u_setup_skid_new_r_x (
+  relief_word_skid #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_r_x (
     .clk        (clk),
     .first_open (s0_setup_skid_first),
     .second_open(s0_setup_skid_second),
@@ -303,7 +310,7 @@ module relief_traverse #(
     .out_data   (s0_new_r_x)
   );
   wire s0_new_never_x;
-  relief_word_skid #(.W(1)) u_setup_skid_new_never_x (
+  relief_word_skid #(.W(1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_never_x (
     .clk        (clk),
     .first_open (s0_setup_skid_first),
     .second_open(s0_setup_skid_second),
@@ -312,7 +319,7 @@ module relief_traverse #(
     .out_data   (s0_new_never_x)
   );
   wire s0_new_neg_x;
-  relief_word_skid #(.W(1)) u_setup_skid_new_neg_x (
+  relief_word_skid #(.W(1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_neg_x (
     .clk        (clk),
     .first_open (s0_setup_skid_first),
     .second_open(s0_setup_skid_second),
@@ -321,7 +328,7 @@ module relief_traverse #(
     .out_data   (s0_new_neg_x)
   );
   wire [IdxW-1:0] s0_new_first_x;
-  relief_word_skid #(.W(LEVELS + TILE_W + 2)) u_setup_skid_new_first_x (
+  relief_word_skid #(.W(LEVELS + TILE_W + 2), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_first_x (
     .clk        (clk),
     .first_open (s0_setup_skid_first),
     .second_open(s0_setup_skid_second),
@@ -330,7 +337,7 @@ module relief_traverse #(
     .out_data   (s0_new_first_x)
   );
   wire [FloatW-1:0] s0_new_p_y;
-  relief_word_skid #(.W(EXP_W + MAN_W + 1)) u_setup_skid_new_p_y (
+  relief_word_skid #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_p_y (
     .clk        (clk),
     .first_open (s0_setup_skid_first),
     .second_open(s0_setup_skid_second),
@@ -339,7 +346,7 @@ module relief_traverse #(
     .out_data   (s0_new_p_y)
   );
   wire [FloatW-1:0] s0_new_pb_y;
-  relief_word_skid #(.W(EXP_W + MAN_W + 1)) u_setup_skid_new_pb_y (
+  relief_word_skid #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_pb_y (
     .clk        (clk),
     .first_open (s0_setup_skid_first),
     .second_open(s0_setup_skid_second),
@@ -348,7 +355,7 @@ module relief_traverse #(
     .out_data   (s0_new_pb_y)
   );
   wire [FloatW-1:0] s0_new_d_y;
-  relief_word_skid #(.W(EXP_W + MAN_W + 1)) u_setup_skid_new_d_y (
+  relief_word_skid #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_d_y (
     .clk        (clk),
     .first_open (s0_setup_skid_first),
     .second_open(s0_setup_skid_second),
@@ -357,7 +364,7 @@ module relief_traverse #(
     .out_data   (s0_new_d_y)
   );
   wire [FloatW-1:0] s0_new_r_y;
-  relief_word_skid #(.W(EXP_W + MAN_W + 1)) u_setup_skid_new_r_y (
+  relief_word_skid #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_r_y (
     .clk        (clk),
     .first_open (s0_setup_skid_first),
     .second_open(s0_setup_skid_second),
@@ -366,7 +373,7 @@ module relief_traverse #(
     .out_data   (s0_new_r_y)
   );
   wire s0_new_never_y;
-  relief_word_skid #(.W(1)) u_setup_skid_new_never_y (
+  relief_word_skid #(.W(1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_never_y (
     .clk        (clk),
     .first_open (s0_setup_skid_first),
     .second_open(s0_setup_skid_second),
@@ -375,7 +382,7 @@ module relief_traverse #(
     .out_data   (s0_new_never_y)
   );
   wire s0_new_neg_y;
-  relief_word_skid #(.W(1)) u_setup_skid_new_neg_y (
+  relief_word_skid #(.W(1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_neg_y (
     .clk        (clk),
     .first_open (s0_setup_skid_first),
     .second_open(s0_setup_skid_second),
@@ -384,7 +391,7 @@ module relief_traverse #(
     .out_data   (s0_new_neg_y)
   );
   wire [IdxW-1:0] s0_new_first_y;
-  relief_word_skid #(.W(LEVELS + TILE_W + 2)) u_setup_skid_new_first_y (
+  relief_word_skid #(.W(LEVELS + TILE_W + 2), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_first_y (
     .clk        (clk),
     .first_open (s0_setup_skid_first),
     .second_open(s0_setup_skid_second),
@@ -393,7 +400,7 @@ module relief_traverse #(
     .out_data   (s0_new_first_y)
   );
   wire [TAG_W-1:0] s0_new_tag;
-  relief_word_skid #(.W(TAG_W)) u_setup_skid_new_tag (
+  relief_word_skid #(.W(TAG_W), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_tag (
     .clk        (clk),
     .first_open (s0_setup_skid_first),
     .second_open(s0_setup_skid_second),
@@ -424,7 +431,14 @@ module relief_traverse #(
   // ---- stage 0: result ---------------------------------------------------- traverse.rs
   // The ray that leaves, from the state registers.
   wire [FRAC_W-1:0] hit_fu;
-  relief_hit_position #(.EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .FRAC_W(FRAC_W)) u_hit_u (
+  relief_hit_position #(
+    .EXP_W  (EXP_W),
+    .MAN_W  (MAN_W),
+    .IDX_W  (IdxW),
+    .FRAC_W (FRAC_W),
+    .LATENCY(7),
+    .VARIANT(32'h6781d1af)
+  ) u_hit_u (
     .clk     (clk),
     .ce      (hit_room),
     .p       (s0_back_p_x),
@@ -434,7 +448,14 @@ module relief_traverse #(
     .fraction(hit_fu)
   );
   wire [FRAC_W-1:0] hit_fv;
-  relief_hit_position #(.EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .FRAC_W(FRAC_W)) u_hit_v (
+  relief_hit_position #(
+    .EXP_W  (EXP_W),
+    .MAN_W  (MAN_W),
+    .IDX_W  (IdxW),
+    .FRAC_W (FRAC_W),
+    .LATENCY(7),
+    .VARIANT(32'h6781d1af)
+  ) u_hit_v (
     .clk     (clk),
     .ce      (hit_room),
     .p       (s0_back_p_y),
@@ -444,70 +465,70 @@ module relief_traverse #(
     .fraction(hit_fv)
   );
   wire [TAG_W-1:0] hit_tag;
-  relief_hit_delay #(.W(TAG_W)) u_hit_tag (
+  relief_hit_delay #(.W(TAG_W), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_tag (
     .clk     (clk),
     .ce      (hit_room),
     .in_data (s0_back_tag),
     .out_data(hit_tag)
   );
   wire [LEVELS-1:0] hit_i;
-  relief_hit_delay #(.W(LEVELS)) u_hit_i (
+  relief_hit_delay #(.W(LEVELS), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_i (
     .clk     (clk),
     .ce      (hit_room),
     .in_data (s0_back_x[LEVELS-1:0]),
     .out_data(hit_i)
   );
   wire [LEVELS-1:0] hit_j;
-  relief_hit_delay #(.W(LEVELS)) u_hit_j (
+  relief_hit_delay #(.W(LEVELS), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_j (
     .clk     (clk),
     .ce      (hit_room),
     .in_data (s0_back_y[LEVELS-1:0]),
     .out_data(hit_j)
   );
   wire [FloatW-1:0] hit_t;
-  relief_hit_delay #(.W(FloatW)) u_hit_t (
+  relief_hit_delay #(.W(FloatW), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_t (
     .clk     (clk),
     .ce      (hit_room),
     .in_data (s0_back_t),
     .out_data(hit_t)
   );
   wire hit_wall;
-  relief_hit_delay #(.W(1)) u_hit_wall (
+  relief_hit_delay #(.W(1), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_wall (
     .clk     (clk),
     .ce      (hit_room),
     .in_data (s0_back_wall),
     .out_data(hit_wall)
   );
   wire hit_limit;
-  relief_hit_delay #(.W(1)) u_hit_limit (
+  relief_hit_delay #(.W(1), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_limit (
     .clk     (clk),
     .ce      (hit_room),
     .in_data (s0_back_limit),
     .out_data(hit_limit)
   );
   wire [15:0] hit_steps;
-  relief_hit_delay #(.W(16)) u_hit_steps (
+  relief_hit_delay #(.W(16), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_steps (
     .clk     (clk),
     .ce      (hit_room),
     .in_data (s0_back_steps),
     .out_data(hit_steps)
   );
   wire [15:0] hit_crossings;
-  relief_hit_delay #(.W(16)) u_hit_crossings (
+  relief_hit_delay #(.W(16), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_crossings (
     .clk     (clk),
     .ce      (hit_room),
     .in_data (s0_back_crossings),
     .out_data(hit_crossings)
   );
   wire [15:0] hit_ups;
-  relief_hit_delay #(.W(16)) u_hit_ups (
+  relief_hit_delay #(.W(16), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_ups (
     .clk     (clk),
     .ce      (hit_room),
     .in_data (s0_back_ups),
     .out_data(hit_ups)
   );
   wire hit_tracked;
-  relief_hit_valid_delay u_hit_valid (
+  relief_hit_valid_delay #(.LATENCY(7), .VARIANT(32'h6f836e41)) u_hit_valid (
     .clk      (clk),
     .ce       (hit_room),
     .rst      (rst),
@@ -522,7 +543,7 @@ module relief_traverse #(
   wire s0_hit_skid_first;
   wire s0_hit_skid_second;
   wire s0_hit_skid_turn;
-  relief_stream_skid u_hit_skid (
+  relief_stream_skid #(.VARIANT(32'h34741979)) u_hit_skid (
     .clk        (clk),
     .rst        (rst),
     .in_valid   (hit_tracked),
@@ -534,7 +555,7 @@ module relief_traverse #(
     .turn       (s0_hit_skid_turn)
   );
   wire [TAG_W-1:0] s0_waiting_tag;
-  relief_word_skid #(.W(TAG_W)) u_hit_skid_waiting_tag (
+  relief_word_skid #(.W(TAG_W), .VARIANT(32'h25a4b2c2)) u_hit_skid_waiting_tag (
     .clk        (clk),
     .first_open (s0_hit_skid_first),
     .second_open(s0_hit_skid_second),
@@ -543,7 +564,7 @@ module relief_traverse #(
     .out_data   (s0_waiting_tag)
   );
   wire [LEVELS-1:0] s0_waiting_i;
-  relief_word_skid #(.W(LEVELS)) u_hit_skid_waiting_i (
+  relief_word_skid #(.W(LEVELS), .VARIANT(32'h25a4b2c2)) u_hit_skid_waiting_i (
     .clk        (clk),
     .first_open (s0_hit_skid_first),
     .second_open(s0_hit_skid_second),
@@ -552,7 +573,7 @@ module relief_traverse #(
     .out_data   (s0_waiting_i)
   );
   wire [LEVELS-1:0] s0_waiting_j;
-  relief_word_skid #(.W(LEVELS)) u_hit_skid_waiting_j (
+  relief_word_skid #(.W(LEVELS), .VARIANT(32'h25a4b2c2)) u_hit_skid_waiting_j (
     .clk        (clk),
     .first_open (s0_hit_skid_first),
     .second_open(s0_hit_skid_second),
@@ -561,7 +582,7 @@ module relief_traverse #(
     .out_data   (s0_waiting_j)
   );
   wire [FloatW-1:0] s0_waiting_t;
-  relief_word_skid #(.W(FloatW)) u_hit_skid_waiting_t (
+  relief_word_skid #(.W(FloatW), .VARIANT(32'h25a4b2c2)) u_hit_skid_waiting_t (
     .clk        (clk),
     .first_open (s0_hit_skid_first),
     .second_open(s0_hit_skid_second),
@@ -570,7 +591,7 @@ module relief_traverse #(
     .out_data   (s0_waiting_t)
   );
   wire s0_waiting_wall;
-  relief_word_skid #(.W(1)) u_hit_skid_waiting_wall (
+  relief_word_skid #(.W(1), .VARIANT(32'h25a4b2c2)) u_hit_skid_waiting_wall (
     .clk        (clk),
     .first_open (s0_hit_skid_first),
     .second_open(s0_hit_skid_second),
@@ -579,7 +600,7 @@ module relief_traverse #(
     .out_data   (s0_waiting_wall)
   );
   wire s0_waiting_limit;
-  relief_word_skid #(.W(1)) u_hit_skid_waiting_limit (
+  relief_word_skid #(.W(1), .VARIANT(32'h25a4b2c2)) u_hit_skid_waiting_limit (
     .clk        (clk),
     .first_open (s0_hit_skid_first),
     .second_open(s0_hit_skid_second),
@@ -588,7 +609,7 @@ module relief_traverse #(
     .out_data   (s0_waiting_limit)
   );
   wire [15:0] s0_waiting_steps;
-  relief_word_skid #(.W(16)) u_hit_skid_waiting_steps (
+  relief_word_skid #(.W(16), .VARIANT(32'h25a4b2c2)) u_hit_skid_waiting_steps (
     .clk        (clk),
     .first_open (s0_hit_skid_first),
     .second_open(s0_hit_skid_second),
@@ -597,7 +618,7 @@ module relief_traverse #(
     .out_data   (s0_waiting_steps)
   );
   wire [15:0] s0_waiting_crossings;
-  relief_word_skid #(.W(16)) u_hit_skid_waiting_crossings (
+  relief_word_skid #(.W(16), .VARIANT(32'h25a4b2c2)) u_hit_skid_waiting_crossings (
     .clk        (clk),
     .first_open (s0_hit_skid_first),
     .second_open(s0_hit_skid_second),
@@ -606,7 +627,7 @@ module relief_traverse #(
     .out_data   (s0_waiting_crossings)
   );
   wire [15:0] s0_waiting_ups;
-  relief_word_skid #(.W(16)) u_hit_skid_waiting_ups (
+  relief_word_skid #(.W(16), .VARIANT(32'h25a4b2c2)) u_hit_skid_waiting_ups (
     .clk        (clk),
     .first_open (s0_hit_skid_first),
     .second_open(s0_hit_skid_second),
@@ -615,7 +636,7 @@ module relief_traverse #(
     .out_data   (s0_waiting_ups)
   );
   wire [FRAC_W-1:0] s0_waiting_fu;
-  relief_word_skid #(.W(FRAC_W)) u_hit_skid_waiting_fu (
+  relief_word_skid #(.W(FRAC_W), .VARIANT(32'h25a4b2c2)) u_hit_skid_waiting_fu (
     .clk        (clk),
     .first_open (s0_hit_skid_first),
     .second_open(s0_hit_skid_second),
@@ -624,7 +645,7 @@ module relief_traverse #(
     .out_data   (s0_waiting_fu)
   );
   wire [FRAC_W-1:0] s0_waiting_fv;
-  relief_word_skid #(.W(FRAC_W)) u_hit_skid_waiting_fv (
+  relief_word_skid #(.W(FRAC_W), .VARIANT(32'h25a4b2c2)) u_hit_skid_waiting_fv (
     .clk        (clk),
     .first_open (s0_hit_skid_first),
     .second_open(s0_hit_skid_second),
@@ -823,7 +844,12 @@ module relief_traverse #(
   wire [IdxW-1:0] s2_x_plane;
   wire [IdxW-1:0] s2_x_beyond;
   wire            s2_x_even;
-  relief_node_planes #(.LEVELS(LEVELS), .IDX_W(IdxW)) u_planes_x (
+  relief_node_planes #(
+    .LEVELS (LEVELS),
+    .IDX_W  (IdxW),
+    .LATENCY(0),
+    .VARIANT(32'h2afa0fb3)
+  ) u_planes_x (
     .level (s2_level),
     .x     (s2_x),
     .neg   (s2_neg_x),
@@ -838,7 +864,12 @@ module relief_traverse #(
   wire [IdxW-1:0] s2_y_plane;
   wire [IdxW-1:0] s2_y_beyond;
   wire            s2_y_even;
-  relief_node_planes #(.LEVELS(LEVELS), .IDX_W(IdxW)) u_planes_y (
+  relief_node_planes #(
+    .LEVELS (LEVELS),
+    .IDX_W  (IdxW),
+    .LATENCY(0),
+    .VARIANT(32'h2afa0fb3)
+  ) u_planes_y (
     .level (s2_level),
     .x     (s2_y),
     .neg   (s2_neg_y),
@@ -849,7 +880,7 @@ module relief_traverse #(
     .even  (s2_y_even)
   );
   wire [2*LEVELS:0] s2_address;
-  relief_height_address #(.LEVELS(LEVELS)) u_address (
+  relief_height_address #(.LEVELS(LEVELS), .LATENCY(0), .VARIANT(32'h23add022)) u_address (
     .level  (s2_level),
     .i      (s2_x[LEVELS-1:0]),
     .j      (s2_y[LEVELS-1:0]),
@@ -968,7 +999,13 @@ module relief_traverse #(
 
   // ---- stage 3: plane parameters ------------------------------------------ traverse.rs
   wire [FloatW-1:0] s11_t_x;
-  relief_plane_time #(.EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW)) u_time_x (
+  relief_plane_time #(
+    .EXP_W  (EXP_W),
+    .MAN_W  (MAN_W),
+    .IDX_W  (IdxW),
+    .LATENCY(8),
+    .VARIANT(32'h25aebe8a)
+  ) u_time_x (
     .clk  (clk),
     .ce   (1'b1),
     .plane(s3_x_plane),
@@ -978,7 +1015,13 @@ module relief_traverse #(
     .t    (s11_t_x)
   );
   wire [FloatW-1:0] s11_t_y;
-  relief_plane_time #(.EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW)) u_time_y (
+  relief_plane_time #(
+    .EXP_W  (EXP_W),
+    .MAN_W  (MAN_W),
+    .IDX_W  (IdxW),
+    .LATENCY(8),
+    .VARIANT(32'h25aebe8a)
+  ) u_time_y (
     .clk  (clk),
     .ce   (1'b1),
     .plane(s3_y_plane),
@@ -1233,7 +1276,13 @@ module relief_traverse #(
   // ---- stage 6: height test ----------------------------------------------- traverse.rs
   wire [FloatW-1:0] s10_m;
   wire              s10_below;
-  relief_height_test #(.EXP_W(EXP_W), .MAN_W(MAN_W), .HEIGHT_W(HEIGHT_W)) u_height_test (
+  relief_height_test #(
+    .EXP_W   (EXP_W),
+    .MAN_W   (MAN_W),
+    .HEIGHT_W(HEIGHT_W),
+    .LATENCY (4),
+    .VARIANT (32'h19fd8447)
+  ) u_height_test (
     .clk   (clk),
     .ce    (1'b1),
     .height(s6_height),
@@ -1564,7 +1613,13 @@ module relief_traverse #(
 
   // ---- stage 10: predicted hit -------------------------------------------- traverse.rs
   wire [IdxW-1:0] s17_x_hit;
-  relief_predicted_hit #(.EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW)) u_predict_x (
+  relief_predicted_hit #(
+    .EXP_W  (EXP_W),
+    .MAN_W  (MAN_W),
+    .IDX_W  (IdxW),
+    .LATENCY(7),
+    .VARIANT(32'h76e8304f)
+  ) u_predict_x (
     .clk   (clk),
     .ce    (1'b1),
     .p_back(s10_pb_x),
@@ -1573,7 +1628,13 @@ module relief_traverse #(
     .e     (s17_x_hit)
   );
   wire [IdxW-1:0] s17_y_hit;
-  relief_predicted_hit #(.EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW)) u_predict_y (
+  relief_predicted_hit #(
+    .EXP_W  (EXP_W),
+    .MAN_W  (MAN_W),
+    .IDX_W  (IdxW),
+    .LATENCY(7),
+    .VARIANT(32'h76e8304f)
+  ) u_predict_y (
     .clk   (clk),
     .ce    (1'b1),
     .p_back(s10_pb_y),
@@ -1670,7 +1731,12 @@ module relief_traverse #(
   wire              s13_is_inside;
   wire              s13_x_first;
   wire [FloatW-1:0] s13_t_next;
-  relief_node_crossing #(.EXP_W(EXP_W), .MAN_W(MAN_W)) u_crossing (
+  relief_node_crossing #(
+    .EXP_W  (EXP_W),
+    .MAN_W  (MAN_W),
+    .LATENCY(2),
+    .VARIANT(32'h5b4c5bf5)
+  ) u_crossing (
     .clk      (clk),
     .ce       (1'b1),
     .t        (s11_t),
@@ -2209,7 +2275,12 @@ module relief_traverse #(
   wire [LevelW-1:0] s17_level_down;
   wire [IdxW-1:0]   s17_x_down;
   wire [IdxW-1:0]   s17_y_down;
-  relief_multi_level_down #(.LEVELS(LEVELS), .IDX_W(IdxW)) u_down (
+  relief_multi_level_down #(
+    .LEVELS (LEVELS),
+    .IDX_W  (IdxW),
+    .LATENCY(0),
+    .VARIANT(32'h4703594c)
+  ) u_down (
     .level     (s17_level),
     .crossed   (s17_has_crossed),
     .x_low     (s17_x_low),
@@ -2225,7 +2296,7 @@ module relief_traverse #(
 
   // ---- stage 17: level up ------------------------------------------------- traverse.rs
   wire s17_up;
-  relief_level_up #(.LEVELS(LEVELS), .IDX_W(IdxW)) u_up (
+  relief_level_up #(.LEVELS(LEVELS), .IDX_W(IdxW), .LATENCY(0), .VARIANT(32'h63e9f1ef)) u_up (
     .level(s17_level),
     .even (s17_even),
     .x_at (s17_x),
@@ -2328,7 +2399,14 @@ module relief_traverse #(
   wire [IdxW-1:0]   s18_x_next;
   wire [IdxW-1:0]   s18_y_next;
   wire [FloatW-1:0] s18_t_after;
-  relief_level_decision #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LEVELS(LEVELS), .IDX_W(IdxW)) u_decision (
+  relief_level_decision #(
+    .EXP_W  (EXP_W),
+    .MAN_W  (MAN_W),
+    .LEVELS (LEVELS),
+    .IDX_W  (IdxW),
+    .LATENCY(0),
+    .VARIANT(32'h4ae3ce84)
+  ) u_decision (
     .is_inside (s18_is_inside),
     .x_first   (s18_x_first),
     .up        (s18_up),
@@ -2435,4 +2513,6 @@ module relief_traverse #(
   assign out_fu = s0_waiting_fu;
   assign out_fv = s0_waiting_fv;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

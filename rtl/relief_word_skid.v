@@ -1,12 +1,12 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_word_skid: the two places of a word beside a stream_skid
 // Source     src/units/traversal/stream_skid.rs (emitted: do not edit)
-// Config     float 7/16, levels 8, heights 8 bits, start level, 2 down, up selective; clocks add 3
-//            mul 2 div 20 compare 1 from_int 2 to_int 2
 // Latency    varies; valid/ready on both sides
 // Throughput one result per clock
 `default_nettype none
 module relief_word_skid #(
-  parameter integer W = 8   // bits of the word
+  parameter integer W       = 8,  // bits of the word
+  parameter integer VARIANT = 32'h25a4b2c2  // digest of what is no parameter
 ) (
   input  wire         clk,          // rising edge
   input  wire         first_open,   // the first place takes the word
@@ -20,6 +20,9 @@ module relief_word_skid #(
   generate
     if (1 > W) begin : gen_illegal_0
       must_hold_1_at_most_W u_illegal ();
+    end
+    if (VARIANT != 32'h25a4b2c2) begin : gen_other_variant
+      relief_word_skid_has_VARIANT_25a4b2c2_not_the_one_asked_for u_illegal ();
     end
   endgenerate
 
@@ -39,4 +42,6 @@ module relief_word_skid #(
 
   assign out_data = offered;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // Proof harness: the order of the numbers, at full width.
 `default_nettype none
 module relief_fv_fp_lt (input wire clk);
@@ -6,7 +7,7 @@ module relief_fv_fp_lt (input wire clk);
   (* anyconst *) wire [23:0] a;
   (* anyconst *) wire [23:0] b;
   wire [0:0] result;
-  relief_fp_lt #(.EXP_W(7), .MAN_W(16)) dut (
+  relief_fp_lt #(.EXP_W(7), .MAN_W(16), .LATENCY(1), .VARIANT(32'h34d3d038)) dut (
     .a(a),
     .b(b),
     .result(result),
@@ -23,4 +24,6 @@ module relief_fv_fp_lt (input wire clk);
   always @(posedge clk) clocks <= clocks + 1;
   always @* if (clocks == 1) assert (result == (!is_nan && a_value < b_value));
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // Proof harness: the exact product, rounded once (4/3).
 //
 // The reference multiplies significands as integers, and rounds the product once, with an unbounded exponent.
@@ -9,7 +10,7 @@ module relief_fv_fp_mul (input wire clk);
   (* anyconst *) wire [7:0] a;
   (* anyconst *) wire [7:0] b;
   wire [7:0] result;
-  relief_fp_mul #(.EXP_W(4), .MAN_W(3)) dut (
+  relief_fp_mul #(.EXP_W(4), .MAN_W(3), .LATENCY(2), .VARIANT(32'h5bd17165)) dut (
     .a(a),
     .b(b),
     .result(result),
@@ -44,4 +45,6 @@ module relief_fv_fp_mul (input wire clk);
   always @(posedge clk) clocks <= clocks + 1;
   always @* if (clocks == 2) assert (result == want);
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // Proof harness: inside the memory, and no two nodes share a word.
 `default_nettype none
 module relief_fv_height_address;
@@ -7,7 +8,7 @@ module relief_fv_height_address;
   (* anyconst *) wire [7:0] p_i;
   (* anyconst *) wire [7:0] p_j;
   wire [16:0] p_address;
-  relief_height_address #(.LEVELS(8)) p_dut (
+  relief_height_address #(.LEVELS(8), .LATENCY(0), .VARIANT(32'h23add022)) p_dut (
     .level(p_level),
     .i(p_i),
     .j(p_j),
@@ -17,7 +18,7 @@ module relief_fv_height_address;
   (* anyconst *) wire [7:0] q_i;
   (* anyconst *) wire [7:0] q_j;
   wire [16:0] q_address;
-  relief_height_address #(.LEVELS(8)) q_dut (
+  relief_height_address #(.LEVELS(8), .LATENCY(0), .VARIANT(32'h23add022)) q_dut (
     .level(q_level),
     .i(q_i),
     .j(q_j),
@@ -32,4 +33,6 @@ module relief_fv_height_address;
     if (p_level == LEVELS) assert (p_address == DEPTH - 1);
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

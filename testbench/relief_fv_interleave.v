@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // Proof harness: bits go where Morton order puts them, at every width from 1 to 32.
 `default_nettype none
 module relief_fv_interleave;
@@ -17,4 +18,6 @@ module relief_fv_interleave;
     end
   endgenerate
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

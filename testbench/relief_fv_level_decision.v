@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // Proof harness: hit, descent or crossing: every output is that of the case.
 `default_nettype none
 module relief_fv_level_decision;
@@ -20,7 +21,7 @@ module relief_fv_level_decision;
   wire [13:0] x_next;
   wire [13:0] y_next;
   wire [23:0] t_out;
-  relief_level_decision #(.EXP_W(7), .MAN_W(16), .LEVELS(8), .IDX_W(14)) dut (
+  relief_level_decision #(.EXP_W(7), .MAN_W(16), .LEVELS(8), .IDX_W(14), .LATENCY(0), .VARIANT(32'h4ae3ce84)) dut (
     .is_inside(is_inside),
     .x_first(x_first),
     .up(up),
@@ -54,4 +55,6 @@ module relief_fv_level_decision;
     end
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // Proof harness: the rule, and never above the root (selective).
 `default_nettype none
 module relief_fv_level_up;
@@ -9,7 +10,7 @@ module relief_fv_level_up;
   (* anyconst *) wire [13:0] y_at;
   (* anyconst *) wire [13:0] y_hit;
   wire [0:0] up;
-  relief_level_up #(.LEVELS(8), .IDX_W(14)) dut (
+  relief_level_up #(.LEVELS(8), .IDX_W(14), .LATENCY(0), .VARIANT(32'h63e9f1ef)) dut (
     .level(level),
     .even(even),
     .x_at(x_at),
@@ -32,4 +33,6 @@ module relief_fv_level_up;
     assert (up == (want && level != LEVELS));
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

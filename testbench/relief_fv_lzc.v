@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // Proof harness: zeros above the count, a one below it, at every width from 1 to 64.
 `default_nettype none
 module relief_fv_lzc;
@@ -17,4 +18,6 @@ module relief_fv_lzc;
     end
   endgenerate
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

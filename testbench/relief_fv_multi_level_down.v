@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // Proof harness: a descent goes at least one level down, stays in its bounds, and obeys the mode.
 `default_nettype none
 module relief_fv_multi_level_down;
@@ -14,7 +15,7 @@ module relief_fv_multi_level_down;
   wire [3:0] level_down;
   wire [13:0] x_down;
   wire [13:0] y_down;
-  relief_multi_level_down #(.LEVELS(8), .IDX_W(14)) dut (
+  relief_multi_level_down #(.LEVELS(8), .IDX_W(14), .LATENCY(0), .VARIANT(32'h4703594c)) dut (
     .level(level),
     .crossed(crossed),
     .x_low(x_low),
@@ -42,4 +43,6 @@ module relief_fv_multi_level_down;
     end
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // Proof harness: extent, exit plane and the texel behind it are those of the node.
 `default_nettype none
 module relief_fv_node_planes;
@@ -11,7 +12,7 @@ module relief_fv_node_planes;
   wire [13:0] plane;
   wire [13:0] beyond;
   wire [0:0] even;
-  relief_node_planes #(.LEVELS(8), .IDX_W(14)) dut (
+  relief_node_planes #(.LEVELS(8), .IDX_W(14), .LATENCY(0), .VARIANT(32'h2afa0fb3)) dut (
     .level(level),
     .x(x),
     .neg(neg),
@@ -39,4 +40,6 @@ module relief_fv_node_planes;
     end
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

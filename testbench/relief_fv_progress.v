@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // Proof harness: a crossing moves the integer index forward, a descent never back: no ray visits a texel again.
 //
 // The units of an iteration that handle indices, put together as in traverse. What the arithmetic says (inside or not, which plane comes
@@ -14,7 +15,7 @@ module relief_fv_progress;
   wire [13:0] u_plane;
   wire [13:0] u_beyond;
   wire [0:0] u_even;
-  relief_node_planes #(.LEVELS(8), .IDX_W(14)) u_dut (
+  relief_node_planes #(.LEVELS(8), .IDX_W(14), .LATENCY(0), .VARIANT(32'h2afa0fb3)) u_dut (
     .level(u_level),
     .x(u_x),
     .neg(u_neg),
@@ -32,7 +33,7 @@ module relief_fv_progress;
   wire [13:0] v_plane;
   wire [13:0] v_beyond;
   wire [0:0] v_even;
-  relief_node_planes #(.LEVELS(8), .IDX_W(14)) v_dut (
+  relief_node_planes #(.LEVELS(8), .IDX_W(14), .LATENCY(0), .VARIANT(32'h2afa0fb3)) v_dut (
     .level(v_level),
     .x(v_x),
     .neg(v_neg),
@@ -53,7 +54,7 @@ module relief_fv_progress;
   wire [3:0] d_level_down;
   wire [13:0] d_x_down;
   wire [13:0] d_y_down;
-  relief_multi_level_down #(.LEVELS(8), .IDX_W(14)) d_dut (
+  relief_multi_level_down #(.LEVELS(8), .IDX_W(14), .LATENCY(0), .VARIANT(32'h4703594c)) d_dut (
     .level(d_level),
     .crossed(d_crossed),
     .x_low(d_x_low),
@@ -85,7 +86,7 @@ module relief_fv_progress;
   wire [13:0] k_x_next;
   wire [13:0] k_y_next;
   wire [23:0] k_t_out;
-  relief_level_decision #(.EXP_W(7), .MAN_W(16), .LEVELS(8), .IDX_W(14)) k_dut (
+  relief_level_decision #(.EXP_W(7), .MAN_W(16), .LEVELS(8), .IDX_W(14), .LATENCY(0), .VARIANT(32'h4ae3ce84)) k_dut (
     .is_inside(k_is_inside),
     .x_first(k_x_first),
     .up(k_up),
@@ -137,4 +138,6 @@ module relief_fv_progress;
     end
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

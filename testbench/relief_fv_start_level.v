@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // Proof harness: the lowest level whose node holds both ends of the ray.
 `default_nettype none
 module relief_fv_start_level;
@@ -7,7 +8,7 @@ module relief_fv_start_level;
   (* anyconst *) wire [13:0] x_end;
   (* anyconst *) wire [13:0] y_end;
   wire [3:0] level;
-  relief_start_level #(.LEVELS(8), .IDX_W(14)) dut (
+  relief_start_level #(.LEVELS(8), .IDX_W(14), .LATENCY(0), .VARIANT(32'h5f64d48d)) dut (
     .x(x),
     .y(y),
     .x_end(x_end),
@@ -28,4 +29,6 @@ module relief_fv_start_level;
     if (level != 0) assert (!together[level-1]);
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_tb_fp_add: replays the golden vectors of fp_add with random clock-enable gaps.
 //   +vectors=DIR   directory with stimulus.hex and expected.hex (default golden/fp_add)
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
@@ -41,7 +42,9 @@ module relief_tb_fp_add #(
 
   relief_fp_add #(
     .EXP_W(EXP_W),
-    .MAN_W(MAN_W)
+    .MAN_W(MAN_W),
+    .LATENCY(3),
+    .VARIANT(32'h3711d0be)
   ) dut (
     .clk(clk),
     .ce(ce),
@@ -179,4 +182,6 @@ module relief_tb_fp_add #(
     end
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_tb_fp_div: replays the golden vectors of fp_div with random clock-enable gaps.
 //   +vectors=DIR   directory with stimulus.hex and expected.hex (default golden/fp_div)
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
@@ -41,7 +42,9 @@ module relief_tb_fp_div #(
 
   relief_fp_div #(
     .EXP_W(EXP_W),
-    .MAN_W(MAN_W)
+    .MAN_W(MAN_W),
+    .LATENCY(20),
+    .VARIANT(32'h168f7dd3)
   ) dut (
     .clk(clk),
     .ce(ce),
@@ -179,4 +182,6 @@ module relief_tb_fp_div #(
     end
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

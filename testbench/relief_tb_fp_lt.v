@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_tb_fp_lt: replays the golden vectors of fp_lt with random clock-enable gaps.
 //   +vectors=DIR   directory with stimulus.hex and expected.hex (default golden/fp_lt)
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
@@ -41,7 +42,9 @@ module relief_tb_fp_lt #(
 
   relief_fp_lt #(
     .EXP_W(EXP_W),
-    .MAN_W(MAN_W)
+    .MAN_W(MAN_W),
+    .LATENCY(1),
+    .VARIANT(32'h34d3d038)
   ) dut (
     .clk(clk),
     .ce(ce),
@@ -179,4 +182,6 @@ module relief_tb_fp_lt #(
     end
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

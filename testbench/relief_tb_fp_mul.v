@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_tb_fp_mul: replays the golden vectors of fp_mul with random clock-enable gaps.
 //   +vectors=DIR   directory with stimulus.hex and expected.hex (default golden/fp_mul)
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
@@ -41,7 +42,9 @@ module relief_tb_fp_mul #(
 
   relief_fp_mul #(
     .EXP_W(EXP_W),
-    .MAN_W(MAN_W)
+    .MAN_W(MAN_W),
+    .LATENCY(2),
+    .VARIANT(32'h5bd17165)
   ) dut (
     .clk(clk),
     .ce(ce),
@@ -179,4 +182,6 @@ module relief_tb_fp_mul #(
     end
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

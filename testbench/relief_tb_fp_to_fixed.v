@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_tb_fp_to_fixed: replays the golden vectors of fp_to_fixed with random clock-enable gaps.
 //   +vectors=DIR   directory with stimulus.hex and expected.hex (default golden/fp_to_fixed)
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
@@ -43,7 +44,9 @@ module relief_tb_fp_to_fixed #(
     .EXP_W(EXP_W),
     .MAN_W(MAN_W),
     .INT_W(INT_W),
-    .FRAC_W(FRAC_W)
+    .FRAC_W(FRAC_W),
+    .LATENCY(2),
+    .VARIANT(32'h00960256)
   ) dut (
     .clk(clk),
     .ce(ce),
@@ -176,4 +179,6 @@ module relief_tb_fp_to_fixed #(
     end
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

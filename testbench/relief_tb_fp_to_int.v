@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_tb_fp_to_int: replays the golden vectors of fp_to_int with random clock-enable gaps.
 //   +vectors=DIR   directory with stimulus.hex and expected.hex (default golden/fp_to_int)
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
@@ -41,7 +42,9 @@ module relief_tb_fp_to_int #(
   relief_fp_to_int #(
     .EXP_W(EXP_W),
     .MAN_W(MAN_W),
-    .INT_W(INT_W)
+    .INT_W(INT_W),
+    .LATENCY(2),
+    .VARIANT(32'h097a7d26)
   ) dut (
     .clk(clk),
     .ce(ce),
@@ -174,4 +177,6 @@ module relief_tb_fp_to_int #(
     end
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_tb_height_address: replays the golden vectors of height_address with random clock-enable gaps.
 //   +vectors=DIR   directory with stimulus.hex and expected.hex (default golden/height_address)
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
@@ -41,7 +42,9 @@ module relief_tb_height_address #(
   wire       out_valid = (Latency == 0) ? in_valid : travel[Latency];
 
   relief_height_address #(
-    .LEVELS(LEVELS)
+    .LEVELS(LEVELS),
+    .LATENCY(0),
+    .VARIANT(32'h23add022)
   ) dut (
     .level(in_level),
     .i(in_i),
@@ -182,4 +185,6 @@ module relief_tb_height_address #(
     end
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_tb_height_test: replays the golden vectors of height_test with random clock-enable gaps.
 //   +vectors=DIR   directory with stimulus.hex and expected.hex (default golden/height_test)
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
@@ -45,7 +46,9 @@ module relief_tb_height_test #(
   relief_height_test #(
     .EXP_W(EXP_W),
     .MAN_W(MAN_W),
-    .HEIGHT_W(HEIGHT_W)
+    .HEIGHT_W(HEIGHT_W),
+    .LATENCY(4),
+    .VARIANT(32'h19fd8447)
   ) dut (
     .clk(clk),
     .ce(ce),
@@ -192,4 +195,6 @@ module relief_tb_height_test #(
     end
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

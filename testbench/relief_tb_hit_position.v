@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_tb_hit_position: replays the golden vectors of hit_position with random clock-enable gaps.
 //   +vectors=DIR   directory with stimulus.hex and expected.hex (default golden/hit_position)
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
@@ -49,7 +50,9 @@ module relief_tb_hit_position #(
     .EXP_W(EXP_W),
     .MAN_W(MAN_W),
     .IDX_W(IDX_W),
-    .FRAC_W(FRAC_W)
+    .FRAC_W(FRAC_W),
+    .LATENCY(7),
+    .VARIANT(32'h6781d1af)
   ) dut (
     .clk(clk),
     .ce(ce),
@@ -197,4 +200,6 @@ module relief_tb_hit_position #(
     end
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_tb_interleave: replays the golden vectors of interleave with random clock-enable gaps.
 //   +vectors=DIR   directory with stimulus.hex and expected.hex (default golden/interleave)
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
@@ -175,4 +176,6 @@ module relief_tb_interleave #(
     end
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_tb_level_decision: replays the golden vectors of level_decision with random clock-enable gaps.
 //   +vectors=DIR   directory with stimulus.hex and expected.hex (default golden/level_decision)
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
@@ -77,7 +78,9 @@ module relief_tb_level_decision #(
     .EXP_W(EXP_W),
     .MAN_W(MAN_W),
     .LEVELS(LEVELS),
-    .IDX_W(IDX_W)
+    .IDX_W(IDX_W),
+    .LATENCY(0),
+    .VARIANT(32'h4ae3ce84)
   ) dut (
     .is_inside(in_is_inside),
     .x_first(in_x_first),
@@ -313,4 +316,6 @@ module relief_tb_level_decision #(
     end
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

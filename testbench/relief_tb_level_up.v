@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_tb_level_up: replays the golden vectors of level_up with random clock-enable gaps.
 //   +vectors=DIR   directory with stimulus.hex and expected.hex (default golden/level_up)
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
@@ -49,7 +50,9 @@ module relief_tb_level_up #(
 
   relief_level_up #(
     .LEVELS(LEVELS),
-    .IDX_W(IDX_W)
+    .IDX_W(IDX_W),
+    .LATENCY(0),
+    .VARIANT(32'h63e9f1ef)
   ) dut (
     .level(in_level),
     .even(in_even),
@@ -205,4 +208,6 @@ module relief_tb_level_up #(
     end
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_tb_lzc: replays the golden vectors of lzc with random clock-enable gaps.
 //   +vectors=DIR   directory with stimulus.hex and expected.hex (default golden/lzc)
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
@@ -168,4 +169,6 @@ module relief_tb_lzc #(
     end
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_tb_multi_level_down: replays the golden vectors of multi_level_down with random clock-enable gaps.
 //   +vectors=DIR   directory with stimulus.hex and expected.hex (default golden/multi_level_down)
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
@@ -57,7 +58,9 @@ module relief_tb_multi_level_down #(
 
   relief_multi_level_down #(
     .LEVELS(LEVELS),
-    .IDX_W(IDX_W)
+    .IDX_W(IDX_W),
+    .LATENCY(0),
+    .VARIANT(32'h4703594c)
   ) dut (
     .level(in_level),
     .crossed(in_crossed),
@@ -241,4 +244,6 @@ module relief_tb_multi_level_down #(
     end
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

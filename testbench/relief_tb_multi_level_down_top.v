@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_tb_multi_level_down_top: makes the clock of relief_tb_multi_level_down for event-driven simulators.
 `default_nettype none
 module relief_tb_multi_level_down_top #(
@@ -44,4 +45,6 @@ module relief_tb_multi_level_down_top #(
   always @(posedge done) stop;
   initial #1 if (done) stop;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

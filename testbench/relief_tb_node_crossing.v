@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_tb_node_crossing: replays the golden vectors of node_crossing with random clock-enable gaps.
 //   +vectors=DIR   directory with stimulus.hex and expected.hex (default golden/node_crossing)
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
@@ -49,7 +50,9 @@ module relief_tb_node_crossing #(
 
   relief_node_crossing #(
     .EXP_W(EXP_W),
-    .MAN_W(MAN_W)
+    .MAN_W(MAN_W),
+    .LATENCY(2),
+    .VARIANT(32'h5b4c5bf5)
   ) dut (
     .clk(clk),
     .ce(ce),
@@ -215,4 +218,6 @@ module relief_tb_node_crossing #(
     end
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_tb_node_planes: replays the golden vectors of node_planes with random clock-enable gaps.
 //   +vectors=DIR   directory with stimulus.hex and expected.hex (default golden/node_planes)
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
@@ -51,7 +52,9 @@ module relief_tb_node_planes #(
 
   relief_node_planes #(
     .LEVELS(LEVELS),
-    .IDX_W(IDX_W)
+    .IDX_W(IDX_W),
+    .LATENCY(0),
+    .VARIANT(32'h2afa0fb3)
   ) dut (
     .level(in_level),
     .x(in_x),
@@ -228,4 +231,6 @@ module relief_tb_node_planes #(
     end
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

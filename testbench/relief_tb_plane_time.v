@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_tb_plane_time: replays the golden vectors of plane_time with random clock-enable gaps.
 //   +vectors=DIR   directory with stimulus.hex and expected.hex (default golden/plane_time)
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
@@ -47,7 +48,9 @@ module relief_tb_plane_time #(
   relief_plane_time #(
     .EXP_W(EXP_W),
     .MAN_W(MAN_W),
-    .IDX_W(IDX_W)
+    .IDX_W(IDX_W),
+    .LATENCY(8),
+    .VARIANT(32'h25aebe8a)
   ) dut (
     .clk(clk),
     .ce(ce),
@@ -195,4 +198,6 @@ module relief_tb_plane_time #(
     end
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

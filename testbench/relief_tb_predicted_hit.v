@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_tb_predicted_hit: replays the golden vectors of predicted_hit with random clock-enable gaps.
 //   +vectors=DIR   directory with stimulus.hex and expected.hex (default golden/predicted_hit)
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
@@ -45,7 +46,9 @@ module relief_tb_predicted_hit #(
   relief_predicted_hit #(
     .EXP_W(EXP_W),
     .MAN_W(MAN_W),
-    .IDX_W(IDX_W)
+    .IDX_W(IDX_W),
+    .LATENCY(7),
+    .VARIANT(32'h76e8304f)
   ) dut (
     .clk(clk),
     .ce(ce),
@@ -188,4 +191,6 @@ module relief_tb_predicted_hit #(
     end
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

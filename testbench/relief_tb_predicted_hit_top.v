@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_tb_predicted_hit_top: makes the clock of relief_tb_predicted_hit for event-driven simulators.
 `default_nettype none
 module relief_tb_predicted_hit_top #(
@@ -46,4 +47,6 @@ module relief_tb_predicted_hit_top #(
   always @(posedge done) stop;
   initial #1 if (done) stop;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_tb_ray_setup: replays the golden vectors of ray_setup with random clock-enable gaps.
 //   +vectors=DIR   directory with stimulus.hex and expected.hex (default golden/ray_setup)
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
@@ -81,7 +82,9 @@ module relief_tb_ray_setup #(
     .MAN_W(MAN_W),
     .LEVELS(LEVELS),
     .HEIGHT_W(HEIGHT_W),
-    .TILE_W(TILE_W)
+    .TILE_W(TILE_W),
+    .LATENCY(21),
+    .VARIANT(32'h1476c652)
   ) dut (
     .clk(clk),
     .ce(ce),
@@ -364,4 +367,6 @@ module relief_tb_ray_setup #(
     end
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_tb_ray_setup_top: makes the clock of relief_tb_ray_setup for event-driven simulators.
 `default_nettype none
 module relief_tb_ray_setup_top #(
@@ -50,4 +51,6 @@ module relief_tb_ray_setup_top #(
   always @(posedge done) stop;
   initial #1 if (done) stop;
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_tb_start_level: replays the golden vectors of start_level with random clock-enable gaps.
 //   +vectors=DIR   directory with stimulus.hex and expected.hex (default golden/start_level)
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
@@ -45,7 +46,9 @@ module relief_tb_start_level #(
 
   relief_start_level #(
     .LEVELS(LEVELS),
-    .IDX_W(IDX_W)
+    .IDX_W(IDX_W),
+    .LATENCY(0),
+    .VARIANT(32'h5f64d48d)
   ) dut (
     .x(in_x),
     .y(in_y),
@@ -191,4 +194,6 @@ module relief_tb_start_level #(
     end
   end
 endmodule
+`ifndef YOSYS
 `default_nettype wire
+`endif

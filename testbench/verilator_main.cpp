@@ -1,15 +1,23 @@
-// Clocks a bench (built with --prefix Vtb) until it is done, and returns its exit code.
+// SPDX-License-Identifier: MIT OR Apache-2.0
+// Clocks a bench until it is done, and returns its exit code. The class that Verilator makes of the bench is VTOP (its --prefix, by default
+// V and the top's name): build with -CFLAGS -DVTOP=Vrelief_tb_traverse, or with --prefix Vtb and without VTOP.
 #include <cstdint>
 #include <cstdio>
 #include <memory>
 
-#include "Vtb.h"
+#ifndef VTOP
+#define VTOP Vtb
+#endif
+#define RELIEF_QUOTED(name) #name
+#define RELIEF_HEADER(name) RELIEF_QUOTED(name.h)
+
+#include RELIEF_HEADER(VTOP)
 #include "verilated.h"
 
 int main(int argc, char** argv) {
   const auto context = std::make_unique<VerilatedContext>();
   context->commandArgs(argc, argv);
-  const auto top = std::make_unique<Vtb>(context.get());
+  const auto top = std::make_unique<VTOP>(context.get());
   uint64_t clocks = 0;
   top->clk = 0;
   top->eval();

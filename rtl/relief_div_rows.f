@@ -1,0 +1,1 @@
+relief_div_rows.v

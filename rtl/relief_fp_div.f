@@ -1,0 +1,2 @@
+relief_div_rows.v
+relief_fp_div.v

@@ -1,0 +1,2 @@
+relief_lzc.v
+relief_fp_from_fixed.v

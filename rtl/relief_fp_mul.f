@@ -1,0 +1,1 @@
+relief_fp_mul.v

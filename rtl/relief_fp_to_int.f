@@ -1,0 +1,1 @@
+relief_fp_to_int.v

@@ -1,0 +1,2 @@
+relief_interleave.v
+relief_height_address.v

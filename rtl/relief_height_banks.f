@@ -1,0 +1,1 @@
+relief_height_banks.v

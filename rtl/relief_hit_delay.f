@@ -1,0 +1,1 @@
+relief_hit_delay.v

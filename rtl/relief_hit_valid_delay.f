@@ -1,0 +1,1 @@
+relief_hit_valid_delay.v

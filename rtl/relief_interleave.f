@@ -1,0 +1,1 @@
+relief_interleave.v

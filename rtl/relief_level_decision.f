@@ -1,0 +1,1 @@
+relief_level_decision.v

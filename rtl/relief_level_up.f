@@ -1,0 +1,1 @@
+relief_level_up.v

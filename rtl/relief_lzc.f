@@ -1,0 +1,1 @@
+relief_lzc.v

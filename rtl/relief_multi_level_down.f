@@ -1,0 +1,1 @@
+relief_multi_level_down.v

@@ -1,0 +1,2 @@
+relief_fp_lt.v
+relief_node_crossing.v

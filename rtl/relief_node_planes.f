@@ -1,0 +1,1 @@
+relief_node_planes.v

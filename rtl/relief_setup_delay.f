@@ -1,0 +1,1 @@
+relief_setup_delay.v

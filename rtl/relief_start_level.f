@@ -1,0 +1,2 @@
+relief_lzc.v
+relief_start_level.v

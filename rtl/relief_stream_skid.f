@@ -1,0 +1,1 @@
+relief_stream_skid.v

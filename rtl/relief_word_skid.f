@@ -1,0 +1,1 @@
+relief_word_skid.v

@@ -1,0 +1,3 @@
+../rtl/relief_level_decision.v
+relief_tb_level_decision.v
+relief_tb_level_decision_top.v

@@ -1,0 +1,10 @@
+../rtl/relief_div_rows.v
+../rtl/relief_fp_div.v
+../rtl/relief_fp_mul.v
+../rtl/relief_lzc.v
+../rtl/relief_fp_add.v
+../rtl/relief_fp_to_int.v
+../rtl/relief_start_level.v
+../rtl/relief_ray_setup.v
+relief_tb_ray_setup.v
+relief_tb_ray_setup_top.v
