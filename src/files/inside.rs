@@ -106,6 +106,15 @@ pub fn read_inside(root: &Path, path: &str, most: u64) -> Option<String> {
     }
 }
 
+/// Digest (blake3, in hex) of the file `path` of the directory `root`, if it is a regular one and no link leads to it.
+pub fn digest_inside(root: &Path, path: &str) -> Option<String> {
+    let place = root.join(path);
+    match look(root, path) {
+        Place::File => digest(&place, fs::symlink_metadata(&place).ok()?.len()),
+        Place::Free | Place::Blocked(..) => None,
+    }
+}
+
 /// Writes one file of an output directory: beside its place, then renamed. Directories above it are created.
 ///
 /// # Errors

@@ -4,7 +4,7 @@ mod listed;
 mod out_dir;
 mod sink;
 mod staging;
-pub use inside::{read_inside, write_inside};
+pub use inside::{digest_inside, read_inside, write_inside};
 pub use listed::{Altered, MANIFEST, altered};
 pub use out_dir::{OutDir, Part};
 pub use sink::{STANDARD_OUTPUT, Sink, standard_failed};

@@ -24,7 +24,9 @@ pub fn alone_vectors(c: &Config, m: &Module, campaign: Option<Campaign>) -> File
         Some(campaign) => campaign_set(&d, m, &b, plan, campaign),
     };
     set.events = count_events(&d, m, &set);
-    set_files(&set).into_iter().map(|(n, t)| (format!("golden/{}/{n}", m.name), t)).collect()
+    let mut files: Files = set_files(&set).into_iter().map(|(n, t)| (format!("golden/{}/{n}", m.name), t)).collect();
+    files.extend(super::digests::digests(&files));
+    files
 }
 
 /// The Verilog of units and of what they are made of, with benches and manifest.

@@ -103,7 +103,7 @@ pub fn check_tree(
         same_text(&text, dir)?;
     }
     let one = |m: &Arc<Module>| {
-        let r = unit(&d, dir, m, sim, canary);
+        let r = vouched(dir, m, canary, unit(&d, dir, m, sim, canary));
         if let Ok(c) = &r {
             seen(c);
         }
@@ -115,6 +115,19 @@ pub fn check_tree(
         mismatch_wave(&d, dir, m, canary)?.write(sink, *format, &m.name)?;
     }
     all.into_iter().collect()
+}
+
+/// A unit's result, with what is not as it was generated in the directory of its vectors: an engine tells of a mismatch first.
+fn vouched(dir: &Path, m: &Module, canary: Option<Canary>, result: Result<Checked>) -> Result<Checked> {
+    let place = dir.join("golden").join(&m.name);
+    let (false, Ok(_) | Err(Error::Mismatch(_))) = (canary.is_some(), &result) else { return result };
+    let altered = super::digests::altered(&place)?.join("; ");
+    match result {
+        _ if altered.is_empty() => result,
+        Err(Error::Mismatch(found)) => Err(Error::Mismatch(found.and(altered))),
+        Ok(_) => Err(Error::input(format!("{}: every row agrees, but {altered}: emit the vectors anew", m.name))),
+        other => other,
+    }
 }
 
 /// The Verilog of some units and what they are made of.

@@ -1,6 +1,7 @@
 //! A whole project from one configuration: scene, Verilog, benches, vectors, manifest; and its check by any engine.
 mod alone;
 mod check;
+mod digests;
 mod same;
 mod scene;
 mod stored;
@@ -65,6 +66,7 @@ pub fn vectors(c: &Config, scene: &Scene) -> Result<Files> {
     files.extend(set_files(&set.set).into_iter().map(|(n, t)| (format!("golden/traverse/{n}"), t)));
     files.extend(set.memory_files().map(|(n, t)| (format!("golden/traverse/{n}"), t.clone())));
     files.insert("golden/traverse/trace.csv".into(), set.trace);
+    files.extend(digests::digests(&files));
     Ok(files)
 }
 

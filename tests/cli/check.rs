@@ -144,3 +144,48 @@ fn a_row_that_was_changed_is_told_from_a_wrong_unit() {
         "{told}"
     );
 }
+
+/// Every file of a unit's vectors is under a digest, and every word of the description.
+#[test]
+fn whatever_was_edited_beside_the_rows_is_named() {
+    let dir = tempfile::tempdir().unwrap();
+    let small = [&SMALL[..], &["--set", "traverse.levels=3"]].concat();
+    assert_eq!(said(dir.path(), &[&["build"][..], &small].concat()).0, Some(0));
+    let check = |unit: &str| said(dir.path(), &[&["check", "--dir", "out", "--unit", unit][..], &small].concat());
+    for unit in ["traverse", "fp_add"] {
+        let (code, told) = check(unit);
+        assert_eq!(code, Some(0), "{told}");
+    }
+    let edits: [(&str, &str, &str, &str); 9] = [
+        ("fp_add", "vectors.json", "\"seed\": 1", "\"seed\": 2"),
+        ("fp_add", "vectors.json", "ChaCha8", "ChaCha9"),
+        ("fp_add", "vectors.json", "\"policy\": \"", "\"policy\": \"all "),
+        ("fp_add", "vectors.json", "\"events\": {", "\"events\": {\n    \"one more\": 7,"),
+        ("fp_add", "rows.json", "\n]", "\n ]"),
+        ("fp_add", "digests.txt", "rows.json", "rows.jsom"),
+        ("traverse", "trace.csv", ",step,", ",stop,"),
+        ("traverse", "memory.hex", "//", "// edited,"),
+        ("traverse", "vectors.json", "\"seed\": 1", "\"seed\": 3"),
+    ];
+    for (unit, file, from, to) in edits {
+        let path = dir.path().join(format!("out/golden/{unit}/{file}"));
+        let text = std::fs::read_to_string(&path).unwrap();
+        assert!(text.contains(from), "{file} holds {from:?}");
+        std::fs::write(&path, text.replacen(from, to, 1)).unwrap();
+        let (code, told) = check(unit);
+        assert!(code == Some(2) && told.contains(&format!("golden/{unit}/")), "{file}, {to:?}: {code:?} {told}");
+        assert!(told.contains(if file == "digests.txt" { "rows.jso" } else { file }), "{file}: {told}");
+        std::fs::write(&path, text).unwrap();
+    }
+    let digests = dir.path().join("out/golden/fp_add/digests.txt");
+    let text = std::fs::read_to_string(&digests).unwrap();
+    std::fs::remove_file(&digests).unwrap();
+    let (code, told) = check("fp_add");
+    assert!(code == Some(2) && told.contains("digests.txt is not there"), "{told}");
+    std::fs::write(&digests, text).unwrap();
+    // Text that an engine does read is said, not refused.
+    let main = dir.path().join("out/testbench/verilator_main.cpp");
+    std::fs::write(&main, std::fs::read_to_string(&main).unwrap() + "// mine\n").unwrap();
+    let (code, told) = check("fp_add");
+    assert!(code == Some(0) && told.contains("verilator_main.cpp was edited since it was generated"), "{told}");
+}

@@ -143,3 +143,119 @@ fn parts_make_one_tree() {
     write(&target, Part { config: "3".into(), ..alone }, &[("rtl/a.v", "z")]).unwrap();
     assert_eq!(names(directory.path()), ["out"]);
 }
+
+/// Whatever lies in an output directory that no run of ours has listed is neither opened nor followed; what is in the way is named.
+#[cfg(unix)]
+#[test]
+fn nothing_foreign_is_opened() {
+    use std::os::unix::fs::symlink;
+    let directory = tempfile::tempdir().unwrap();
+    let target = directory.path().join("out");
+    emit(&target, &[("a.v", "a"), ("sub/b.v", "b")]).unwrap();
+    let fifo = |name: &str| {
+        assert!(std::process::Command::new("mkfifo").arg(target.join(name)).status().unwrap().success());
+    };
+    fifo("p");
+    fifo("sub/p");
+    // 40 GB that take no room: read, they would take a minute.
+    fs::File::create(target.join("huge")).unwrap().set_len(40 << 30).unwrap();
+    symlink("/dev/zero", target.join("endless")).unwrap();
+    symlink("..", target.join("up")).unwrap();
+    let start = std::time::Instant::now();
+    emit(&target, &[("a.v", "a2"), ("sub/b.v", "b2")]).unwrap();
+    assert!(start.elapsed() < std::time::Duration::from_secs(10));
+    assert_eq!(fs::read(target.join("sub/b.v")).unwrap(), b"b2");
+    assert_eq!(names(&target), [MANIFEST, "a.v", "endless", "huge", "p", "sub", "up"]);
+    // An edited one of ours that has grown is told by its size.
+    fs::OpenOptions::new().write(true).open(target.join("a.v")).unwrap().set_len(40 << 30).unwrap();
+    let grown = sentence(emit(&target, &[("a.v", "a3")]));
+    assert!(grown.contains("a.v was edited since it was generated"), "{grown}");
+    fs::write(target.join("a.v"), "a2").unwrap();
+    assert!(start.elapsed() < std::time::Duration::from_secs(10));
+    for (path, what, is) in [
+        ("p", "out/p", "a FIFO"),
+        ("up/x.v", "out/up", "a link"),
+        ("endless", "out/endless", "a link"),
+        ("sub", "out/sub", "a directory"),
+    ] {
+        let told = sentence(emit(&target, &[("a.v", "a4"), (path, "x")]));
+        assert!(told.contains(&format!("{what} is {is}")), "{told}");
+        assert_eq!(fs::read(target.join("a.v")).unwrap(), b"a2", "refused before anything was moved");
+    }
+    assert_eq!(names(directory.path()), ["out"], "nothing was written above");
+    // Even where the list itself says so: paths that leave the directory, links in the place of files, a list that is none.
+    fs::write(directory.path().join("outside"), "x").unwrap();
+    let digest = blake3::hash(b"x").to_hex();
+    fs::write(target.join(MANIFEST), format!("{digest} 1 ../outside\n{digest} 1 up/outside\n{digest} 1 p\n")).unwrap();
+    emit(&target, &[("c.v", "c")]).unwrap();
+    assert!(directory.path().join("outside").exists() && target.join("p").exists());
+    fs::remove_file(target.join(MANIFEST)).unwrap();
+    fifo(MANIFEST);
+    let told = sentence(emit(&target, &[("d.v", "d")]));
+    assert!(told.contains(".reliefrtl-files is a FIFO"), "{told}");
+    assert_eq!(names(directory.path()), ["out", "outside"]);
+}
+
+/// A mount point and a directory in one that can't be written are filled file by file; one that can't be written at all is told at once.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_mount_point_is_written_in_place() {
+    let directory = tempfile::tempdir().unwrap();
+    let (target, inner) = (directory.path().join("out"), directory.path().join("bound"));
+    fs::create_dir_all(target.join("sub")).unwrap();
+    fs::create_dir_all(&inner).unwrap();
+    let mount = |args: &[&str], at: &Path| {
+        std::process::Command::new("mount").args(args).arg(at).output().is_ok_and(|o| o.status.success())
+    };
+    let unmount = |at: &Path| assert!(std::process::Command::new("umount").arg(at).status().unwrap().success());
+    /// Leaves nothing mounted, however the test ends.
+    struct Unmounted(std::path::PathBuf);
+    impl Drop for Unmounted {
+        fn drop(&mut self) {
+            for at in [self.0.join("sub"), self.0.clone(), self.0.clone()] {
+                let _ = std::process::Command::new("umount").arg("-lq").arg(at).output();
+            }
+        }
+    }
+    let _unmounted = Unmounted(target.clone());
+    let written = |target: &Path| {
+        emit(target, &[("a.v", "a"), ("sub/b.v", "b")]).unwrap();
+        emit(target, &[("a.v", "a2"), ("sub/c.v", "c")]).unwrap();
+        assert_eq!(names(target), [MANIFEST, "a.v", "sub"]);
+        assert_eq!(names(&target.join("sub")), ["c.v"]);
+    };
+    // Where mounting is not allowed, what stands for it is a place that can't be renamed: the working directory's way is the same.
+    if mount(&["-t", "tmpfs", "tmpfs"], &target) {
+        written(&target);
+        // Another file system inside: the rename goes over its border.
+        assert!(mount(&["-t", "tmpfs", "tmpfs"], &target.join("sub")));
+        fs::remove_file(target.join(MANIFEST)).unwrap();
+        fs::remove_file(target.join("a.v")).unwrap();
+        written(&target);
+        unmount(&target.join("sub"));
+        unmount(&target);
+        // A directory of the same file system, bound to its place.
+        assert!(mount(&["--bind", inner.to_str().unwrap()], &target));
+        written(&target);
+        unmount(&target);
+        assert!(mount(&["-t", "tmpfs", "-o", "ro", "tmpfs"], &target));
+        let told = sentence(OutDir::new(&target));
+        assert!(told.contains("cannot write into") && told.contains("ead-only file"), "{told}");
+        let told = sentence(write_atomic(target.join("x"), b"x"));
+        assert!(told.contains("ead-only file"), "{told}");
+        let told = sentence(OutDir::new(target.join("new")));
+        assert!(told.contains("ead-only file"), "{told}");
+        // A directory that can be written in one that can't.
+        unmount(&target);
+        assert!(mount(&["--bind", target.to_str().unwrap()], &target));
+        assert!(mount(&["-t", "tmpfs", "tmpfs"], &target.join("sub")));
+        assert!(mount(&["-o", "remount,ro,bind"], &target));
+        assert!(fs::write(target.join("x"), "").is_err());
+        written(&target.join("sub"));
+        unmount(&target.join("sub"));
+        unmount(&target);
+    } else {
+        eprintln!("not allowed to mount: only a directory of its own is tried");
+        written(&inner);
+    }
+}

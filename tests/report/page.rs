@@ -117,8 +117,18 @@ fn page_json_and_csv_hold_the_same_numbers_and_a_resumed_run_the_same_bytes() {
     let other = paths.next().unwrap();
     let probe = std::fs::read_to_string(other).unwrap().replace("\"probe\":\"", "\"probe\":\"0");
     std::fs::write(other, probe).unwrap();
+    // One number of a measurement, and who measured it.
+    for (key, other) in [("\"rays\":", "\"rays\":1"), ("\"program\":\"", "\"program\":\"0")] {
+        let path = paths.next().unwrap();
+        let text = std::fs::read_to_string(path).unwrap();
+        assert!(text.contains(key), "{text}");
+        std::fs::write(path, text.replacen(key, other, 1)).unwrap();
+    }
     let (again, work) = run(&plan, dir.path());
-    assert_eq!((work.measured, work.taken), (3, plan.cells.len() - 3));
+    assert_eq!((work.measured, work.taken), (5, plan.cells.len() - 5));
+    let altered: Vec<String> =
+        names.iter().skip(1).take(4).map(|p| format!("cells/{}", p.file_name().unwrap().to_string_lossy())).collect();
+    assert_eq!(work.altered.iter().collect::<BTreeSet<_>>(), altered.iter().collect::<BTreeSet<_>>());
     assert!(first == again, "a resumed run writes other bytes");
     assert_eq!(stored(), names);
     assert_eq!(names.iter().map(|p| std::fs::read(p).unwrap()).collect::<Vec<_>>(), bytes);
