@@ -1,11 +1,11 @@
 //! `reliefrtl fit`: the smallest design that keeps an error budget on one scene.
 use super::args::{Cli, FitArgs};
 use super::output::{spinner, table};
+use super::views::{Pixels, Viewed, look};
 use crate::config::{Config, View};
 use crate::error::{Error, Result};
 use crate::project::Scene;
 use crate::report::{Budget, Fit, Limits, SETS, Trial, Truth, fit_checked};
-use crate::scene::ViewRay;
 use serde_json::json;
 
 /// Runs `fit`.
@@ -34,18 +34,24 @@ pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
         }
     }
     let out = a.out.as_deref().map(super::output::sink).transpose()?;
-    let views = if a.views.is_empty() { c.view.names.clone() } else { a.views.clone() };
-    let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
-    let all = views.iter().map(|v| scene.view(&c, *v, 1)).collect::<Result<Vec<_>>>()?;
+    let scene = Scene::new(&c, a.scene.map.map.as_deref(), a.scene.map.resample)?;
+    let views = look(&c, &a.scene, &scene, &c.view.names, Pixels::All, None)?;
+    if let Some(few) = views.iter().find(|v| v.rays.len() < SETS) {
+        let (name, n) = (&few.set.given, few.rays.len());
+        return Err(Error::NothingRan(format!(
+            "{name} has {n} rays: at least {SETS} are needed, to search and to check with others"
+        )));
+    }
+    let each = a.scene.count().unwrap_or(6000);
     let truth = |sets: &[usize]| {
-        let rays = sets.iter().flat_map(|set| rays(&all, a.rays, *set)).collect();
+        let rays = sets.iter().flat_map(|set| rays(&views, each, *set)).collect();
         Truth::new(c.traverse.levels, c.traverse.height_bits, scene.texels.clone(), rays)
     };
     let seen = truth(&[0])?;
     if seen.rays.is_empty() {
         return Err(Error::NothingRan("no ray of the views meets the map".into()));
     }
-    enough(budget, seen.rays.len(), a.rays * views.len())?;
+    enough(budget, seen.rays.len(), each.saturating_mul(views.len()), a.scene.table().is_some())?;
     let bar = spinner(cli, "fitting");
     let limits = Limits { resample: a.allow_resample };
     let found = fit_checked(&c.design(), seen, &truth, budget, limits, &|what| bar.set_message(what.to_string()));
@@ -56,32 +62,39 @@ pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
         out.write(text.as_bytes())?;
     }
     let alone = |k: usize| {
-        let own = rays(&all[k..=k], a.rays, found.set);
+        let own = rays(&views[k..=k], each, found.set);
         let truth = Truth::new(c.traverse.levels, c.traverse.height_bits, scene.texels.clone(), own)?;
-        Ok((views[k], Trial::run(&found.fit.chosen.design, &truth)?))
+        Ok((views[k].set.name.clone(), Trial::run(&found.fit.chosen.design, &truth)?))
     };
     let by_view = (0..views.len()).map(alone).collect::<Result<Vec<_>>>()?;
     print(cli, &found.fit, &found.check, budget, &by_view)
 }
 
 /// Whether so many rays can show that a budget is kept: none wrong of N says less than 3 in N.
-fn enough(budget: Budget, rays: usize, wanted: usize) -> Result<()> {
+fn enough(budget: Budget, rays: usize, wanted: usize, table: bool) -> Result<()> {
     let Budget::WrongTexel(share) = budget else { return Ok(()) };
     let needed = (3.0 / share).ceil();
     if rays as f64 >= needed {
         return Ok(());
     }
-    let more = if rays < wanted { "a larger view.width and view.height" } else { "more --rays" };
+    let more = match (rays < wanted, table) {
+        (true, true) => "a table of more --rays",
+        (true, false) => "a larger view.width and view.height",
+        (false, _) => "more --rays",
+    };
     Err(Error::input(format!(
         "{rays} rays can't show that at most {share} are wrong, for none wrong says less than 3 of {rays}: {needed} rays in all are needed, so give {more}"
     )))
 }
 
 /// Rays evenly over each view's picture, `each` of a view where the picture has as many for every set; no two sets share one.
-fn rays(views: &[Vec<ViewRay>], each: usize, set: usize) -> Vec<[f64; 4]> {
+fn rays(views: &[Viewed], each: usize, set: usize) -> Vec<[f64; 4]> {
     // Two neighbouring sets lie as far from each other as they can.
     let place = [0, 2, 1, 3][set];
-    let of = |all: &Vec<ViewRay>| {
+    let of = |view: &Viewed| {
+        let all = &view.rays;
+        // A table was chosen ray by ray: all of it counts.
+        let each = if view.set.camera(1, 1).is_some() { each } else { usize::MAX };
         let n = each.min(all.len() / SETS);
         let pick = |k: usize| (SETS * k + place) * all.len() / (SETS * n);
         (0..n).map(|k| &all[pick(k)]).map(|r| [r.u, r.v, r.du, r.dv]).collect::<Vec<_>>()
@@ -90,13 +103,17 @@ fn rays(views: &[Vec<ViewRay>], each: usize, set: usize) -> Vec<[f64; 4]> {
 }
 
 /// The configuration that was asked for, with the views that were judged and the design that was found.
-fn configuration(c: &Config, found: &Fit, a: &FitArgs, views: &[View]) -> Result<Config> {
+fn configuration(c: &Config, found: &Fit, a: &FitArgs, views: &[Viewed]) -> Result<Config> {
     let (mut c, d) = (c.clone(), found.chosen.design);
     (c.format.exp, c.format.man) = (d.format.exp, d.format.man);
     (c.traverse, c.mode, c.datapath) = (d.traverse, d.mode, d.datapath);
-    c.view.names = views.to_vec();
-    c.map.resample |= a.allow_resample || a.map.resample;
-    if let Some(file) = &a.map.map {
+    // A configuration names standard views; camera files and tables are named again where it is judged.
+    let names: Vec<View> = views.iter().filter_map(|v| v.set.standard()).collect();
+    if !names.is_empty() {
+        c.view.names = names;
+    }
+    c.map.resample |= a.allow_resample || a.scene.map.resample;
+    if let Some(file) = &a.scene.map.map {
         c.map.kind = crate::config::MapKind::File;
         c.map.file = Some(file.canonicalize().map_err(|e| Error::file("find", file, e))?);
     }
@@ -104,7 +121,7 @@ fn configuration(c: &Config, found: &Fit, a: &FitArgs, views: &[View]) -> Result
     Ok(c)
 }
 
-fn print(cli: &Cli, f: &Fit, check: &Trial, budget: Budget, by_view: &[(View, Trial)]) -> Result<()> {
+fn print(cli: &Cli, f: &Fit, check: &Trial, budget: Budget, by_view: &[(String, Trial)]) -> Result<()> {
     let c = &f.chosen.cost;
     if cli.json {
         let trial = |t: &Trial| {
@@ -115,11 +132,11 @@ fn print(cli: &Cli, f: &Fit, check: &Trial, budget: Budget, by_view: &[(View, Tr
         let rejected: Vec<_> = f.rejected.iter().map(|r| json!({"what": r.what, "why": r.why})).collect();
         let all = json!({"traverse": d.traverse, "mode": d.mode, "datapath": d.datapath, "exp": d.format.exp, "man": d.format.man,
             "bits": {"logic": c.logic, "products": c.products, "registers": c.registers, "memory": c.memory},
-            "search": trial(&f.chosen), "fresh": trial(check), "fresh_by_view": by_view.iter().map(|(v, t)| (v.word().to_owned(), trial(t))).collect::<serde_json::Map<_, _>>(), "reasons": f.reasons, "rejected": rejected, "tried": f.tried});
+            "search": trial(&f.chosen), "fresh": trial(check), "fresh_by_view": by_view.iter().map(|(v, t)| (v.clone(), trial(t))).collect::<serde_json::Map<_, _>>(), "reasons": f.reasons, "rejected": rejected, "tried": f.tried});
         println!("{}", serde_json::to_string_pretty(&all).expect("plain data"));
         return Ok(());
     }
-    let views: Vec<&str> = by_view.iter().map(|v| v.0.word()).collect();
+    let views: Vec<&str> = by_view.iter().map(|v| v.0.as_str()).collect();
     println!("{} designs tried on {} rays ({}):", f.tried, f.chosen.rays, views.join(", "));
     f.reasons.iter().for_each(|r| println!("  {r}"));
     println!(
@@ -133,7 +150,7 @@ fn print(cli: &Cli, f: &Fit, check: &Trial, budget: Budget, by_view: &[(View, Tr
         check.rays
     );
     if by_view.len() > 1 {
-        by_view.iter().for_each(|(view, t)| println!("  of these {}: {}", view.word(), t.figure(budget)));
+        by_view.iter().for_each(|(view, t)| println!("  of these {view}: {}", t.figure(budget)));
     }
     let rows: Vec<Vec<String>> = f.rejected.iter().map(|r| vec![r.what.clone(), r.why.clone()]).collect();
     print!("{}", table(&["not taken", "because"], &rows));

@@ -1,7 +1,8 @@
 //! `reliefrtl hard`: the hard cases on the configured design.
 use super::args::{Cli, Engine, HardArgs};
 use super::output::{spinner, table};
-use crate::config::{Config, DatapathKind, ModeConfig};
+use super::views::{Pixels, Viewed, look};
+use crate::config::{Config, DatapathKind, Design, ModeConfig};
 use crate::error::{Error, Result};
 use crate::files::OutDir;
 use crate::golden::{Pyramid, RayHit, RayInput, decode_time};
@@ -11,46 +12,120 @@ use crate::report::hard::HardFigures;
 use crate::scene::hard::{Case, HardScene, footprints};
 use serde_json::{Value, json};
 
+/// What is run: a case, or rays of the user's.
+enum Task<'a> {
+    /// A named case, on its own map or on that of the user's.
+    Case(&'static Case),
+    /// A view or a table of rays on a map.
+    Set(&'a Viewed),
+}
+
+impl Task<'_> {
+    fn name(&self) -> &str {
+        match self {
+            Self::Case(case) => case.name,
+            Self::Set(view) => &view.set.name,
+        }
+    }
+
+    /// Whether a step limit of exactly what the rays need is asked for, too.
+    const fn limit(&self) -> bool {
+        match self {
+            Self::Case(case) => case.limit,
+            Self::Set(_) => true,
+        }
+    }
+}
+
+/// What all tasks share.
+struct Ground<'a> {
+    c: &'a Config,
+    /// The user's map, if there is one.
+    own: Option<&'a Scene>,
+    seed: u64,
+}
+
+impl Ground<'_> {
+    /// A task's map and rays; or why it has none in this design.
+    fn scene(&self, task: &Task<'_>, rays: usize) -> std::result::Result<HardScene, String> {
+        let design = self.c.design();
+        let scene = match (task, self.own) {
+            (Task::Case(case), None) => case.scene(&design, rays, self.seed),
+            (Task::Case(case), Some(own)) => case
+                .over(&design, &own.texels, rays, self.seed)
+                .ok_or("its map has a size of its own, so its rays don't go over another")?,
+            (Task::Set(view), own) => {
+                let texels = own.map_or_else(Vec::new, |own| own.texels.clone());
+                HardScene { design, texels, rays: view.rays.iter().map(|r| [r.u, r.v, r.du, r.dv]).collect() }
+            }
+        };
+        illegal(self.c, scene.design.traverse).map_or(Ok(scene), Err)
+    }
+}
+
+/// The parts of the travels after which rays end, 0 to 1.
+pub(super) fn ends(d: &Design, hits: &[RayHit]) -> Vec<f64> {
+    let full = f64::from((1u32 << d.traverse.height_bits) - 1);
+    let end = |hit: &RayHit| if hit.limit { 1.0 } else { (decode_time(d, hit.t) / full).clamp(0.0, 1.0) };
+    hits.iter().map(end).collect()
+}
+
 /// Runs `hard`.
 pub fn run(cli: &Cli, a: &HardArgs) -> Result<()> {
-    let chosen: Vec<&Case> = match a.case.as_slice() {
+    let named: Vec<&'static Case> = match a.case.as_slice() {
         [] => Case::all().collect(),
         names => names.iter().map(|name| Case::find(name)).collect::<Result<_>>()?,
     };
     if a.list {
-        list(cli, &chosen);
+        list(cli, &named);
         return Ok(());
     }
-    if a.rays == 0 {
+    let each = a.scene.count().unwrap_or(200);
+    if each == 0 {
         return Err(Error::NothingRan("hard needs at least one ray a case".into()));
     }
     let c = super::config::load(cli)?;
+    // A map, or rays, of the user's.
+    let map = &a.scene.map;
+    let own = (map.map.is_some() || a.scene.chosen()).then(|| Scene::new(&c, map.map.as_deref(), map.resample));
+    let own = own.transpose()?;
+    let views = match &own {
+        Some(scene) if a.scene.chosen() => look(&c, &a.scene, scene, &[], Pixels::Some, Some(each))?,
+        _ => Vec::new(),
+    };
+    if let Some(case) = named.iter().find(|case| views.iter().any(|v| v.set.name == case.name)) {
+        return Err(Error::input(format!("{0} is the name of a case: give the file of {0} another one", case.name)));
+    }
+    // Rays of the user's stand in the place of the cases; those that are named come all the same.
+    let cases = if views.is_empty() || !a.case.is_empty() { named } else { Vec::new() };
+    let chosen: Vec<Task<'_>> = cases.into_iter().map(Task::Case).chain(views.iter().map(Task::Set)).collect();
+    let ground = Ground { c: &c, own: own.as_ref(), seed: a.seed };
     if let Some(rays) = a.endure {
-        return endure(cli, &c, &chosen, rays, a.seed);
+        return endure(cli, &ground, &chosen, rays);
     }
     let mut pictures = a.pictures.as_deref().map(OutDir::new).transpose()?;
     let bar = spinner(cli, "hard cases");
     let (mut rows, mut witnesses, mut values) = (Vec::new(), Vec::new(), Vec::new());
     let (mut rays, mut broken, mut sum) = (0, Vec::new(), [0; 6]);
-    for case in &chosen {
-        bar.set_message(format!("hard case {}", case.name));
-        let scene = case.scene(&c.design(), a.rays, a.seed);
-        if let Some(reason) = illegal(&c, scene.design.traverse) {
-            let mut row = vec![case.name.to_string()];
-            row.resize(HEAD.len() - 1, "-".into());
-            row.push(format!("left out: {reason}"));
-            rows.push(row);
-            values.push(json!({"case": case.name, "left_out": reason}));
-            continue;
-        }
-        let f = HardFigures::of_scene(&scene, case.limit)?;
-        equal(cli, &c, a.engine, case.name, &scene, &f)?;
+    for task in &chosen {
+        let name = task.name();
+        bar.set_message(format!("hard case {name}"));
+        let scene = match ground.scene(task, each) {
+            Ok(scene) => scene,
+            Err(reason) => {
+                let mut row = vec![name.to_string()];
+                row.resize(HEAD.len() - 1, "-".into());
+                row.push(format!("left out: {reason}"));
+                rows.push(row);
+                values.push(json!({"case": name, "left_out": reason}));
+                continue;
+            }
+        };
+        let f = HardFigures::of_scene(&scene, task.limit())?;
+        equal(cli, &c, a.engine, name, &scene, &f)?;
         if let Some(dir) = &mut pictures {
-            let full = f64::from((1u32 << f.design.traverse.height_bits) - 1);
-            let end =
-                |hit: &RayHit| if hit.limit { 1.0 } else { (decode_time(&f.design, hit.t) / full).clamp(0.0, 1.0) };
-            let ends: Vec<f64> = f.hits.iter().map(end).collect();
-            dir.add(&format!("{}.png", case.name), &footprints(&scene, case.name, a.seed, &ends).to_png()?)?;
+            let picture = footprints(&scene, name, a.seed, &ends(&f.design, &f.hits));
+            dir.add(&format!("{name}.png"), &picture.to_png()?)?;
         }
         rays += f.rays.len();
         let counts = [
@@ -63,18 +138,18 @@ pub fn run(cli: &Cli, a: &HardArgs) -> Result<()> {
         ];
         sum.iter_mut().zip(counts).for_each(|(sum, k)| *sum += k);
         if !f.keeps_promises() {
-            broken.push(case.name);
+            broken.push(name);
         }
-        rows.push(row(case.name, &f));
-        witnesses.extend(witness(case.name, &f));
-        values.push(value(case.name, &f));
+        rows.push(row(name, &f));
+        witnesses.extend(witness(name, &f));
+        values.push(value(name, &f));
     }
     bar.finish_and_clear();
-    if let Some(dir) = pictures {
-        dir.commit()?;
-    }
     if rays == 0 {
         return Err(Error::NothingRan("no case fits this design".into()));
+    }
+    if let Some(dir) = pictures {
+        dir.commit()?;
     }
     let [wrong, ties, limits, differ, limit_wrong, tied] = sum;
     if cli.json {
@@ -133,22 +208,29 @@ fn equal(cli: &Cli, c: &Config, engine: Engine, name: &str, hard: &HardScene, f:
 }
 
 /// Runs `hard --endure`.
-fn endure(cli: &Cli, c: &Config, cases: &[&Case], rays: usize, seed: u64) -> Result<()> {
-    let legal = |case: &&&Case| illegal(c, case.scene(&c.design(), 0, seed).design.traverse).is_none();
-    let cases: Vec<&&Case> = cases.iter().filter(legal).collect();
+fn endure(cli: &Cli, ground: &Ground<'_>, tasks: &[Task<'_>], rays: usize) -> Result<()> {
+    let (c, seed) = (ground.c, ground.seed);
+    let cases: Vec<&Task<'_>> = tasks.iter().filter(|task| ground.scene(task, 0).is_ok()).collect();
     if rays == 0 || cases.is_empty() {
         return Err(Error::NothingRan("hard --endure needs at least one ray and a case that fits this design".into()));
     }
     let share = rays.div_ceil(cases.len());
     let bar = spinner(cli, "hard cases");
     let (mut rows, mut values, mut sum) = (Vec::new(), Vec::new(), Endured::default());
-    for (k, case) in cases.iter().enumerate() {
-        bar.set_message(format!("{share} rays of hard case {} ({} of {})", case.name, k + 1, cases.len()));
-        let of = endured(&case.scene(&c.design(), share, seed))?;
+    for (k, task) in cases.iter().enumerate() {
+        let name = task.name();
+        bar.set_message(format!("{share} rays of hard case {name} ({} of {})", k + 1, cases.len()));
+        let mut scene = ground.scene(task, share).map_err(Error::input)?;
+        if let Task::Set(_) = task {
+            // Each ray in every mode, then the next; all over again where there are too few.
+            let (given, modes) = (scene.rays, modes(&c.design()).len());
+            scene.rays = (0..share).map(|k| given[k / modes % given.len()]).collect();
+        }
+        let of = endured(&scene)?;
         let long = of.longest.map_or_else(Default::default, |l| [l.steps.to_string(), words(&l.ray), mode(&l.mode)]);
         let counts = [format!("{} of {}", of.given_up, of.rays), of.refused.to_string()];
-        rows.push([&[case.name.to_string()], &counts[..], &long[..]].concat());
-        values.push(json!({"case": case.name, "rays": of.rays, "given_up": of.given_up, "refused": of.refused,
+        rows.push([&[name.to_string()], &counts[..], &long[..]].concat());
+        values.push(json!({"case": name, "rays": of.rays, "given_up": of.given_up, "refused": of.refused,
             "longest": of.longest.map(|l| json!({"steps": l.steps, "words": words(&l.ray), "mode": mode(&l.mode)}))}));
         sum = sum.and(of);
     }

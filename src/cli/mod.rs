@@ -2,6 +2,7 @@
 #[macro_use]
 mod print;
 mod args;
+mod bench;
 mod build;
 mod check;
 mod config;
@@ -21,6 +22,7 @@ mod report;
 mod restate;
 mod synth;
 mod trace;
+mod views;
 
 pub use args::Cli;
 
@@ -82,7 +84,7 @@ fn run(cli: &Cli) -> Result<()> {
         Verb::Report(a) => report::run(cli, a),
         Verb::Fit(a) => fit::run(cli, a),
         Verb::Hard(a) => hard::run(cli, a),
-        Verb::Bench(a) => figures::bench(cli, a),
+        Verb::Bench(a) => bench::run(cli, a),
         Verb::Synth(a) => synth::run(cli, a),
         Verb::List => list::run(cli),
         Verb::Config(a) => config::run(cli, a),

@@ -1,6 +1,6 @@
 //! `accuracy` of a design with `mode.bilinear`: refined hits against the exact root.
 use super::output::table;
-use crate::config::{Config, View};
+use crate::config::Config;
 use crate::error::Result;
 use crate::project::{Scene, encode};
 use crate::report::{Spread, bilinear};
@@ -37,7 +37,7 @@ impl Refined {
     ///
     /// # Errors
     /// As [`bilinear`].
-    pub fn add(&mut self, c: &Config, scene: &Scene, file: Option<&Path>, view: View, seen: &[ViewRay]) -> Result<()> {
+    pub fn add(&mut self, c: &Config, scene: &Scene, file: Option<&Path>, view: &str, seen: &[ViewRay]) -> Result<()> {
         let n = seen.len().min(RAYS);
         let rays: Vec<ViewRay> = (0..n).map(|k| seen[k * seen.len() / n]).collect();
         let words: Vec<_> = rays.iter().map(|r| encode(c, r)).collect();
@@ -47,7 +47,7 @@ impl Refined {
         let [hit, above, below] = b.patches.map(part);
         self.rows.push(vec![
             scene.name.clone(),
-            view.word().into(),
+            view.into(),
             b.rays.to_string(),
             format!("{hit} / {above} / {below}"),
             format!("{} of {}", b.rootless, b.patches[0]),

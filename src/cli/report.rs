@@ -1,5 +1,5 @@
 //! `reliefrtl report`: speed against error of every design, as one page, JSON and CSV.
-use super::args::{Cli, ReportArgs};
+use super::args::{Cli, RaysArg, ReportArgs};
 use crate::config::{Config, MapKind, View};
 use crate::error::{Error, Result};
 use crate::report::page::{Extent, Plan, Selection, cells, files, write};
@@ -11,7 +11,7 @@ use std::io::IsTerminal;
 pub fn run(cli: &Cli, a: &ReportArgs) -> Result<()> {
     super::output::open_directory(&a.out)?;
     let mut c = super::config::load(cli)?;
-    c.map.resample |= a.map.resample;
+    c.map.resample |= a.scene.map.resample;
     let plan = Plan::new(&c, &selection(&c, a)?)?;
     if plan.cells.is_empty() {
         let why = plan.not_legal.first().map_or("no design was chosen", |r| r.reason.as_str());
@@ -64,19 +64,25 @@ fn again(cli: &Cli, a: &ReportArgs) -> String {
         }
     };
     let path = |path: &Option<std::path::PathBuf>| path.iter().map(|p| quoted(&p.display().to_string())).collect();
-    option("map", path(&a.map.map));
+    option("map", path(&a.scene.map.map));
     option("maps", a.maps.iter().map(|k| k.word().to_owned()).collect());
     option("scenes", path(&a.scenes));
     option("levels", a.levels.iter().map(u32::to_string).collect());
-    option("views", a.views.iter().map(|v| v.word().to_owned()).collect());
+    option("view", a.scene.view.iter().map(|v| quoted(v)).collect());
+    let rays = match &a.scene.rays {
+        Some(RaysArg::Count(n)) => Some(n.to_string()),
+        Some(RaysArg::File(file)) => Some(quoted(&file.display().to_string())),
+        None => None,
+    };
+    option("rays", rays.into_iter().collect());
     option("datapaths", a.datapaths.iter().map(|k| k.word().to_owned()).collect());
     option("formats", a.formats.iter().map(|f| format!("{}/{}", f.exp, f.man)).collect());
     option("fractions", a.fractions.iter().map(u32::to_string).collect());
     let set = a.modes.and_then(|m| m.to_possible_value().map(|v| v.get_name().to_owned()));
     option("modes", set.into_iter().collect());
     option("synth", a.synth.iter().map(|p| quoted(&p.display().to_string())).collect());
-    option("max-texels", a.map.max_texels.iter().map(u64::to_string).collect());
-    let flags = [(a.map.resample, " --resample"), (a.map.crop, " --crop"), (a.map.pad, " --pad"), (a.full, " --full")];
+    option("max-texels", a.scene.map.max_texels.iter().map(u64::to_string).collect());
+    let flags = [(a.scene.map.resample, " --resample"), (a.scene.map.crop, " --crop"), (a.scene.map.pad, " --pad"), (a.full, " --full")];
     flags.iter().filter(|f| f.0).for_each(|f| out += f.1);
     out
 }
@@ -91,15 +97,18 @@ fn selection(c: &Config, a: &ReportArgs) -> Result<Selection> {
     if a.maps.contains(&MapKind::File) {
         return Err(Error::input("--maps names own maps; a file goes to --map FILE"));
     }
+    // A configuration of fewer views (what `fit` wrote, say) has chosen.
+    let usual = if c.view.names.len() < View::ALL.len() { &c.view.names[..] } else { &[] };
+    let views = super::views::sets(&a.scene, usual, false)?;
+    views.iter().try_for_each(super::views::block_rays)?;
     Ok(Selection {
         extent: if a.full { Extent::Full } else { Extent::Standard },
-        map: a.map.map.clone(),
+        map: a.scene.map.map.clone(),
         maps: a.maps.clone(),
         scenes: a.scenes.clone(),
         levels: a.levels.clone(),
-        // A configuration of fewer views (what `fit` wrote, say) has chosen.
-        views: if a.views.is_empty() && c.view.names.len() < View::ALL.len() { &c.view.names } else { &a.views }
-            .clone(),
+        views,
+        most: a.scene.count(),
         datapaths: a.datapaths.clone(),
         formats: a.formats.clone(),
         fractions: a.fractions.clone(),

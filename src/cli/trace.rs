@@ -1,6 +1,7 @@
 //! `reliefrtl trace`: rays from a table, hits into a table, by any engine; the bytes are the same.
-use super::args::{Cli, Engine, TraceArgs};
+use super::args::{Cli, Engine, RaysArg, TraceArgs};
 use super::output::spinner;
+use super::views::Pixels;
 use crate::bench::{Outcome, Paths, Simulator, bench_files, run_bench_on};
 use crate::catalogue::ray_set;
 use crate::config::Config;
@@ -9,31 +10,38 @@ use crate::files::Scratch;
 use crate::golden::{RayHit, RayInput};
 use crate::ir::Binding;
 use crate::project::{self, Scene};
-use crate::scene::read_rays;
-use crate::trace::{enter_border, hit, hits_csv, outputs, record, saw_border, trace_golden, trace_interp};
+use crate::scene::border::enter_border;
+use crate::scene::{RaySet, RaySource, evenly};
+use crate::trace::{hit, hits_csv, outputs, record, saw_border, trace_golden, trace_interp};
 use crate::vectors::set_files;
 use std::time::Duration;
 
 /// Runs `trace`.
 pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
     let c = super::config::load(cli)?;
-    super::output::keep_inputs(
-        &a.out,
-        &[Some(&a.rays), a.map.map.as_deref(), c.map.file.as_deref(), cli.config.as_deref()],
-    )?;
+    let mut seen = a.scene.clone();
+    if let Some(RaysArg::Count(n)) = seen.rays
+        && seen.view.is_empty()
+    {
+        // Without a view there is nothing to count: a number is a file's name, too.
+        seen.rays = Some(RaysArg::File(n.to_string().into()));
+    }
+    let named = super::views::inputs(&seen);
+    let inputs = named.iter().map(|p| Some(p.as_path())).chain([c.map.file.as_deref(), cli.config.as_deref()]);
+    super::output::keep_inputs(&a.out, &inputs.collect::<Vec<_>>())?;
     let out = super::output::sink(&a.out)?;
     let wave = a.wave.as_deref().map(|path| super::output::wave_sink(path, Some(&out))).transpose()?;
-    let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
-    let table = read_rays(&a.rays, c.mode.lod)?;
-    let entered =
-        enter_border(c.map.border, &table.rays).map_err(|e| Error::input(format!("{}: {e}", a.rays.display())))?;
-    let mut rays: Vec<RayInput> = entered.iter().map(|r| project::ray(&c, *r)).collect();
-    if let Some(lods) = &table.lods {
-        if !c.mode.lod && lods.iter().any(|l| *l > 0) {
-            let name = a.rays.display();
-            return Err(Error::input(format!("{name} has levels of detail (column lod): they need mode.lod = true")));
-        }
-        rays.iter_mut().zip(lods).for_each(|(r, l)| r.lod = (*l).min(c.traverse.levels));
+    if !seen.chosen() {
+        return Err(Error::input("trace needs rays: --rays R.csv, or --view NAME|CAMERA.toml,..."));
+    }
+    let scene = Scene::new(&c, seen.map.map.as_deref(), seen.map.resample)?;
+    let mut entered: Vec<[f64; 4]> = Vec::new();
+    let mut rays: Vec<RayInput> = Vec::new();
+    for set in super::views::sets(&seen, &[], c.mode.lod)? {
+        let (numbers, lods) = numbers(&c, &scene, &set, seen.count())?;
+        let lod = |k: usize| lods.get(k).map_or(0, |l| (*l).min(c.traverse.levels));
+        rays.extend(numbers.iter().enumerate().map(|(k, r)| RayInput { lod: lod(k), ..project::ray(&c, *r) }));
+        entered.extend(numbers);
     }
     let mut hits = hits(cli, &c, a.engine, &scene, &rays)?;
     let ended = hits.iter().filter(|h| !h.limit).count();
@@ -44,14 +52,9 @@ pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
     }
     let beyond = ended - hits.iter().filter(|h| !h.limit).count();
     if let Some((sink, format)) = &wave {
-        let ray = rays.get(a.wave_ray).ok_or_else(|| {
-            Error::input(format!(
-                "--wave-ray {} is none of the {} rays in {}",
-                a.wave_ray,
-                rays.len(),
-                a.rays.display()
-            ))
-        })?;
+        let ray = rays
+            .get(a.wave_ray)
+            .ok_or_else(|| Error::input(format!("--wave-ray {} is none of the {} rays", a.wave_ray, rays.len())))?;
         record(&c.design(), &scene.pyramid, ray)?.1.write(sink, *format, "traverse")?;
     }
     out.write(hits_csv(&c.design(), c.map.border, &hits).as_bytes())?;
@@ -67,6 +70,25 @@ pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
         lost.print(&c, hits.len());
     }
     lost.verdict(hits.len())
+}
+
+/// A set's rays in tiles of the design, and their levels of detail. A table's rays stay all, whatever lies behind the border, for each has
+/// its line of hits.
+fn numbers(c: &Config, scene: &Scene, set: &RaySet, most: Option<usize>) -> Result<(Vec<[f64; 4]>, Vec<u32>)> {
+    let RaySource::Table(table) = &set.source else {
+        let rays = evenly(&scene.set(c, set, Pixels::Drawn.stride(c, set))?, most);
+        if rays.is_empty() {
+            return Err(super::views::no_ray(&set.given));
+        }
+        return Ok((rays.iter().map(|r| [r.u, r.v, r.du, r.dv]).collect(), Vec::new()));
+    };
+    let entered = enter_border(c.map.border, &table.rays).map_err(|e| Error::input(format!("{}: {e}", set.given)))?;
+    let lods = table.lods.clone().unwrap_or_default();
+    if !c.mode.lod && lods.iter().any(|l| *l > 0) {
+        let name = &set.given;
+        return Err(Error::input(format!("{name} has levels of detail (column lod): they need mode.lod = true")));
+    }
+    Ok((entered, lods))
 }
 
 /// Rays without a hit.

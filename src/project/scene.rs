@@ -2,7 +2,7 @@
 use crate::config::{Config, MapKind, View};
 use crate::error::{Error, Result};
 use crate::golden::{Pyramid, RayInput, encode_ray};
-use crate::scene::{Camera, Taken, ViewRay, bordered_codes, load_codes, procedural};
+use crate::scene::{Camera, RaySet, Taken, ViewRay, bordered_codes, load_codes, procedural};
 use crate::trace::rays_inside;
 use std::path::Path;
 
@@ -51,6 +51,15 @@ impl Scene {
     /// As [`Scene::rays`].
     pub fn view(&self, c: &Config, view: View, stride: u32) -> Result<Vec<ViewRay>> {
         self.rays(c, &Camera::standard(view, c.view.width, c.view.height), stride)
+    }
+
+    /// The rays of a set: of a camera every `stride`-th pixel's, of a table all; as [`Scene::rays`].
+    ///
+    /// # Errors
+    /// As [`Scene::rays`]; a table's ray that enters outside of what `map.border` prepares.
+    pub fn set(&self, c: &Config, set: &RaySet, stride: u32) -> Result<Vec<ViewRay>> {
+        let rays = set.rays(c.map.border, (c.map.scale, c.map.repeat), (c.view.width, c.view.height), stride)?;
+        rays_inside(&c.design(), c.map.border, &self.pyramid, rays)
     }
 
     /// A camera's rays through every `stride`-th pixel, in tiles of the design; those that don't see what `map.border` promises are left

@@ -1,6 +1,7 @@
 //! What lies behind a map's border. The hardware repeats the map; other borders are prepared into a map one level up, and rays and hits
 //! are scaled to it and back. A tile of the design is then two tiles of the map along each side.
 use crate::config::Border;
+use crate::error::{Error, Result};
 
 /// The codes of 2^levels x 2^levels texels as the design sees them.
 ///
@@ -65,6 +66,21 @@ pub fn entered(border: Border, [u, v, du, dv]: [f64; 4]) -> [f64; 4] {
         Border::Wrap => [u, v, du, dv],
         Border::Clamp => [(u + 0.5) / 2.0, (v + 0.5) / 2.0, du / 2.0, dv / 2.0],
         Border::Mirror => [u / 2.0, v / 2.0, du / 2.0, dv / 2.0],
+    }
+}
+
+/// Rays of a table, in tiles of the map, in tiles of the design.
+///
+/// # Errors
+/// An entry point outside of what was prepared.
+pub fn enter_border(border: Border, rays: &[[f64; 4]]) -> Result<Vec<[f64; 4]>> {
+    let outside = |x: f64| border == Border::Clamp && !(-0.5..1.5).contains(&x);
+    match rays.iter().position(|r| outside(r[0]) || outside(r[1])) {
+        Some(ray) => Err(Error::input(format!(
+            "ray {ray} enters at u = {}, v = {}: with map.border = \"clamp\" a ray enters from -0.5 to below 1.5",
+            rays[ray][0], rays[ray][1]
+        ))),
+        None => Ok(rays.iter().map(|r| entered(border, *r)).collect()),
     }
 }
 

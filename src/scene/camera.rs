@@ -16,7 +16,7 @@ pub const QUAD_SIDE: f64 = 200.0;
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Camera {
-    /// Angle above the quad's plane in degrees; 0.1 to 90.
+    /// Angle above the quad's plane in degrees; 0.1 to 90. Below the plane no ray can begin: each enters through the top plane.
     pub elevation: f64,
     /// Direction around the y axis in degrees; -360 to 360.
     pub azimuth: f64,
@@ -94,7 +94,7 @@ impl Camera {
         for (name, value) in &table {
             let place = places.at(name);
             match KEYS.iter().find(|key| key.path == name) {
-                Some(key) => problems.extend(check::problem(key, value).map(|text| format!("{text} ({place})"))),
+                Some(key) => problems.extend(problem(key, value).map(|text| format!("{text} ({place})"))),
                 None => problems.push(format!("unknown key {name} ({place}): did you mean {}?", nearest(name))),
             }
         }
@@ -108,7 +108,7 @@ impl Camera {
     /// [`Error::Input`] with all problems.
     pub fn validate(&self) -> Result<()> {
         let table = toml::Table::try_from(self).map_err(|error| Error::input(error.to_string()))?;
-        validate::report(KEYS.iter().filter_map(|key| check::problem(key, table.get(key.path)?)).collect())
+        validate::report(KEYS.iter().filter_map(|key| problem(key, table.get(key.path)?)).collect())
     }
 
     /// Pixels of the picture that `stride` leaves: columns and rows.
@@ -167,6 +167,19 @@ impl Camera {
         let entry = place * tiles + shift;
         let travel = DVec2::new(direction.x, -direction.z) * (scale * tiles / QUAD_SIDE / -direction.y);
         Some(ViewRay { px, py, u: wrap(entry.x), v: wrap(entry.y), du: travel.x, dv: travel.y })
+    }
+}
+
+/// What is wrong with a key's value. A camera at or below the plane can be said, and has no rays: they enter through the top plane, at ray
+/// parameter 0, and fall.
+fn problem(key: &Key, value: &toml::Value) -> Option<String> {
+    let number = value.as_float().or_else(|| value.as_integer().map(|n| n as f64));
+    match number {
+        Some(e) if key.path == "elevation" && (-90.0..=0.0).contains(&e) => Some(format!(
+            "elevation = {e} puts the camera {} the quad's plane, where no ray of this unit can begin: a ray enters the height range through its top plane and falls to its bottom, so the camera stands above the plane, at an elevation of 0.1 to 90",
+            if e < 0.0 { "below" } else { "into" }
+        )),
+        _ => check::problem(key, value),
     }
 }
 

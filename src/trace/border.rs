@@ -1,9 +1,9 @@
 //! Rays that leave what was prepared behind a map's border (`docs/traverse.md`).
 use super::trace_golden;
 use crate::config::{Border, Design};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::golden::{Pyramid, RayHit, decode_time, encode_ray};
-use crate::scene::{ViewRay, border};
+use crate::scene::ViewRay;
 use rayon::prelude::*;
 
 /// Whether a ray (in tiles of the design) that ended with `hit` saw what `border` promises. A map that was continued by its border
@@ -37,19 +37,4 @@ pub fn rays_inside(d: &Design, border: Border, pyramid: &Pyramid, rays: Vec<View
     let words: Vec<_> = rays.par_iter().map(|r| encode_ray(d, numbers(r))).collect();
     let hits = trace_golden(d, pyramid, &words)?;
     Ok(rays.into_iter().zip(&hits).filter(|(r, h)| saw_border(d, border, &numbers(r), h)).map(|x| x.0).collect())
-}
-
-/// Rays of a table, in tiles of the map, in tiles of the design.
-///
-/// # Errors
-/// An entry point outside of what was prepared.
-pub fn enter_border(border: Border, rays: &[[f64; 4]]) -> Result<Vec<[f64; 4]>> {
-    let outside = |x: f64| border == Border::Clamp && !(-0.5..1.5).contains(&x);
-    match rays.iter().position(|r| outside(r[0]) || outside(r[1])) {
-        Some(ray) => Err(Error::input(format!(
-            "ray {ray} enters at u = {}, v = {}: with map.border = \"clamp\" a ray enters from -0.5 to below 1.5",
-            rays[ray][0], rays[ray][1]
-        ))),
-        None => Ok(rays.iter().map(|r| border::entered(border, *r)).collect()),
-    }
 }

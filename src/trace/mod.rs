@@ -8,7 +8,7 @@ mod memory;
 mod shown;
 mod wave;
 
-pub use border::{enter_border, rays_inside, saw_border};
+pub use border::{rays_inside, saw_border};
 pub use csv::{HEADER, REFINED, hits_csv};
 pub use diagnose::{Divergence, decode, diagnose, diagnose_in};
 pub use interp::{INPUTS, OUTPUTS, Pipeline, hit, hit_row, inputs, outputs, row, trace_interp};

@@ -13,6 +13,7 @@ mod scene;
 mod steps;
 mod trace;
 mod vectors;
+mod views;
 
 use std::path::Path;
 use std::process::{Command, Output};

@@ -1,6 +1,7 @@
 //! The report on a tiny selection: page, JSON and CSV hold the same numbers, and a resumed run writes the same bytes.
 use reliefrtl::config::{Config, DatapathKind, MapKind, View};
 use reliefrtl::report::page::{Extent, ModeSet, Output, Plan, Selection, Work, cells, files, write};
+use reliefrtl::scene::RaySet;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -147,9 +148,10 @@ fn what_has_no_datapath_is_listed_with_its_reason() {
 }
 
 /// Maps, views and designs of a plan.
-fn planned(c: &Config, s: &Selection) -> (Vec<(String, u32)>, BTreeSet<&'static str>, Vec<String>) {
+fn planned(c: &Config, s: &Selection) -> (Vec<(String, u32)>, BTreeSet<String>, Vec<String>) {
     let plan = Plan::new(c, s).unwrap();
-    let views = plan.cells.iter().filter(|j| j.elevation.is_none()).map(|j| j.view.word()).collect();
+    let rays = plan.cells.iter().map(|j| &plan.rays[j.view]);
+    let views = rays.filter(|r| r.elevation.is_none()).map(|r| r.set.name.clone()).collect();
     let designs = plan.designs.iter().map(|d| d.label()).collect();
     (plan.sites.iter().map(|s| (s.spec.name.clone(), s.spec.levels)).collect(), views, designs)
 }
@@ -160,7 +162,7 @@ fn what_is_chosen_is_what_is_measured() {
     let mut chosen = Selection {
         maps: vec![MapKind::Stairs, MapKind::Pit],
         levels: vec![5, 6],
-        views: vec![View::Grazing],
+        views: vec![RaySet::view(View::Grazing)],
         datapaths: vec![DatapathKind::Fixed],
         fractions: vec![15, 20],
         modes: Some(ModeSet::One),
@@ -169,7 +171,7 @@ fn what_is_chosen_is_what_is_measured() {
     let (sites, views, designs) = planned(&c, &chosen);
     let all = [("stairs", 5), ("pit", 5), ("stairs", 6), ("pit", 6)].map(|(name, n)| (name.to_owned(), n));
     assert_eq!(sites, all);
-    assert_eq!(views, BTreeSet::from(["grazing"]));
+    assert_eq!(views, BTreeSet::from(["grazing".to_owned()]));
     // The configured design, watertight here, is always among them.
     assert_eq!(designs, ["fixed Q.15", "fixed Q.20", "watertight 7/16"]);
     // A map of the user's stands in the place of own ones, at the size that it has.

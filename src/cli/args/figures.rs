@@ -1,6 +1,6 @@
 //! Options of the verbs that measure.
-use super::{Engine, MapArgs, unit_name};
-use crate::config::{DatapathKind, MapKind, View};
+use super::{Engine, SceneArgs, unit_name};
+use crate::config::{DatapathKind, MapKind};
 use crate::format::FloatFormat;
 use crate::report::page::ModeSet;
 use clap::{Args, ValueEnum};
@@ -9,20 +9,23 @@ use std::path::PathBuf;
 /// Options of `steps`.
 #[derive(Args, Debug)]
 pub struct StepsArgs {
+    /// Map, views and rays; the configured ones without. A number after `--rays` takes so many of each view.
+    #[command(flatten)]
+    pub scene: SceneArgs,
     /// Directory with rocks.png, stones.png, four.png, saints.png: prints them beside the published means.
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["map", "resample", "view", "rays"])]
     pub scenes: Option<PathBuf>,
 }
 
 /// Options of `accuracy`.
 #[derive(Args, Debug)]
 pub struct AccuracyArgs {
-    /// The height map.
+    /// Map, views and rays; all own maps and the configured views without. A number after `--rays` takes so many of each view.
     #[command(flatten)]
-    pub map: MapArgs,
+    pub scene: SceneArgs,
     /// Directory with rocks.png, stones.png, four.png, saints.png: rates over all of them, of the floating-point and the fixed-point
     /// datapath (of the published one with `datapath.kind=published`), as they are and resampled to 2048 x 2048.
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["map", "resample"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["map", "resample", "view", "rays"])]
     pub scenes: Option<PathBuf>,
 }
 
@@ -32,9 +35,9 @@ pub struct ReportArgs {
     /// Directory to write to; measurements already in it are taken over, so that a run can be stopped and resumed.
     #[arg(long, default_value = "report", value_name = "DIR")]
     pub out: PathBuf,
-    /// The height map, instead of own maps.
+    /// Map, views and rays, instead of own maps and the configured views. A number after `--rays` takes at most so many of each view.
     #[command(flatten)]
-    pub map: MapArgs,
+    pub scene: SceneArgs,
     /// Own maps: rocks, bricks, dunes, spikes, stairs, flat, spike, pit, checker.
     #[arg(long, value_delimiter = ',', value_name = "KIND,...", conflicts_with = "map")]
     pub maps: Vec<MapKind>,
@@ -44,9 +47,6 @@ pub struct ReportArgs {
     /// Sizes of the maps, as log2 of their side; designs are compared at the first.
     #[arg(long, value_delimiter = ',', value_name = "N,...", value_parser = clap::value_parser!(u32).range(2..=12))]
     pub levels: Vec<u32>,
-    /// Views: front, oblique, grazing.
-    #[arg(long, value_delimiter = ',', value_name = "VIEW,...")]
-    pub views: Vec<View>,
     /// Datapaths: watertight, fixed, published.
     #[arg(long, value_delimiter = ',', value_name = "KIND,...", value_parser = datapath)]
     pub datapaths: Vec<DatapathKind>,
@@ -89,12 +89,10 @@ fn float(text: &str) -> Result<FloatFormat, String> {
 /// Options of `fit`.
 #[derive(Args, Debug)]
 pub struct FitArgs {
-    /// The height map.
+    /// Map, views and rays; the configured ones without. A number after `--rays`: rays of each view to search with (6000 without), and as many
+    /// to check with; a share of wrong texels needs at least 3 / SHARE in all. A table of rays is dealt into four parts, one to search with.
     #[command(flatten)]
-    pub map: MapArgs,
-    /// Views whose rays count; without it the configured ones.
-    #[arg(long, value_delimiter = ',', value_name = "VIEW,...")]
-    pub views: Vec<View>,
+    pub scene: SceneArgs,
     /// Budget: the share of rays that may end in another texel than the ray as given, 0 to 1.
     #[arg(long, value_name = "SHARE", allow_negative_numbers = true, conflicts_with = "max_uv_error")]
     pub max_wrong_texel: Option<f64>,
@@ -104,9 +102,6 @@ pub struct FitArgs {
     /// The map itself may become coarser: fewer levels, fewer bits a height.
     #[arg(long)]
     pub allow_resample: bool,
-    /// Rays of each view to search with, and as many to check with; a share of wrong texels needs at least 3 / SHARE in all.
-    #[arg(long, default_value_t = 6000)]
-    pub rays: usize,
     /// Where the configuration of the design goes.
     #[arg(long, value_name = "FILE.toml")]
     pub out: Option<PathBuf>,
@@ -115,15 +110,16 @@ pub struct FitArgs {
 /// Options of `hard`.
 #[derive(Args, Debug)]
 pub struct HardArgs {
+    /// A map: the cases' rays on it, instead of on maps of their own. Views and rays: these on the map (the configured one without), instead of
+    /// the cases, or beside those of `--case`. A number after `--rays`: rays of each case and view (200 without).
+    #[command(flatten)]
+    pub scene: SceneArgs,
     /// Lists the cases and what they aim at, and runs none.
     #[arg(long)]
     pub list: bool,
     /// Only these cases.
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     pub case: Vec<String>,
-    /// Rays of each case.
-    #[arg(long, default_value_t = 200)]
-    pub rays: usize,
     /// Seed of maps and rays.
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
@@ -141,9 +137,10 @@ pub struct HardArgs {
 /// Options of `bench`.
 #[derive(Args, Debug)]
 pub struct BenchArgs {
-    /// Rays.
-    #[arg(long, default_value_t = 20000)]
-    pub rays: usize,
+    /// Map, views and rays; the configured map and the oblique view without. A number after `--rays`: how many rays in all (20000 without);
+    /// fewer are taken over and over.
+    #[command(flatten)]
+    pub scene: SceneArgs,
 }
 
 /// Options of `synth`.

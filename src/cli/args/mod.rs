@@ -1,7 +1,9 @@
 //! What can be typed.
 mod figures;
+mod scene;
 
 pub use figures::*;
+pub use scene::{RaysArg, SceneArgs};
 
 use crate::config::Profile;
 use crate::error::{Error, Result};
@@ -92,11 +94,14 @@ impl Verb {
         match self {
             Self::Build(a) => Some(&a.map),
             Self::Vectors(a) => Some(&a.map),
-            Self::Trace(a) => Some(&a.map),
-            Self::Render(a) => Some(&a.map),
-            Self::Accuracy(a) => Some(&a.map),
-            Self::Report(a) => Some(&a.map),
-            Self::Fit(a) => Some(&a.map),
+            Self::Trace(a) => Some(&a.scene.map),
+            Self::Render(a) => Some(&a.scene.map),
+            Self::Steps(a) => Some(&a.scene.map),
+            Self::Accuracy(a) => Some(&a.scene.map),
+            Self::Report(a) => Some(&a.scene.map),
+            Self::Fit(a) => Some(&a.scene.map),
+            Self::Hard(a) => Some(&a.scene.map),
+            Self::Bench(a) => Some(&a.scene.map),
             _ => None,
         }
     }
@@ -222,7 +227,7 @@ pub struct ConfigArgs {
 }
 
 /// The height map of a verb.
-#[derive(Args, Debug)]
+#[derive(Args, Clone, Debug)]
 pub struct MapArgs {
     /// Height map: PNG, PGM, PFM, TIFF, EXR, BMP, TGA, WebP, DDS, HGT, ESRI ASC, R16 or RAW; without it the configured one. The keys
     /// map.range, nodata, fill, channel, part, size and byte_order say how it is read.
@@ -254,12 +259,9 @@ impl MapArgs {
 /// Options of `trace`.
 #[derive(Args, Debug)]
 pub struct TraceArgs {
-    /// The height map.
+    /// Map and rays; of a camera file every pixel's, of a view every `view.stride`-th. A number after `--rays` takes so many of each view.
     #[command(flatten)]
-    pub map: MapArgs,
-    /// Rays: a CSV file with the columns u, v, du, dv.
-    #[arg(long, value_name = "R.csv")]
-    pub rays: PathBuf,
+    pub scene: SceneArgs,
     /// What traces them.
     #[arg(long, default_value = "interp")]
     pub engine: Engine,
@@ -277,12 +279,10 @@ pub struct TraceArgs {
 /// Options of `render`.
 #[derive(Args, Debug)]
 pub struct RenderArgs {
-    /// The height map.
+    /// Map and view; oblique without `--view`. Of several views, each picture has the view's name behind that of `--out`. A table of rays is
+    /// drawn on the map from above.
     #[command(flatten)]
-    pub map: MapArgs,
-    /// front, oblique, grazing, or a camera file (TOML: elevation, azimuth, distance, fov, width, height).
-    #[arg(long, default_value = "oblique", value_name = "VIEW|CAMERA.toml")]
-    pub view: String,
+    pub scene: SceneArgs,
     /// What traces the pixels.
     #[arg(long, default_value = "interp")]
     pub engine: Engine,

@@ -1,13 +1,13 @@
 //! The bilinear refinement: its error against the exact root, and what it does to a magnified picture.
-use super::pictures::{SIZE, data_uri};
-use super::plan::{Extent, Plan, Site};
+use super::pictures::{SIZE, cameras, data_uri};
+use super::plan::{Plan, Rays, Site};
 use super::table::{Table, real};
-use crate::config::{Config, DatapathConfig, MapConfig, ModeConfig, View};
+use crate::config::{Config, DatapathConfig, MapConfig, ModeConfig};
 use crate::error::Result;
 use crate::golden::{RayInput, encode_ray};
 use crate::report::bilinear;
 use crate::scene::border::tiles;
-use crate::scene::{Camera, Picture, Shader, ViewRay};
+use crate::scene::{Picture, Shader, ViewRay, evenly};
 use crate::trace::{shade_point, trace_interp};
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -29,10 +29,8 @@ fn config(plan: &Plan, site: &Site, (exp, man): (u32, u32)) -> Option<Config> {
     c.validate().is_ok().then_some(c)
 }
 
-fn rays(c: &Config, site: &Site, view: View, stride: u32) -> Result<Vec<ViewRay>> {
-    let all = site.rays(c, &Camera::standard(view, c.view.width, c.view.height), stride)?;
-    let n = all.len().min(RAYS);
-    Ok((0..n).map(|k| all[k * all.len() / n]).collect())
+fn rays(c: &Config, site: &Site, of: &Rays) -> Result<Vec<ViewRay>> {
+    Ok(evenly(&site.set(c, &of.set, of.stride)?, Some(RAYS)))
 }
 
 fn words(c: &Config, rays: &[ViewRay]) -> Vec<RayInput> {
@@ -68,7 +66,7 @@ pub fn table(plan: &Plan) -> Result<Table> {
     ];
     let mut t = Table::new("bilinear", &keys);
     let side = plan.config.traverse.levels;
-    let views = plan.selection.views();
+    let views: Vec<&Rays> = plan.rays.iter().filter(|r| r.elevation.is_none()).collect();
     let views = &views;
     let jobs: Vec<_> = plan
         .sites
@@ -77,15 +75,15 @@ pub fn table(plan: &Plan) -> Result<Table> {
         .flat_map(|site| FORMATS.into_iter().filter_map(move |f| config(plan, site, f).map(|c| (site, f, c))))
         .flat_map(|(site, format, c)| views.iter().map(move |view| (site, format, c.clone(), *view)))
         .collect();
-    let one = |(site, format, c, view): &(&Site, (u32, u32), Config, View)| -> Result<Vec<Value>> {
-        let rays = rays(c, site, *view, plan.stride(*view))?;
+    let one = |(site, format, c, view): &(&Site, (u32, u32), Config, &Rays)| -> Result<Vec<Value>> {
+        let rays = rays(c, site, view)?;
         let words = words(c, &rays);
         let b = bilinear(&c.design(), &site.pyramid, &site.texels, &words)?;
         let w = words.get(b.uv.max_ray).filter(|_| b.uv.rays > 0);
         Ok(vec![
             json!(site.spec.name),
             json!(site.spec.levels),
-            json!(view.word()),
+            json!(view.set.name),
             json!(format!("{}/{}", format.0, format.1)),
             json!(b.rays),
             json!(b.patches[0]),
@@ -123,13 +121,11 @@ pub fn pictures(plan: &Plan) -> Result<Value> {
     let map = MapConfig { kind: first.kind, file, seed: first.seed, resample: true, crop: false, pad: false, ..map };
     let site = Site::new(&plan.config, &map, levels, false)?;
     let Some(c) = config(plan, &site, FORMATS[0]) else { return Ok(Value::Null) };
-    // Tests need no more than one picture.
-    let views = if plan.selection.extent == Extent::Tiny { View::ALL[1..2].to_vec() } else { plan.selection.views() };
     let s = &site.spec;
     let shader = Shader::new(&site.texels, s.levels, s.height_bits, s.scale, tiles(s.border, s.repeat), s.kind);
     let mut out = Vec::new();
-    for view in views {
-        let rays = site.rays(&c, &Camera::standard(view, SIZE.0, SIZE.1), 1)?;
+    for (view, camera) in cameras(plan) {
+        let rays = site.rays(&c, &camera, 1)?;
         let words = words(&c, &rays);
         let picture = |bilinear: bool| -> Result<String> {
             let mut d = c.design();
@@ -141,7 +137,7 @@ pub fn pictures(plan: &Plan) -> Result<Value> {
             }
             data_uri(&Picture::shaded(&shader, SIZE.0 as usize, SIZE.1 as usize, &pixels))
         };
-        out.push(json!({"view": view.word(), "pair": [picture(false)?, picture(true)?]}));
+        out.push(json!({"view": view, "pair": [picture(false)?, picture(true)?]}));
     }
     Ok(json!({"map": s.name, "side": 1u64 << levels, "views": out}))
 }

@@ -1,13 +1,13 @@
 //! One cell: a map, a view and a design, measured on the view's rays.
 use super::plan::{DesignSpec, Job, MapSpec, Plan, Site};
 use super::stats::Spread;
-use crate::config::{Design, View};
+use crate::config::Design;
 use crate::error::{Error, Result};
 use crate::golden::{RayInput, decode_time, encode_ray};
 use crate::oracle::{ExactHit, ExactMap, ExactRay};
 use crate::report::accuracy::distance;
 use crate::report::{exact_ray, steps};
-use crate::scene::{ViewRay, border};
+use crate::scene::{Camera, ViewRay, border, evenly};
 use crate::trace::trace_golden;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -19,8 +19,14 @@ pub struct CellSpec {
     pub version: String,
     /// Map.
     pub map: MapSpec,
-    /// View.
-    pub view: View,
+    /// View, or the name of the user's rays.
+    pub view: String,
+    /// The camera, where it is a file's.
+    pub camera: Option<Camera>,
+    /// Twelve digits of blake3 over a table's rays.
+    pub table: Option<String>,
+    /// Rays that were picked, where a number was given.
+    pub most: Option<usize>,
     /// Degrees above the plane where they are not the view's.
     pub elevation: Option<f64>,
     /// Pixels of the picture.
@@ -34,7 +40,7 @@ pub struct CellSpec {
 impl CellSpec {
     /// Where the rays come from, in a word: the view, or its elevation.
     pub fn from(&self) -> String {
-        self.elevation.map_or_else(|| self.view.word().to_owned(), |e| format!("{e}°"))
+        self.elevation.map_or_else(|| self.view.clone(), |e| format!("{e}°"))
     }
 }
 
@@ -135,8 +141,14 @@ impl Reference {
     /// # Errors
     /// As [`Site::rays`].
     pub fn new(plan: &Plan, site: &Site, job: &Job) -> Result<Self> {
-        let size = &plan.config.view;
-        let rays = site.rays(&plan.config, &job.camera(size.width, size.height), job.stride)?;
+        let of = &plan.rays[job.view];
+        let mut rays = site.set(&plan.config, &of.set, of.stride)?;
+        if of.set.camera(1, 1).is_some() && of.elevation.is_none() {
+            rays = evenly(&rays, plan.selection.most);
+        }
+        if rays.is_empty() && of.set.standard().is_none() {
+            return Err(Error::NothingRan(format!("no ray of {} meets the map {}", of.set.given, site.spec.name)));
+        }
         let one = 2f64.powi(REFERENCE_BITS as i32);
         let exact = |r: &ViewRay| {
             let entry = [r.u, r.v].map(|x| (x * one).round() as u64 % (1 << REFERENCE_BITS));

@@ -50,7 +50,7 @@ pub fn cells(cells: &[Cell]) -> Table {
             json!(m.seed),
             json!(m.levels),
             json!(m.codes),
-            json!(c.spec.view.word()),
+            json!(c.spec.view),
             c.spec.elevation.map_or(Value::Null, real),
             json!(c.spec.stride),
             json!(d.label()),
@@ -105,7 +105,7 @@ pub fn steps(plan: &Plan, cells: &[Cell]) -> Table {
         levels.sort_unstable();
         levels.dedup();
         for n in levels {
-            for view in crate::config::View::ALL {
+            for view in plan.rays.iter().filter(|r| r.elevation.is_none()).map(|r| &r.set.name) {
                 let p = Pool::new(cells, |c| c.spec.design == *h && c.spec.map.levels == n && c.spec.view == *view);
                 let Some(worst) = p.worst(|c| f64::from(c.steps_max)) else { continue };
                 let mean = |f: &dyn Fn(&Cell) -> f64| p.cells.iter().map(|c| f(c)).sum::<f64>() / p.cells.len() as f64;
@@ -113,7 +113,7 @@ pub fn steps(plan: &Plan, cells: &[Cell]) -> Table {
                     json!(h.label()),
                     json!(mode_label(&h.mode)),
                     json!(n),
-                    json!(view.word()),
+                    json!(view),
                     json!(p.rays()),
                     real(mean(&|c| c.steps_mean)),
                     json!(worst.steps_max),

@@ -1,14 +1,13 @@
 //! Pictures: a view rendered by the datapath's hits, by the exact ones, and where they differ; the worst pixel enlarged.
 use super::cell::walk;
-use super::plan::{DesignSpec, Plan, Site};
-use crate::config::View;
+use super::plan::{DesignSpec, Extent, Plan, Site};
 use crate::error::Result;
 use crate::golden::encode_ray;
 use crate::oracle::ExactHit;
 use crate::report::accuracy::distance;
 use crate::report::exact_ray;
 use crate::scene::border::tiles;
-use crate::scene::{Camera, Picture, ShadePoint, Shader};
+use crate::scene::{Camera, Picture, RaySet, ShadePoint, Shader};
 use crate::trace::{shade_point, trace_interp};
 use rayon::prelude::*;
 
@@ -43,13 +42,25 @@ fn crop(p: &Picture, at: [u32; 2]) -> Picture {
     Picture { width: NEAR.0, height: NEAR.1, pixels }
 }
 
+/// The views that pictures are made of, with their cameras for pictures of this size: all that have one.
+pub fn cameras(plan: &Plan) -> Vec<(String, Camera)> {
+    let views = plan.rays.iter().filter(|r| r.elevation.is_none()).map(|r| &r.set);
+    let camera = |set: &RaySet| {
+        let camera = set.camera(SIZE.0, SIZE.1)?;
+        Some((set.name.clone(), Camera { width: SIZE.0, height: SIZE.1, ..camera }))
+    };
+    let all: Vec<(String, Camera)> = views.filter_map(camera).collect();
+    // Tests need no more than one picture.
+    if plan.selection.extent == Extent::Tiny { all.into_iter().skip(1).take(1).collect() } else { all }
+}
+
 /// One view of a map through a design.
 ///
 /// # Errors
 /// A design that is not legal.
-pub fn view(plan: &Plan, site: &Site, spec: &DesignSpec, view: View) -> Result<ViewPictures> {
+pub fn view(plan: &Plan, site: &Site, spec: &DesignSpec, camera: &Camera) -> Result<ViewPictures> {
     let d = spec.design(&plan.config, site.spec.levels)?;
-    let rays = site.rays(&plan.config, &Camera::standard(view, SIZE.0, SIZE.1), 1)?;
+    let rays = site.rays(&plan.config, camera, 1)?;
     let words: Vec<_> = rays.iter().map(|r| encode_ray(&d, [r.u, r.v, r.du, r.dv])).collect();
     let hits = trace_interp(&d, &site.pyramid, &words)?;
     let exact: Vec<Option<(ExactHit, [f64; 2])>> =

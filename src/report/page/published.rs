@@ -23,7 +23,7 @@ fn ours<'a>(cells: &'a [Cell], scene: &str, view: View, mode: &ModeConfig) -> Op
     cells.iter().find(|c| {
         let (m, d) = (&c.spec.map, &c.spec.design);
         let design = d.kind == DatapathKind::Watertight && (d.exp, d.man) == (Some(7), Some(16)) && d.mode == *mode;
-        m.kind == MapKind::File && m.name == scene && c.spec.view == view && design
+        m.kind == MapKind::File && m.name == scene && c.spec.view == view.word() && design
     })
 }
 

@@ -173,7 +173,7 @@ pub fn worst(plan: &Plan, dots: &[Dot<'_>]) -> Table {
                 json!(what),
                 if what == "most iterations" { json!(cell.steps_max) } else { real(value(cell)) },
                 json!(cell.spec.map.name),
-                json!(cell.spec.view.word()),
+                json!(cell.spec.view),
                 json!(w.ray),
                 json!(w.words.join(" ")),
                 json!(texel(w.got)),

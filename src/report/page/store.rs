@@ -4,6 +4,7 @@ use super::plan::{Job, Plan};
 use crate::error::Result;
 use crate::files::{read_inside, write_inside};
 use serde::{Deserialize, Serialize};
+use crate::scene::RaySource;
 use std::collections::btree_map::{BTreeMap, Entry};
 use std::path::Path;
 
@@ -53,13 +54,25 @@ pub struct Work {
 }
 
 fn spec(plan: &Plan, job: &Job) -> CellSpec {
+    let of = &plan.rays[job.view];
+    let (camera, table) = match &of.set.source {
+        RaySource::View(_) => (None, None),
+        RaySource::Camera(camera) => (Some(*camera), None),
+        RaySource::Table(table) => {
+            let bytes: Vec<u8> = table.rays.as_flattened().iter().flat_map(|x| x.to_le_bytes()).collect();
+            (None, Some(blake3::hash(&bytes).to_hex()[..12].to_owned()))
+        }
+    };
     CellSpec {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         map: plan.sites[job.site].spec.clone(),
-        view: job.view,
-        elevation: job.elevation,
+        view: of.set.name.clone(),
+        camera: if of.elevation.is_some() { None } else { camera },
+        table,
+        most: plan.selection.most.filter(|_| of.elevation.is_none() && of.set.camera(1, 1).is_some()),
+        elevation: of.elevation,
         picture: [plan.config.view.width, plan.config.view.height],
-        stride: job.stride,
+        stride: of.stride,
         design: plan.designs[job.design].clone(),
     }
 }
@@ -78,14 +91,14 @@ pub fn name(spec: &CellSpec) -> Result<String> {
 /// If the directory can't be written.
 pub fn cells(plan: &Plan, out: &Path, progress: &dyn Fn(usize, usize)) -> Result<(Vec<Cell>, Work)> {
     let (mut found, mut work) = (Vec::new(), Work::default());
-    let mut references: BTreeMap<(usize, String), Reference> = BTreeMap::new();
+    let mut references: BTreeMap<(usize, usize), Reference> = BTreeMap::new();
     for at in &plan.cells {
         let site = &plan.sites[at.site];
         let spec = spec(plan, at);
         let path = format!("cells/{}", name(&spec)?);
         // One map's rays at a time: those of a large map take room.
         references.retain(|key, _| key.0 == at.site);
-        let reference = match references.entry((at.site, spec.from())) {
+        let reference = match references.entry((at.site, at.view)) {
             Entry::Occupied(there) => there.into_mut(),
             Entry::Vacant(free) => free.insert(Reference::new(plan, site, at)?),
         };

@@ -2,12 +2,12 @@
 use super::cell::Cell;
 use super::charts::Plot;
 use super::figures::{Dot, dots, series};
-use super::plan::{Extent, Headline, Plan, mode_label};
+use super::plan::{Extent, Headline, Plan, Rays, mode_label};
 use super::table::{grouped, short};
 use super::{bilinear, charts, inventory, pictures, published, sections};
-use crate::config::View;
 use crate::error::{Error, Result};
 use crate::files::write_inside;
+use crate::scene::{Camera, RaySource};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 use std::path::Path;
@@ -34,20 +34,35 @@ fn card(plan: &Plan, name: &str, label: &str, dot: Option<&Dot<'_>>) -> Value {
     json!({"name": name, "label": label, "big": if zero { "0".to_owned() } else { format!("{} %", short(100.0 * p.rate())) }, "lines": lines})
 }
 
+/// The rays of views; those by elevation left out.
+fn views_of(plan: &Plan) -> impl Iterator<Item = &Rays> {
+    plan.rays.iter().filter(|r| r.elevation.is_none())
+}
+
+/// Which rays of each view are traced, in words.
+fn traced(plan: &Plan) -> Vec<String> {
+    let most = plan.selection.most.map_or(String::new(), |n| format!(", at most {n}"));
+    let words = |r: &Rays| match (&r.set.source, r.stride) {
+        (RaySource::Table(table), _) => format!("{}: all {} of the table", r.set.name, table.rays.len()),
+        (_, 1) => format!("{}: every pixel{most}", r.set.name),
+        (_, n) => format!("{}: every {n}th pixel each way{most}", r.set.name),
+    };
+    views_of(plan).map(words).collect()
+}
+
 fn picture_rows(plan: &Plan) -> Result<Vec<Value>> {
     let site = &plan.sites[0];
     // Tests need no more than one picture.
     let tiny = plan.selection.extent == Extent::Tiny;
-    let views = if tiny { View::ALL[1..2].to_vec() } else { plan.selection.views() };
-    let views = &views;
+    let views = &pictures::cameras(plan);
     let legal = |h: &&Headline| h.design.design(&plan.config, site.spec.levels).is_ok();
     let shown = plan.headlines.iter().take(if tiny { 1 } else { 5 }).filter(legal);
-    let jobs: Vec<_> = shown.flat_map(|h| views.iter().map(move |view| (h, *view))).collect();
-    let one = |(h, view): &(&Headline, View)| {
-        let p = pictures::view(plan, site, &h.design, *view)?;
+    let jobs: Vec<_> = shown.flat_map(|h| views.iter().map(move |view| (h, view))).collect();
+    let one = |(h, (view, camera)): &(&Headline, &(String, Camera))| {
+        let p = pictures::view(plan, site, &h.design, camera)?;
         let uri = |p: &[crate::scene::Picture; 3]| p.iter().map(pictures::data_uri).collect::<Result<Vec<_>>>();
         Ok(json!({
-            "design": h.design.label(), "view": view.word(), "whole": uri(&p.whole)?, "near": uri(&p.near)?,
+            "design": h.design.label(), "view": view, "whole": uri(&p.whole)?, "near": uri(&p.near)?,
             "wrong": sections::of(p.counts[1], p.counts[0]), "limits": p.counts[2], "pixel": p.worst,
             "error": if p.error.is_finite() { short(p.error) + " texels" } else { "given up".to_owned() },
         }))
@@ -89,8 +104,8 @@ pub fn files(plan: &Plan, cells: &[Cell], again: &str) -> Result<Output> {
         "rays": cells.iter().map(|x| x.rays).sum::<u64>(),
         "unjudged": cells.iter().map(|x| x.unjudged).sum::<u64>(),
         "picture": [c.view.width, c.view.height],
-        "strides": plan.strides,
-        "views": plan.selection.views().iter().map(|v| v.word()).collect::<Vec<_>>(),
+        "strides": views_of(plan).map(|r| r.stride).collect::<Vec<_>>(),
+        "views": views_of(plan).map(|r| r.set.name.as_str()).collect::<Vec<_>>(),
         "side": 1u64 << c.traverse.levels,
         "mode": mode_label(&super::plan::BEST),
     });
@@ -136,7 +151,7 @@ pub fn files(plan: &Plan, cells: &[Cell], again: &str) -> Result<Output> {
         tables.iter().filter(|t| t.name != "cells").map(|t| (t.name.to_owned(), t.page())).collect();
     let page = json!({
         "head": head, "rays": grouped(cells.iter().map(|x| x.rays).sum()), "cards": cards, "left_out": left_out, "charts": charts, "tables": shown, "pictures": picture_rows(plan)?, "refined": bilinear::pictures(plan)?,
-        "claims": published::claim_words(&claims), "levels": c.traverse.levels, "map": plan.sites[0].spec.name, "placed": dots.iter().filter(|d| d.placed.is_some()).count(),
+        "traced": traced(plan), "claims": published::claim_words(&claims), "levels": c.traverse.levels, "map": plan.sites[0].spec.name, "placed": dots.iter().filter(|d| d.placed.is_some()).count(),
     });
     out.push(("report.html".to_owned(), html(&page)?.into_bytes()));
     Ok(out)

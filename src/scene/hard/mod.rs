@@ -90,6 +90,16 @@ impl Case {
     }
 }
 
+impl Case {
+    /// The case's rays over a map of the design's size; `None` of a case that asks for a size of its own.
+    pub fn over(&self, design: &Design, texels: &[u32], rays: usize, seed: u64) -> Option<HardScene> {
+        if self.levels.is_some() {
+            return None;
+        }
+        Some(HardScene { texels: texels.to_vec(), ..self.scene(design, rays, seed) })
+    }
+}
+
 impl std::fmt::Debug for Case {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(self.name)

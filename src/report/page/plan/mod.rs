@@ -14,7 +14,7 @@ pub use synthesized::{Synthesized, UnitFigures};
 use crate::config::{Config, DatapathKind, MapConfig, MapKind, View};
 use crate::error::Result;
 use crate::report::PUBLISHED;
-use crate::scene::Camera;
+use crate::scene::{Camera, RaySet, RaySource};
 use serde::Serialize;
 
 /// A combination that has no datapath.
@@ -33,22 +33,21 @@ pub struct NotLegal {
 pub struct Job {
     /// Index of its map.
     pub site: usize,
-    /// View.
-    pub view: View,
-    /// Instead of the view's, degrees above the plane: of the measurements that show what the angle does.
-    pub elevation: Option<f64>,
-    /// Every n-th pixel is traced.
-    pub stride: u32,
+    /// Index of its rays.
+    pub view: usize,
     /// Index of its design.
     pub design: usize,
 }
 
-impl Job {
-    /// The camera for pictures of this many pixels.
-    pub fn camera(&self, width: u32, height: u32) -> Camera {
-        let standard = Camera::standard(self.view, width, height);
-        Camera { elevation: self.elevation.unwrap_or(standard.elevation), ..standard }
-    }
+/// Rays that designs are measured on.
+#[derive(Clone, Debug)]
+pub struct Rays {
+    /// A view, or the user's rays.
+    pub set: RaySet,
+    /// Degrees above the plane, of the measurements that show what the angle does.
+    pub elevation: Option<f64>,
+    /// Every n-th pixel is traced.
+    pub stride: u32,
 }
 
 /// All that is to be measured.
@@ -63,8 +62,8 @@ pub struct Plan {
     pub designs: Vec<DesignSpec>,
     /// The designs that the page always names.
     pub headlines: Vec<Headline>,
-    /// Every n-th pixel of a view, by [`View::ALL`]: about as many rays of each.
-    pub strides: [u32; 3],
+    /// The rays: of each view, then of each elevation.
+    pub rays: Vec<Rays>,
     /// Refused designs, once a map size.
     pub not_legal: Vec<NotLegal>,
     /// What is known of areas and clocks of traverse units.
@@ -87,7 +86,7 @@ impl Plan {
     /// # Errors
     /// A map that can't be read.
     pub fn new(c: &Config, selection: &Selection) -> Result<Self> {
-        let (mut c, tiny) = (c.clone(), selection.extent == Extent::Tiny);
+        let mut c = c.clone();
         if selection.scenes.is_some() {
             c.map.published_border()?;
         }
@@ -98,20 +97,19 @@ impl Plan {
         let sites = sites(&c, selection)?;
         let designs = selection.designs(&c);
         let headlines = headline::headlines(&c, &designs);
-        let strides = if tiny { [64, 48, 16] } else { [8, 7, 2] };
-        let (cells, not_legal) = (Vec::new(), Vec::new());
+        let (cells, not_legal, rays) = (Vec::new(), Vec::new(), Vec::new());
         let units: Vec<Vec<UnitFigures>> =
             selection.synth.iter().map(|file| synthesized::load(file)).collect::<Result<_>>()?;
         let (selection, units) = (selection.clone(), units.concat());
         let synthesized = units.iter().filter_map(Synthesized::of).collect();
         let mut plan =
-            Self { config: c, selection, sites, designs, headlines, strides, not_legal, synthesized, units, cells };
+            Self { config: c, selection, sites, designs, headlines, rays, not_legal, synthesized, units, cells };
         plan.fill()?;
         Ok(plan)
     }
 
     fn fill(&mut self) -> Result<()> {
-        let (elevations, views) = (self.elevations()?, self.selection.views());
+        self.rays = [self.views()?, self.elevations()?].concat();
         for (site, at) in self.sites.iter().enumerate() {
             for (design, spec) in self.designs.iter().enumerate() {
                 let levels = at.spec.levels;
@@ -129,37 +127,53 @@ impl Plan {
                     }
                     continue;
                 }
-                let job = |view, elevation, stride| Job { site, view, elevation, stride, design };
-                let strides = self.strides;
-                self.cells.extend(views.iter().map(|v| job(*v, None, strides[*v as usize])));
-                if site == 0 && self.followed(spec) {
-                    self.cells.extend(elevations.iter().map(|(e, stride)| job(View::Oblique, Some(*e), *stride)));
-                }
+                let angles = site == 0 && self.followed(spec);
+                let wanted = (0..self.rays.len()).filter(|k| angles || self.rays[*k].elevation.is_none());
+                self.cells.extend(wanted.map(|view| Job { site, view, design }));
             }
         }
         Ok(())
     }
 
-    /// Elevations of the measurements by angle, with every n-th pixel that gives about as many rays of each.
-    fn elevations(&self) -> Result<Vec<(f64, u32)>> {
-        let tiny = self.selection.extent == Extent::Tiny;
+    /// The chosen views, every n-th pixel of each: about as many rays of one as of another.
+    fn views(&self) -> Result<Vec<Rays>> {
+        let strides = if self.selection.extent == Extent::Tiny { [64, 48, 16] } else { [8, 7, 2] };
+        let one = |set: RaySet| {
+            let stride = match set.standard() {
+                Some(view) => strides[view as usize],
+                None => self.stride(&set)?,
+            };
+            Ok(Rays { set, elevation: None, stride })
+        };
+        self.selection.views().into_iter().map(one).collect()
+    }
+
+    /// Elevations of the measurements by angle.
+    fn elevations(&self) -> Result<Vec<Rays>> {
         if !self.selection.views.is_empty() {
             return Ok(Vec::new());
         }
-        let size = &self.config.view;
-        let stride = |e: &f64| {
-            let job = Job { site: 0, view: View::Oblique, elevation: Some(*e), stride: 16, design: 0 };
-            let rays = self.sites[0].rays(&self.config, &job.camera(size.width, size.height), job.stride)?.len();
-            let all = rays as f64 * f64::from(job.stride * job.stride);
-            let wanted = if tiny { RAYS / 100 } else { RAYS };
-            Ok((*e, ((all / wanted as f64).sqrt() as u32).clamp(1, 64)))
+        let one = |e: &f64| {
+            let size = &self.config.view;
+            let camera = Camera { elevation: *e, ..Camera::standard(View::Oblique, size.width, size.height) };
+            let name = View::Oblique.word().to_owned();
+            let set = RaySet { given: name.clone(), name, source: RaySource::Camera(camera) };
+            Ok(Rays { stride: self.stride(&set)?, set, elevation: Some(*e) })
         };
-        ELEVATIONS.iter().step_by(if tiny { 5 } else { 1 }).map(stride).collect()
+        let tiny = self.selection.extent == Extent::Tiny;
+        ELEVATIONS.iter().step_by(if tiny { 5 } else { 1 }).map(one).collect()
     }
 
-    /// Every n-th pixel of a view.
-    pub fn stride(&self, view: View) -> u32 {
-        self.strides[view as usize]
+    /// Every n-th pixel of a camera, such that about [`RAYS`] rays meet the first map; 1 of a table.
+    fn stride(&self, set: &RaySet) -> Result<u32> {
+        let size = &self.config.view;
+        let Some(camera) = set.camera(size.width, size.height) else { return Ok(1) };
+        // Small pictures are looked at whole.
+        let step = (camera.width.min(camera.height) / 16).clamp(1, 16);
+        let rays = self.sites[0].set(&self.config, set, step)?.len();
+        let all = rays as f64 * f64::from(step * step);
+        let wanted = if self.selection.extent == Extent::Tiny { RAYS / 100 } else { RAYS };
+        Ok(((all / wanted as f64).sqrt() as u32).clamp(1, 64))
     }
 
     /// True for the designs whose error is followed along angle and map size.

@@ -3,6 +3,7 @@ use super::design::{BEST, DesignSpec};
 use crate::config::{Config, DatapathConfig, DatapathKind, LevelUp, MapKind, ModeConfig, Trim, View};
 use crate::format::FloatFormat;
 use crate::report::ROWS;
+use crate::scene::RaySet;
 use std::path::PathBuf;
 
 /// How much is measured where nothing is chosen.
@@ -41,8 +42,10 @@ pub struct Selection {
     pub scenes: Option<PathBuf>,
     /// log2 of the maps' sides; the first is the one at which designs are compared.
     pub levels: Vec<u32>,
-    /// Views.
-    pub views: Vec<View>,
+    /// Views and tables of rays.
+    pub views: Vec<RaySet>,
+    /// At most so many rays of a view, evenly over its picture.
+    pub most: Option<usize>,
     /// Datapaths.
     pub datapaths: Vec<DatapathKind>,
     /// Floating-point formats.
@@ -56,9 +59,14 @@ pub struct Selection {
 }
 
 impl Selection {
-    /// The views to be measured, in the order of [`View::ALL`].
-    pub fn views(&self) -> Vec<View> {
-        View::ALL.iter().copied().filter(|v| self.views.is_empty() || self.views.contains(v)).collect()
+    /// The views to be measured: standard ones in the order of [`View::ALL`], then the user's.
+    pub fn views(&self) -> Vec<RaySet> {
+        if self.views.is_empty() {
+            return View::ALL.iter().map(|v| RaySet::view(*v)).collect();
+        }
+        let mut views = self.views.clone();
+        views.sort_by_key(|set| set.standard().map_or(View::ALL.len(), |v| v as usize));
+        views
     }
 
     /// The modes that are compared on one arithmetic.

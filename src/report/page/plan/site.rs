@@ -2,7 +2,7 @@
 use crate::config::{Border, Config, Design, MapConfig, MapKind};
 use crate::error::{Error, Result};
 use crate::golden::Pyramid;
-use crate::scene::{Camera, ViewRay, bordered_codes, load_codes, procedural};
+use crate::scene::{Camera, RaySet, ViewRay, bordered_codes, load_codes, procedural};
 use crate::trace::rays_inside;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -79,7 +79,20 @@ impl Site {
     /// No watertight design holds the map.
     pub fn rays(&self, c: &Config, camera: &Camera, stride: u32) -> Result<Vec<ViewRay>> {
         let s = &self.spec;
-        let rays = camera.bordered_rays(s.border, s.scale, s.repeat, stride);
+        self.inside(c, camera.bordered_rays(s.border, s.scale, s.repeat, stride))
+    }
+
+    /// As [`Site::rays`], of a set: of a camera every `stride`-th pixel's, of a table all.
+    ///
+    /// # Errors
+    /// As [`Site::rays`]; a table's ray that enters outside of what the border prepares.
+    pub fn set(&self, c: &Config, set: &RaySet, stride: u32) -> Result<Vec<ViewRay>> {
+        let s = &self.spec;
+        self.inside(c, set.rays(s.border, (s.scale, s.repeat), (c.view.width, c.view.height), stride)?)
+    }
+
+    fn inside(&self, c: &Config, rays: Vec<ViewRay>) -> Result<Vec<ViewRay>> {
+        let s = &self.spec;
         let mut d = Design::default();
         (d.traverse.levels, d.traverse.height_bits, d.traverse.tile_bits) =
             (s.levels, s.height_bits, c.traverse.tile_bits);
