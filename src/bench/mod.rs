@@ -1,6 +1,8 @@
 //! Benches that replay the vectors in a simulator: their text, and running them.
+mod harness;
 mod run;
 mod text;
 
+pub use harness::{COMPILERS, Harness, HarnessRun, Load, harness_text};
 pub use run::{Outcome, Paths, Simulator, run_bench, run_bench_on};
 pub use text::bench_files;

@@ -236,6 +236,6 @@ fn missing(sim: Simulator) -> Error {
     ))
 }
 
-fn first_lines(text: &str) -> String {
+pub(super) fn first_lines(text: &str) -> String {
     text.lines().filter(|l| !l.trim().is_empty()).take(3).collect::<Vec<_>>().join(" | ")
 }

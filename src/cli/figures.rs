@@ -6,7 +6,7 @@ use crate::config::{Config, DatapathKind, MapKind, ModeConfig, View};
 use crate::error::Result;
 use crate::golden::RayInput;
 use crate::project::{Scene, encode};
-use crate::report::{PUBLISHED, ROWS, Steps, TRIM_ROWS, steps as count};
+use crate::report::{DEFINITION, PUBLISHED, ROWS, Spread, Steps, TRIM_ROWS, steps as count, uv_given};
 use crate::trace::trace_golden;
 use serde_json::json;
 use std::path::Path;
@@ -152,6 +152,9 @@ pub fn accuracy(cli: &Cli, a: &AccuracyArgs) -> Result<()> {
                     format!("{:.1e}", w.margin),
                 ]);
             }
+            let numbers: Vec<[f64; 4]> = seen.iter().map(|r| [r.u, r.v, r.du, r.dv]).collect();
+            let given = Spread::of(uv_given(&c.design(), &scene.texels, &numbers, &hits)?);
+            let uv = Spread::of(r.uv);
             rows.push(vec![
                 scene.name.clone(),
                 set.name.clone(),
@@ -159,10 +162,23 @@ pub fn accuracy(cli: &Cli, a: &AccuracyArgs) -> Result<()> {
                 r.wrong_wall.to_string(),
                 r.limits.to_string(),
                 format!("{:.2e} @{}", r.worst_t.0, r.worst_t.1),
+                format!("{:.2e}", uv.p99),
+                format!("{:.2e} @{}", uv.max, uv.max_ray),
+                format!("{:.2e}", given.p99),
             ]);
         }
     }
-    let head = ["map", "view", "wrong texels", "wrong walls", "given up", "largest t error @ray"];
+    let head = [
+        "map",
+        "view",
+        "wrong texels",
+        "wrong walls",
+        "given up",
+        "largest t error @ray",
+        "uv error p99, texel",
+        "largest @ray",
+        "p99 of the rays as given",
+    ];
     let each = ["map", "view", "ray", "u v du dv (hex)", "got", "exact", "margin"];
     let objects = |head: &[&str], rows: &[Vec<String>]| -> serde_json::Value {
         let object = |r: &Vec<String>| {
@@ -178,6 +194,7 @@ pub fn accuracy(cli: &Cli, a: &AccuracyArgs) -> Result<()> {
         println!("{}", serde_json::to_string_pretty(&value).expect("plain data"));
     } else {
         print!("{}", table(&head, &rows));
+        println!("{DEFINITION}; of the rays as given: before their rounding to words");
         println!("\nevery wrong texel (margin: how close the exact decision was, over the height range):");
         print!("{}", table(&each, &witnesses));
         if c.mode.bilinear {

@@ -1,4 +1,5 @@
 //! Hits against the exact texel walk: wrong texels with their witnesses, and the largest error of the parameter.
+use super::uv::{given_ray, place, uv_error};
 use crate::config::{DatapathKind, Design};
 use crate::error::{Error, Result};
 use crate::golden::{RayHit, RayInput, decode_time, decode_travel};
@@ -31,7 +32,7 @@ pub struct Accuracy {
     pub wrong_wall: usize,
     /// Largest |t - exact t| over M among right texels, and the ray that has it.
     pub worst_t: (f64, usize),
-    /// Distance of position and exact place in texels, and the ray, of all rays that ended.
+    /// The [`uv_error`] and its ray, of all rays that ended.
     pub uv: Vec<(f64, usize)>,
 }
 
@@ -45,18 +46,6 @@ pub fn exact_ray(d: &Design, r: &RayInput) -> Result<ExactRay> {
         return Ok(ExactRay::fixed(d.datapath.fraction_bits, p, t.map(|word| decode_travel(d, word))));
     }
     ExactRay::float(d.format, p, t).ok_or_else(|| Error::input("an exact ray is made of finite numbers"))
-}
-
-/// Distance of a returned hit and an exact place, in texels, the shorter way round the tile.
-pub(in crate::report) fn distance(d: &Design, h: &RayHit, place: [f64; 2]) -> f64 {
-    let side = 2f64.powi(d.traverse.levels as i32);
-    let unit = 2f64.powi(-(d.traverse.frac_bits as i32));
-    let away = |texel: u32, part: u32, exact: f64| {
-        let far = f64::from(texel) + f64::from(part) * unit - exact;
-        far - (far / side).round() * side
-    };
-    let (u, v) = (away(h.i, h.fu, place[0]), away(h.j, h.fv, place[1]));
-    (u * u + v * v).sqrt()
 }
 
 /// Compares `hits` with the exact walk of the same encoded rays over `texels`.
@@ -74,10 +63,7 @@ pub fn accuracy(d: &Design, texels: &[u32], rays: &[RayInput], hits: &[RayHit]) 
             if h.limit {
                 return Ok(None);
             }
-            let ray = exact_ray(d, r)?;
-            let e = map.trace(&ray)?;
-            let place = ray.place(&e, full).map(|tiles| tiles * 2f64.powi(t.levels as i32));
-            Ok(Some((e, place)))
+            place(&map, &exact_ray(d, r)?).map(Some)
         })
         .collect::<Result<_>>()?;
     let mut a = Accuracy { rays: rays.len(), ..Accuracy::default() };
@@ -86,7 +72,7 @@ pub fn accuracy(d: &Design, texels: &[u32], rays: &[RayInput], hits: &[RayHit]) 
             a.limits += 1;
             continue;
         };
-        a.uv.push((distance(d, h, *place), ray));
+        a.uv.push((uv_error(d, t.levels, h, *place), ray));
         if (h.i, h.j) != (e.i, e.j) {
             a.wrong.push(WrongTexel { ray, got: (h.i, h.j), exact: (e.i, e.j), margin: e.margin });
             continue;
@@ -98,4 +84,19 @@ pub fn accuracy(d: &Design, texels: &[u32], rays: &[RayInput], hits: &[RayHit]) 
         }
     }
     Ok(a)
+}
+
+/// The [`uv_error`] of `hits` against the rays as they were given, u, v, du, dv in tiles, before their rounding to words; of all that ended.
+///
+/// # Errors
+/// As [`accuracy`].
+pub fn uv_given(d: &Design, texels: &[u32], rays: &[[f64; 4]], hits: &[RayHit]) -> Result<Vec<(f64, usize)>> {
+    let t = &d.traverse;
+    let map = ExactMap { levels: t.levels, height_bits: t.height_bits, texels };
+    let one = |(ray, (numbers, h)): (usize, (&[f64; 4], &RayHit))| {
+        let (_, exact) = place(&map, &given_ray(*numbers))?;
+        Ok((uv_error(d, t.levels, h, exact), ray))
+    };
+    let ended = rays.iter().zip(hits).enumerate().filter(|(_, (_, h))| !h.limit).collect::<Vec<_>>();
+    ended.into_par_iter().map(one).collect()
 }

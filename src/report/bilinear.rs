@@ -1,7 +1,8 @@
 //! Refined hits against the exact root of the interpolated surface (`docs/bilinear.md`).
-use super::accuracy::{distance, exact_ray};
+use super::accuracy::exact_ray;
 use super::page::replay::trace_again;
 use super::page::stats::Spread;
+use super::uv::uv_error;
 use crate::config::{Config, Design};
 use crate::error::Result;
 use crate::golden::{Golden, Patch, Pyramid, RayHit, RayInput, Refined, decode_time};
@@ -83,7 +84,8 @@ pub fn bilinear(d: &Design, pyramid: &Pyramid, texels: &[u32], rays: &[RayInput]
         let r = &x.refined;
         let found = RayHit { i: r.i, j: r.j, fu: r.fu, fv: r.fv, ..x.hit };
         let late = |t: u64| (decode_time(d, t) - root.low).abs();
-        let values = [late(r.t), late(x.hit.t), distance(d, &found, x.place), distance(d, &x.hit, x.place)];
+        let uv = |hit: &RayHit| uv_error(d, t.levels, hit, x.place);
+        let values = [late(r.t), late(x.hit.t), uv(&found), uv(&x.hit)];
         errors.iter_mut().zip(values).for_each(|(list, v)| list.push((v, ray)));
     }
     [b.t, b.t_block, b.uv, b.uv_block] = errors.map(Spread::of);

@@ -7,10 +7,13 @@ mod fit;
 pub mod hard;
 pub mod page;
 mod steps;
+pub mod turns;
+mod uv;
 
-pub use accuracy::{Accuracy, WrongTexel, accuracy, exact_ray};
+pub use accuracy::{Accuracy, WrongTexel, accuracy, exact_ray, uv_given};
 pub use bilinear::{Bilinear, bilinear};
 pub use cost::Cost;
 pub use fit::{Budget, Checked, Fit, Limits, Rejected, SETS, Trial, Truth, fit, fit_checked};
 pub use page::stats::Spread;
 pub use steps::{PUBLISHED, Published, ROWS, Steps, TRIM_ROWS, steps};
+pub use uv::{DEFINITION, GIVEN_BITS, given_ray, place, uv_error};

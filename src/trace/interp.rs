@@ -101,7 +101,7 @@ impl Pipeline {
     }
 
     /// The memories' images and a row of inputs for each ray.
-    fn words(&self, pyramid: &Pyramid, rays: &[RayInput]) -> (Vec<Arc<Vec<u64>>>, Vec<Vec<u64>>) {
+    pub fn words(&self, pyramid: &Pyramid, rays: &[RayInput]) -> (Vec<Arc<Vec<u64>>>, Vec<Vec<u64>>) {
         let image: Vec<u64> = pyramid.memory().iter().map(|w| u64::from(*w)).collect();
         (images(&self.net, &image), rays.iter().map(|r| row(&self.inputs, r)).collect())
     }

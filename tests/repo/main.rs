@@ -2,3 +2,4 @@
 mod emission;
 mod guide;
 mod layers;
+mod unit_table;

@@ -1,7 +1,12 @@
 //! The report on a tiny selection: page, JSON and CSV hold the same numbers, and a resumed run writes the same bytes.
-use reliefrtl::config::{Config, DatapathKind, MapKind, View};
+use reliefrtl::config::{Config, DatapathKind, LevelUp, MapKind, Trim, View};
+use reliefrtl::format::FloatFormat;
+use reliefrtl::golden::encode_ray;
+use reliefrtl::project::Scene;
 use reliefrtl::report::page::{Extent, ModeSet, Output, Plan, Selection, Work, cells, files, write};
-use reliefrtl::scene::RaySet;
+use reliefrtl::report::{Spread, Trial, Truth, accuracy, uv_given};
+use reliefrtl::scene::{RaySet, RaySource, RayTable};
+use reliefrtl::trace::trace_golden;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -204,4 +209,107 @@ fn a_file_that_synth_did_not_write_is_refused() {
         let refused = Plan::new(&c, &Selection { synth: vec![file.clone()], ..tiny() }).err().unwrap().to_string();
         assert!(refused.contains(told), "{refused}");
     }
+}
+
+/// One uv error: `accuracy`, `report` and `fit` say the same of the same rays, to the last digit, against the words and against the rays as
+/// given; and it is Euclidean.
+#[test]
+fn accuracy_report_and_fit_measure_the_same_uv_error() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut c = Config::default();
+    (c.traverse.levels, c.map.kind) = (5, MapKind::Spikes);
+    // So few bits that errors are seen.
+    (c.datapath.kind, c.datapath.fraction_bits, c.datapath.reciprocal_bits) = (DatapathKind::Fixed, 10, 10);
+    let turn = |k: u32, by: f64| (f64::from(k) * by).fract();
+    let rays: Vec<[f64; 4]> =
+        (0..500).map(|k| [turn(k, 0.618), turn(k, 0.327), turn(k, 0.171) * 2.0 - 1.0, turn(k, 0.9) - 0.5]).collect();
+    let table = RayTable { rays: rays.clone(), lods: None };
+    let set = RaySet { name: "r".into(), given: "r.csv".into(), source: RaySource::Table(table) };
+    let chosen = Selection {
+        maps: vec![MapKind::Spikes],
+        levels: vec![5],
+        views: vec![set],
+        datapaths: vec![DatapathKind::Fixed],
+        fractions: vec![10],
+        modes: Some(ModeSet::One),
+        ..Selection::default()
+    };
+    let plan = Plan::new(&c, &chosen).unwrap();
+    let (measured, _) = cells(&plan, dir.path(), &|_, _| {}).unwrap();
+    let cell = measured.iter().find(|cell| cell.spec.design.fraction_bits == Some(10)).unwrap();
+    let scene = Scene::new(&c, None, false).unwrap();
+    let d = cell.spec.design.design(&c, 5).unwrap();
+    let words: Vec<_> = rays.iter().map(|r| encode_ray(&d, *r)).collect();
+    let hits = trace_golden(&d, &scene.pyramid, &words).unwrap();
+    let own = Spread::of(accuracy(&d, &scene.texels, &words, &hits).unwrap().uv);
+    let given = Spread::of(uv_given(&d, &scene.texels, &rays, &hits).unwrap());
+    let truth = Truth::new(5, 8, scene.texels.clone(), rays).unwrap();
+    let trial = Trial::run(&d, &truth).unwrap();
+    assert_eq!(cell.uv_all, own);
+    assert_eq!(cell.uv_unrounded, given);
+    assert_eq!((trial.uv_p99, trial.uv_max), (given.p99, (given.max, given.max_ray)));
+    assert!(given.p99 > own.p99 && own.p99 > 0.0, "{given:?} {own:?}");
+}
+
+/// What `fit` needs of positions is its own design's: the others keep theirs, and the page tells the two apart.
+#[test]
+fn fraction_bits_of_a_configuration_are_its_own_design_s() {
+    let mut c = Config::default();
+    (c.datapath.kind, c.datapath.fraction_bits, c.datapath.reciprocal_bits) = (DatapathKind::Fixed, 15, 13);
+    (c.traverse.frac_bits, c.traverse.step_limit, c.traverse.tile_bits) = (4, 128, 2);
+    let plan = Plan::new(&c, &Selection { maps: vec![MapKind::Spikes], ..Selection::default() }).unwrap();
+    let (own, others): (Vec<_>, Vec<_>) = plan.designs.iter().partition(|d| d.frac_bits == 4);
+    assert_eq!(own.len(), 1);
+    assert_eq!(own[0].label(), "fixed Q.15, reciprocal 13, position to 2^-4");
+    assert_eq!((own[0].step_limit, own[0].tile_bits), (128, 2));
+    let usual = Config::default().traverse;
+    assert!(others.len() > 30);
+    for d in others {
+        assert_eq!((d.frac_bits, d.tile_bits), (usual.frac_bits, usual.tile_bits), "{}", d.label());
+        assert!(d.step_limit > 128, "{}", d.label());
+    }
+    // Rays that travel farther than usual do so in every design.
+    c.traverse.tile_bits = 6;
+    let plan = Plan::new(&c, &Selection { maps: vec![MapKind::Spikes], ..Selection::default() }).unwrap();
+    assert!(plan.designs.iter().all(|d| d.tile_bits == 6));
+}
+
+/// Every card says its own mode in words, and a legend every short name that the page uses.
+#[test]
+fn the_page_explains_its_words() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut c = Config::default();
+    c.traverse.levels = 5;
+    (c.mode.start_level, c.mode.levels_down, c.mode.level_up) = (false, 3, LevelUp::Coherent);
+    c.mode.trim = Trim::Always;
+    let chosen = Selection {
+        maps: vec![MapKind::Spikes],
+        levels: vec![5],
+        views: vec![RaySet::view(View::Front)],
+        datapaths: vec![DatapathKind::Watertight],
+        formats: vec![FloatFormat::new(7, 16)],
+        most: Some(50),
+        ..Selection::default()
+    };
+    let plan = Plan::new(&c, &chosen).unwrap();
+    let (files, _) = run(&plan, dir.path());
+    let html = text(&files, "report.html");
+    let cards = html.split("<div class=\"cards\">").nth(1).unwrap().split("</section>").next().unwrap();
+    for words in [
+        "starts at the root; three levels down a descent until the first crossing; up a level on the second crossing in a row; always chord trim",
+        "starts at the lowest level whose node holds the whole ray; two levels down a descent until the first crossing; up a level when",
+    ] {
+        assert_eq!(cards.matches(words).count(), 1, "{words}: {cards}");
+    }
+    let legend = html.split("<section id=\"legend\">").nth(1).unwrap().split("</section>").next().unwrap();
+    let json: Value = serde_json::from_str(text(&files, "report.json")).unwrap();
+    let modes = json["pareto"].as_array().unwrap().iter().map(|row| row["mode"].as_str().unwrap());
+    let explained = |mode: &&str| !["from root", "start level,"].iter().any(|spelled| mode.starts_with(spelled));
+    for mode in modes.filter(explained) {
+        assert!(legend.contains(&format!("<dt>{mode}</dt>")), "{mode} stands nowhere in the legend");
+    }
+    for word in ["[10], [12]", "a + b + c1", "Euclidean distance", "uv error", "wrong texel", "given up"] {
+        assert!(legend.contains(word), "{word}");
+    }
+    assert!(html.contains("front: every 8th pixel each way, at most 50"), "which rays were traced");
 }

@@ -137,6 +137,9 @@ pub struct HardArgs {
 /// Options of `bench`.
 #[derive(Args, Debug)]
 pub struct BenchArgs {
+    /// How often each engine is measured, in turns with the others.
+    #[arg(long, default_value_t = 5, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub turns: u32,
     /// Map, views and rays; the configured map and the oblique view without. A number after `--rays`: how many rays in all (20000 without);
     /// fewer are taken over and over.
     #[command(flatten)]

@@ -2,8 +2,8 @@
 use crate::config::{DatapathKind, Design};
 use crate::error::Result;
 use crate::golden::{Pyramid, RayHit, RayInput, encode_ray};
-use crate::oracle::{ExactHit, ExactMap, ExactRay};
-use crate::report::{Cost, Steps, exact_ray, steps};
+use crate::oracle::{ExactHit, ExactMap};
+use crate::report::{Cost, Spread, Steps, exact_ray, given_ray, place, steps, uv_error};
 use crate::trace::trace_golden;
 use rayon::prelude::*;
 
@@ -30,9 +30,6 @@ pub struct Truth {
     hits: Vec<(u32, u32, [f64; 2])>,
 }
 
-/// Fraction bits to which the given rays are taken as exact.
-const GIVEN_BITS: u32 = 36;
-
 impl Truth {
     /// Walks the rays over the map.
     ///
@@ -40,15 +37,9 @@ impl Truth {
     /// Rays outside of the oracle's domain.
     pub fn new(levels: u32, height_bits: u32, texels: Vec<u32>, rays: Vec<[f64; 4]>) -> Result<Self> {
         let map = ExactMap { levels, height_bits, texels: &texels };
-        let one = 2f64.powi(GIVEN_BITS as i32);
-        let word = |x: f64| (x * one).round() as i64;
-        let full = f64::from((1u32 << height_bits) - 1);
         let walk = |r: &[f64; 4]| {
-            let wrap = |x: f64| word(x.rem_euclid(1.0)).rem_euclid(1 << GIVEN_BITS) as u64;
-            let ray = ExactRay::fixed(GIVEN_BITS, [wrap(r[0]), wrap(r[1])], [word(r[2]), word(r[3])]);
-            let e = map.trace(&ray)?;
-            let at = |p: f64, d: f64| (p.rem_euclid(1.0) + d * (e.t_f64 / full)) * 2f64.powi(levels as i32);
-            Ok((e.i, e.j, [at(r[0], r[2]), at(r[1], r[3])]))
+            let (hit, at) = place(&map, &given_ray(*r))?;
+            Ok((hit.i, hit.j, at))
         };
         let hits = rays.par_iter().map(walk).collect::<Result<_>>()?;
         Ok(Self { levels, height_bits, texels, rays, hits })
@@ -85,7 +76,7 @@ pub struct Trial {
     pub witness: Option<usize>,
     /// Rays whose texel is not that of the ray as the design reads it: what its arithmetic alone does.
     pub wrong_own: usize,
-    /// Distance to the exact hit, in texels of the given map: the 99th percentile.
+    /// The uv error against the rays as given, in texels of the given map: the 99th percentile.
     pub uv_p99: f64,
     /// A percentile above it, by three standard deviations of what a sample of that size may miss.
     pub uv_sure: f64,
@@ -112,11 +103,10 @@ impl Trial {
         let coarse = truth.levels - n;
         let bad = |h: &RayHit, t: &(u32, u32, [f64; 2])| h.limit || (h.i, h.j) != (t.0 >> coarse, t.1 >> coarse);
         let wrong: Vec<usize> = (0..hits.len()).filter(|k| bad(&hits[*k], &truth.hits[*k])).collect();
-        let mut far: Vec<(f64, usize)> =
-            hits.iter().zip(&truth.hits).map(|(h, t)| distance(d, truth.levels, h, t.2)).zip(0..).collect();
-        far.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
-        let at =
-            |share: f64| far.get(((far.len() as f64 * share).ceil() as usize).saturating_sub(1)).map_or(0.0, |x| x.0);
+        let ended = hits.iter().zip(&truth.hits).enumerate().filter(|(_, (h, _))| !h.limit);
+        let far: Vec<(f64, usize)> = ended.map(|(k, (h, t))| (uv_error(d, truth.levels, h, t.2), k)).collect();
+        let uv_sure = sure(&far);
+        let uv = Spread::of(far);
         Ok(Self {
             design: *d,
             cost: Cost::of(d)?,
@@ -124,9 +114,9 @@ impl Trial {
             wrong: wrong.len(),
             witness: wrong.first().copied(),
             wrong_own,
-            uv_p99: at(0.99),
-            uv_sure: at((0.99 + 3.0 * (0.99 * 0.01 / far.len().max(1) as f64).sqrt()).min(1.0)),
-            uv_max: far.last().copied().unwrap_or_default(),
+            uv_p99: uv.p99,
+            uv_sure,
+            uv_max: (uv.max, uv.max_ray),
             steps: steps(&hits),
         })
     }
@@ -173,16 +163,13 @@ impl Trial {
     }
 }
 
-/// Distance between a returned hit and the exact position, in texels of the given map, the shorter way round the torus.
-fn distance(d: &Design, levels: u32, h: &RayHit, exact: [f64; 2]) -> f64 {
-    let side = 2f64.powi(levels as i32);
-    let unit = side / 2f64.powi((d.traverse.levels + d.traverse.frac_bits) as i32);
-    let one = |texel: u32, fraction: u32, e: f64| {
-        let at = ((u64::from(texel) << d.traverse.frac_bits) + u64::from(fraction)) as f64 * unit;
-        let gap = (at - e).rem_euclid(side);
-        gap.min(side - gap)
-    };
-    one(h.i, h.fu, exact[0]).max(one(h.j, h.fv, exact[1]))
+/// The error of a percentile above the 99th, by three standard deviations of what a sample of that size may miss.
+fn sure(errors: &[(f64, usize)]) -> f64 {
+    let mut errors: Vec<f64> = errors.iter().map(|e| e.0).collect();
+    errors.sort_by(f64::total_cmp);
+    let n = errors.len();
+    let share = (0.99 + 3.0 * (0.99 * 0.01 / n.max(1) as f64).sqrt()).min(1.0);
+    errors.get(((n as f64 * share).ceil() as usize).saturating_sub(1)).copied().unwrap_or(0.0)
 }
 
 /// The arithmetic of a design in words.

@@ -5,8 +5,7 @@ use crate::config::Design;
 use crate::error::{Error, Result};
 use crate::golden::{RayInput, decode_time, encode_ray};
 use crate::oracle::{ExactHit, ExactMap, ExactRay};
-use crate::report::accuracy::distance;
-use crate::report::{exact_ray, steps};
+use crate::report::{exact_ray, given_ray, place, steps, uv_error};
 use crate::scene::{Camera, ViewRay, border, evenly};
 use crate::trace::trace_golden;
 use rayon::prelude::*;
@@ -112,8 +111,6 @@ pub struct Cell {
 
 /// Rays that a stored cell is probed with.
 const PROBES: usize = 48;
-/// Fraction bits of the ray before rounding: beyond, 128-bit integers no longer hold the exact walk.
-const REFERENCE_BITS: u32 = 40;
 
 /// A view's rays and where they hit before any rounding; all designs of a map share it.
 pub struct Reference {
@@ -129,10 +126,7 @@ fn exact_map(site: &Site) -> ExactMap<'_> {
 
 /// The exact hit, and its place in texels; `None` if the walk is too wide.
 pub(super) fn walk(site: &Site, ray: &ExactRay) -> Option<(ExactHit, [f64; 2])> {
-    let hit = exact_map(site).trace(ray).ok()?;
-    let side = 2f64.powi(site.spec.levels as i32);
-    let bottom = f64::from((1u32 << site.spec.height_bits) - 1);
-    Some((hit, ray.place(&hit, bottom).map(|tiles| tiles * side)))
+    place(&exact_map(site), ray).ok()
 }
 
 impl Reference {
@@ -149,12 +143,7 @@ impl Reference {
         if rays.is_empty() && of.set.standard().is_none() {
             return Err(Error::NothingRan(format!("no ray of {} meets the map {}", of.set.given, site.spec.name)));
         }
-        let one = 2f64.powi(REFERENCE_BITS as i32);
-        let exact = |r: &ViewRay| {
-            let entry = [r.u, r.v].map(|x| (x * one).round() as u64 % (1 << REFERENCE_BITS));
-            let travel = [r.du, r.dv].map(|x| (x * one).round() as i64);
-            walk(site, &ExactRay::fixed(REFERENCE_BITS, entry, travel))
-        };
+        let exact = |r: &ViewRay| walk(site, &given_ray([r.u, r.v, r.du, r.dv]));
         let exact = rays.par_iter().map(exact).collect();
         Ok(Self { rays, exact })
     }
@@ -202,10 +191,10 @@ impl Cell {
                 first_limit = first_limit.or(Some(ray));
                 continue;
             }
-            let error = distance(&design, hit, *place);
+            let error = uv_error(&design, site.spec.levels, hit, *place);
             all.push((error, ray));
             if let Some((truth, place)) = &reference.exact[ray] {
-                unrounded.push((distance(&design, hit, *place), ray));
+                unrounded.push((uv_error(&design, site.spec.levels, hit, *place), ray));
                 unrounded_wrong += u64::from((hit.i, hit.j) != (truth.i, truth.j));
             }
             if bad {

@@ -4,8 +4,7 @@ use super::plan::{DesignSpec, Extent, Plan, Site};
 use crate::error::Result;
 use crate::golden::encode_ray;
 use crate::oracle::ExactHit;
-use crate::report::accuracy::distance;
-use crate::report::exact_ray;
+use crate::report::{exact_ray, uv_error};
 use crate::scene::border::tiles;
 use crate::scene::{Camera, Picture, RaySet, ShadePoint, Shader};
 use crate::trace::{shade_point, trace_interp};
@@ -80,7 +79,7 @@ pub fn view(plan: &Plan, site: &Site, spec: &DesignSpec, camera: &Camera) -> Res
         let Some((e, place)) = e else { continue };
         let [u, v] = place.map(|x| (x / side).rem_euclid(1.0));
         truth[at] = Some(ShadePoint { u, v, t: e.t_f64 / bottom, wall: e.wall });
-        let error = if h.limit { f64::INFINITY } else { distance(&d, h, *place) };
+        let error = if h.limit { f64::INFINITY } else { uv_error(&d, site.spec.levels, h, *place) };
         if error > worst.0 {
             worst = (error, [r.px, r.py]);
         }

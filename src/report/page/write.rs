@@ -2,11 +2,13 @@
 use super::cell::Cell;
 use super::charts::Plot;
 use super::figures::{Dot, dots, series};
-use super::plan::{Extent, Headline, Plan, Rays, mode_label};
+use super::plan::{BEST, Extent, Headline, Plan, Rays, mode_label, mode_words};
 use super::table::{grouped, short};
 use super::{bilinear, charts, inventory, pictures, published, sections};
+use crate::config::{LevelUp, ModeConfig, Trim};
 use crate::error::{Error, Result};
 use crate::files::write_inside;
+use crate::report::{DEFINITION, GIVEN_BITS, ROWS};
 use crate::scene::{Camera, RaySource};
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -16,11 +18,12 @@ use std::path::Path;
 pub type Output = Vec<(String, Vec<u8>)>;
 
 /// A card of the verdict strip.
-fn card(plan: &Plan, name: &str, label: &str, dot: Option<&Dot<'_>>) -> Value {
+fn card(plan: &Plan, headline: &Headline, dot: Option<&Dot<'_>>) -> Value {
+    let (name, label, mode) = (headline.name, headline.design.label(), mode_words(&headline.design.mode));
     let Some(d) = dot else {
-        let same = |r: &&super::plan::NotLegal| r.design.starts_with(label);
+        let same = |r: &&super::plan::NotLegal| r.design.starts_with(&label);
         let reason = plan.not_legal.iter().find(same).map_or("not measured", |r| r.reason.as_str());
-        return json!({"name": name, "label": label, "reason": reason});
+        return json!({"name": name, "label": label, "mode": mode, "reason": reason});
     };
     let (p, zero) = (&d.pool, d.pool.wrong() + d.pool.limits() == 0);
     let lines = vec![
@@ -31,12 +34,20 @@ fn card(plan: &Plan, name: &str, label: &str, dot: Option<&Dot<'_>>) -> Value {
         json!({"what": "t error max, of the height", "value": short(p.largest(|c| c.t_max))}),
         json!({"what": "cycles per ray that ends", "value": short(p.cycles())}),
     ];
-    json!({"name": name, "label": label, "big": if zero { "0".to_owned() } else { format!("{} %", short(100.0 * p.rate())) }, "lines": lines})
+    json!({"name": name, "label": label, "mode": mode, "big": if zero { "0".to_owned() } else { format!("{} %", short(100.0 * p.rate())) }, "lines": lines})
 }
 
 /// The rays of views; those by elevation left out.
 fn views_of(plan: &Plan) -> impl Iterator<Item = &Rays> {
     plan.rays.iter().filter(|r| r.elevation.is_none())
+}
+
+/// The names of modes on the page, and what they do: the rows of the published table, then the rest.
+fn legend() -> Vec<Value> {
+    let trims = [Trim::Descent, Trim::Always].map(|trim| ModeConfig { trim, ..BEST });
+    let more = [ModeConfig { levels_down: 3, ..ROWS[0].1 }, ModeConfig { level_up: LevelUp::Always, ..BEST }];
+    let modes = ROWS.iter().map(|r| r.1).chain(trims).chain(more);
+    modes.map(|m| json!({"name": mode_label(&m), "words": mode_words(&m)})).collect()
 }
 
 /// Which rays of each view are traced, in words.
@@ -107,7 +118,7 @@ pub fn files(plan: &Plan, cells: &[Cell], again: &str) -> Result<Output> {
         "strides": views_of(plan).map(|r| r.stride).collect::<Vec<_>>(),
         "views": views_of(plan).map(|r| r.set.name.as_str()).collect::<Vec<_>>(),
         "side": 1u64 << c.traverse.levels,
-        "mode": mode_label(&super::plan::BEST),
+        "mode": mode_label(&BEST),
     });
     let mut report = json!({"report": head});
     for t in &tables {
@@ -119,11 +130,8 @@ pub fn files(plan: &Plan, cells: &[Cell], again: &str) -> Result<Output> {
         let table = tables.iter().find(|t| t.name == name);
         out.extend(table.map(|t| (format!("{name}.csv"), t.csv())));
     }
-    let cards: Vec<Value> = plan
-        .headlines
-        .iter()
-        .map(|h| card(plan, h.name, &h.design.label(), dots.iter().find(|d| *d.design == h.design)))
-        .collect();
+    let cards: Vec<Value> =
+        plan.headlines.iter().map(|h| card(plan, h, dots.iter().find(|d| *d.design == h.design))).collect();
     let along = |by: &str, what: &str| charts::along(plan, &lines, by, what);
     let named: Vec<String> = plan
         .headlines
@@ -151,7 +159,7 @@ pub fn files(plan: &Plan, cells: &[Cell], again: &str) -> Result<Output> {
         tables.iter().filter(|t| t.name != "cells").map(|t| (t.name.to_owned(), t.page())).collect();
     let page = json!({
         "head": head, "rays": grouped(cells.iter().map(|x| x.rays).sum()), "cards": cards, "left_out": left_out, "charts": charts, "tables": shown, "pictures": picture_rows(plan)?, "refined": bilinear::pictures(plan)?,
-        "traced": traced(plan), "claims": published::claim_words(&claims), "levels": c.traverse.levels, "map": plan.sites[0].spec.name, "placed": dots.iter().filter(|d| d.placed.is_some()).count(),
+        "traced": traced(plan), "legend": legend(), "uv": DEFINITION, "given_bits": GIVEN_BITS, "claims": published::claim_words(&claims), "levels": c.traverse.levels, "map": plan.sites[0].spec.name, "placed": dots.iter().filter(|d| d.placed.is_some()).count(),
     });
     out.push(("report.html".to_owned(), html(&page)?.into_bytes()));
     Ok(out)

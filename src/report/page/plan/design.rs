@@ -1,5 +1,7 @@
 //! A design as the report names it.
-use crate::config::{Config, DatapathConfig, DatapathKind, Design, LevelUp, MapConfig, ModeConfig, Trim};
+use crate::config::{
+    Config, DatapathConfig, DatapathKind, Design, LevelUp, MapConfig, ModeConfig, TraverseConfig, Trim,
+};
 use crate::error::Result;
 use crate::golden::Tracer;
 use crate::report::ROWS;
@@ -44,8 +46,20 @@ pub const BEST: ModeConfig = ModeConfig {
 const STUCK_LIMIT: u32 = 511;
 
 impl DesignSpec {
-    /// The design of a datapath with this mode; what else it has comes from the configuration.
+    /// The configuration's design, with its own tile bits, fraction bits and step limit.
     pub fn new(c: &Config, datapath: DatapathConfig, exp: u32, man: u32, mode: ModeConfig) -> Self {
+        Self::sized(&c.traverse, datapath, exp, man, mode)
+    }
+
+    /// A design that is compared with others: positions and step limit are the usual ones, for what a configuration (of `fit`, say) needs of
+    /// them is its own design's. Its rays travel no fewer tiles than the configuration's.
+    pub fn usual(c: &Config, datapath: DatapathConfig, exp: u32, man: u32, mode: ModeConfig) -> Self {
+        let usual = TraverseConfig::default();
+        let tile_bits = usual.tile_bits.max(c.traverse.tile_bits);
+        Self::sized(&TraverseConfig { tile_bits, ..usual }, datapath, exp, man, mode)
+    }
+
+    fn sized(t: &TraverseConfig, datapath: DatapathConfig, exp: u32, man: u32, mode: ModeConfig) -> Self {
         let fixed = datapath.kind == DatapathKind::Fixed;
         let published = datapath.kind == DatapathKind::Published;
         // Without its nudge more than half of the published datapath's rays stay in a texel for ever, and each costs the whole limit.
@@ -61,9 +75,9 @@ impl DesignSpec {
             nudge_bits: published.then_some(datapath.nudge_bits),
             fraction_bits: fixed.then_some(datapath.fraction_bits),
             reciprocal_bits: fixed.then_some(datapath.reciprocal_bits),
-            tile_bits: c.traverse.tile_bits,
-            frac_bits: c.traverse.frac_bits,
-            step_limit: c.traverse.step_limit.min(cap),
+            tile_bits: t.tile_bits,
+            frac_bits: t.frac_bits,
+            step_limit: t.step_limit.min(cap),
             mode,
         }
     }
@@ -97,8 +111,16 @@ impl DesignSpec {
         Ok(design)
     }
 
-    /// Datapath and widths in a few words.
+    /// Datapath and widths in a few words; fraction bits of the position where they are not the usual ones.
     pub fn label(&self) -> String {
+        let usual = TraverseConfig::default().frac_bits;
+        let position =
+            if self.frac_bits == usual { String::new() } else { format!(", position to 2^-{}", self.frac_bits) };
+        self.arithmetic() + &position
+    }
+
+    /// Datapath and widths of its arithmetic in a few words.
+    fn arithmetic(&self) -> String {
         let float = format!("{}/{}", self.exp.unwrap_or(0), self.man.unwrap_or(0));
         match (self.kind, self.nudge_bits) {
             (DatapathKind::Watertight, _) => format!("watertight {float}"),
@@ -126,6 +148,33 @@ impl DesignSpec {
     pub fn same_arithmetic(&self, other: &Self) -> bool {
         Self { mode: BEST, ..self.clone() } == Self { mode: BEST, ..other.clone() }
     }
+}
+
+/// A mode in words: what it does, for who does not know the published rows.
+pub fn mode_words(m: &ModeConfig) -> String {
+    let start =
+        if m.start_level { "starts at the lowest level whose node holds the whole ray" } else { "starts at the root" };
+    let down = ["one level", "two levels", "three levels", "four levels"][(m.levels_down.clamp(1, 4) - 1) as usize];
+    let down = if m.levels_down == 1 {
+        format!("{down} down a descent")
+    } else {
+        format!("{down} down a descent until the first crossing")
+    };
+    let up = match m.level_up {
+        LevelUp::None => "never up a level",
+        LevelUp::Tevs => "up a level when a crossing leaves the parent node",
+        LevelUp::Selective => {
+            "up a level when a crossing leaves the parent node and the predicted hit is not in a neighbouring node"
+        }
+        LevelUp::Coherent => "up a level on the second crossing in a row",
+        LevelUp::Always => "up a level on every crossing",
+    };
+    let trim = match m.trim {
+        Trim::None => "",
+        Trim::Descent => "; after a descent, chord trim to the smallest node that holds the rest of the ray in it",
+        Trim::Always => "; always chord trim to the smallest node that holds the rest of the ray in it",
+    };
+    format!("{start}; {down}; {up}{trim}")
 }
 
 /// A mode in a few words: that of the published table where it has one.

@@ -5,7 +5,7 @@ mod select;
 mod site;
 mod synthesized;
 
-pub use design::{BEST, DesignSpec, mode_label};
+pub use design::{BEST, DesignSpec, mode_label, mode_words};
 pub use headline::Headline;
 pub use select::{Extent, ModeSet, Selection};
 pub use site::{MapSpec, Site};

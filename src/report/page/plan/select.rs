@@ -101,7 +101,7 @@ impl Selection {
         let bits = *fractions.iter().find(|f| **f == 24).unwrap_or(&fractions[0]);
         let mut out = Vec::new();
         let mut add = |datapath: DatapathConfig, f: FloatFormat, mode| {
-            let design = DesignSpec::new(c, datapath, f.exp, f.man, mode);
+            let design = DesignSpec::usual(c, datapath, f.exp, f.man, mode);
             if chosen(datapath.kind) && !out.contains(&design) {
                 out.push(design);
             }
