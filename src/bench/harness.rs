@@ -108,7 +108,8 @@ impl Harness {
     pub fn run(&self) -> Result<HarnessRun> {
         let program = self.work.path().join("obj/Vdut");
         let mut command = process::command_in(self.work.path(), program);
-        let out = process::output(&mut command).map_err(|e| Error::ToolFailed(format!("the harness in Verilator: {e}")))?;
+        let out =
+            process::output(&mut command).map_err(|e| Error::ToolFailed(format!("the harness in Verilator: {e}")))?;
         let text = String::from_utf8_lossy(&out.stdout).into_owned();
         let run: HarnessRun = serde_json::from_str(&text).map_err(|_| {
             Error::ToolFailed(format!("the harness in Verilator ended without figures: {}", first_lines(&text)))

@@ -39,7 +39,10 @@ pub fn run(cli: &Cli, a: &RenderArgs) -> Result<()> {
     }
     if sets.len() > 1 && !is_picture(&a.out) {
         let n = sets.len();
-        return Err(Error::input(format!("--out {}: {n} views are {n} pictures, so they need a name that ends in .png", a.out.display())));
+        return Err(Error::input(format!(
+            "--out {}: {n} views are {n} pictures, so they need a name that ends in .png",
+            a.out.display()
+        )));
     }
     let named = super::views::inputs(&a.scene);
     let outs: Vec<PathBuf> = sets.iter().map(|set| out_of(a, set, sets.len())).collect();

@@ -47,7 +47,9 @@ fn row(m: &Module, t: &Traverse, with: &str) -> String {
         Some(0) => "-".to_owned(),
         Some(_) if m.name == "delay_line" => "CLOCKS".to_owned(),
         Some(k) => k.to_string(),
-        None => format!("{} + {}n + {}", t.setup, t.slots, t.finish),
+        None if m.name == "traverse" => format!("{} + {}n + {}", t.setup, t.slots, t.finish),
+        // A handshake takes as long as it is held.
+        None => "-".to_owned(),
     };
     let params: Vec<&str> = m.params.iter().map(|p| p.name.as_str()).collect();
     let with = if with.is_empty() { String::new() } else { format!("`{with}`") };

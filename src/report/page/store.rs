@@ -3,8 +3,8 @@ use super::cell::{Cell, CellSpec, Reference, canonical, probe};
 use super::plan::{Job, Plan};
 use crate::error::Result;
 use crate::files::{read_inside, write_inside};
-use serde::{Deserialize, Serialize};
 use crate::scene::RaySource;
+use serde::{Deserialize, Serialize};
 use std::collections::btree_map::{BTreeMap, Entry};
 use std::path::Path;
 
