@@ -82,7 +82,12 @@ fn again(cli: &Cli, a: &ReportArgs) -> String {
     option("modes", set.into_iter().collect());
     option("synth", a.synth.iter().map(|p| quoted(&p.display().to_string())).collect());
     option("max-texels", a.scene.map.max_texels.iter().map(u64::to_string).collect());
-    let flags = [(a.scene.map.resample, " --resample"), (a.scene.map.crop, " --crop"), (a.scene.map.pad, " --pad"), (a.full, " --full")];
+    let flags = [
+        (a.scene.map.resample, " --resample"),
+        (a.scene.map.crop, " --crop"),
+        (a.scene.map.pad, " --pad"),
+        (a.full, " --full"),
+    ];
     flags.iter().filter(|f| f.0).for_each(|f| out += f.1);
     out
 }
