@@ -84,10 +84,10 @@ fn files() -> Vec<(&'static str, Vec<u8>, Vec<u8>)> {
     let mut webp = Vec::new();
     let encoder = image::codecs::webp::WebPEncoder::new_lossless(&mut webp);
     image::ImageEncoder::write_image(encoder, &texels, 7, 7, image::ExtendedColorType::L8).unwrap();
-    // 14 bits each for width - 1 and height - 1 behind the signature byte.
+    // Behind the signature byte 14 bits each of width - 1 and height - 1: 16383 x 16383.
     let at = webp.windows(4).position(|w| w == b"VP8L").unwrap() + 9;
     let mut large = webp.clone();
-    large[at..at + 3].fill(255);
+    large[at..at + 3].copy_from_slice(&[0xfe, 0xbf, 0xff]);
     large[at + 3] |= 0x0f;
     list.push(("a.webp", webp, large));
     let surface = dds(7, 7, ddsfile::DxgiFormat::R8_UNorm, &texels);

@@ -79,7 +79,7 @@ impl Tiff {
             }
             return row;
         }
-        if self.bits % 8 == 0 {
+        if self.bits.is_multiple_of(8) {
             return words.iter().flat_map(|w| self.int(*w, self.bits as usize / 8)).collect();
         }
         let mut row = vec![0u8; (words.len() * self.bits as usize).div_ceil(8)];

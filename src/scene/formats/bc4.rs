@@ -48,7 +48,7 @@ fn value(block: &[u8], at: usize) -> f64 {
 
 impl Rows for Bc4<'_> {
     fn next(&mut self, row: &mut [f64]) -> Result<()> {
-        if self.at % 4 == 0 {
+        if self.at.is_multiple_of(4) {
             self.handle.read_exact(&mut self.bytes).map_err(|error| broken(KIND, error))?;
         }
         for (x, height) in row.iter_mut().enumerate() {

@@ -51,7 +51,7 @@ impl<'a> Words<'a> {
     pub(super) fn next(&mut self) -> Result<Option<String>> {
         let Some(mut byte) = self.skip()? else { return Ok(None) };
         let mut word = Vec::new();
-        while !byte.is_ascii_whitespace() && !(self.comments && byte == b'#') {
+        while !(byte.is_ascii_whitespace() || self.comments && byte == b'#') {
             if word.len() == LONGEST {
                 return Err(broken(
                     self.kind,

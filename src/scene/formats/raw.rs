@@ -50,7 +50,7 @@ pub(super) fn hgt<'a>(source: &'a Source, map: &'a MapConfig) -> Result<Opened<'
     let size = match map.size {
         Some([width, height]) => (u64::from(width), u64::from(height)),
         None => {
-            let side = square(len / 2).filter(|_| len % 2 == 0).ok_or_else(|| {
+            let side = square(len / 2).filter(|_| len.is_multiple_of(2)).ok_or_else(|| {
                 Error::input(format!(
                     "{len} bytes are no square of 16-bit heights (1201 x 1201 or 3601 x 3601, as SRTM has): give its size with --set map.size=[width,height]"
                 ))
@@ -90,7 +90,7 @@ pub(super) fn open<'a>(source: &'a Source, map: &'a MapConfig) -> Result<Opened<
             ((width, height), bytes)
         }
         (None, Some(bytes)) => {
-            let side = square(len / bytes).filter(|_| len % bytes == 0).ok_or_else(|| {
+            let side = square(len / bytes).filter(|_| len.is_multiple_of(bytes)).ok_or_else(|| {
                 Error::input(format!(
                     "{len} bytes are no square of heights of {bytes} bytes: give its size with --set map.size=[width,height]"
                 ))

@@ -295,7 +295,7 @@ impl<'a> Chunks<'a> {
 
 /// Sample `at` of a row of `bits` bits each: whole bytes in the file's order, others with the first in the high end.
 fn word(row: &[u8], at: usize, bits: u32, little: bool) -> u64 {
-    if bits % 8 == 0 {
+    if bits.is_multiple_of(8) {
         let width = bits as usize / 8;
         let bytes = &row[at * width..(at + 1) * width];
         let push = |word: u64, byte: &u8| word << 8 | u64::from(*byte);
