@@ -79,6 +79,10 @@ step "Python packages" python_packages
 
 RELIEFRTL_TOOLS=$PWD/$TOOLS
 export RELIEFRTL_TOOLS
+# Benches that several tests need are built once.
+RELIEFRTL_BUILDS=$PWD/target/builds
+export RELIEFRTL_BUILDS
+rm -rf "$RELIEFRTL_BUILDS"
 # Each Verilator finds its own files, unless somebody says where another one's are.
 unset VERILATOR_ROOT
 step "cargo fmt" cargo fmt --check

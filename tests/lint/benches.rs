@@ -2,6 +2,7 @@
 use super::configs::{EXTRA, Emitted, all};
 use super::no_problems;
 use super::tools::{Tool, run};
+use rayon::prelude::*;
 use reliefrtl::bench::bench_files;
 use reliefrtl::catalogue;
 use reliefrtl::units::traversal::traverse;
@@ -53,7 +54,7 @@ fn none_of(problems: impl Fn(&Emitted, &[String], &[String]) -> Vec<String>) {
 fn silent(arguments: impl Fn(&Emitted, &[String], &[String]) -> Vec<Command>) {
     none_of(|e, benches, tops| {
         let commands = arguments(e, benches, tops);
-        commands.into_iter().filter_map(|mut c| run(&mut c, &e.dir).unless_silent(&e.label)).collect()
+        commands.into_par_iter().filter_map(|mut c| run(&mut c, &e.dir).unless_silent(&e.label)).collect()
     });
 }
 

@@ -3,6 +3,7 @@
 use super::configs::{Emitted, extra};
 use super::no_problems;
 use super::tools::{Said, Tool, run};
+use rayon::prelude::*;
 use reliefrtl::ir::{Binding, Module};
 
 const TOOLS: [Tool; 3] = [Tool::Icarus, Tool::Verilator, Tool::VerilatorNew];
@@ -106,14 +107,12 @@ fn the_same_text_elaborates_cleanly_at_other_parameters() {
     }
     cases.push((traverse, binding(&[("EXP_W", 8), ("MAN_W", 23), ("LEVELS", 10), ("HEIGHT_W", 12), ("TILE_W", 2)])));
     cases.push((traverse, binding(&[("TAG_W", 1), ("FRAC_W", 1), ("STEP_LIMIT", 1), ("TILE_W", 1)])));
-    let mut problems = Vec::new();
-    for (m, values) in &cases {
-        for tool in TOOLS {
-            let Some(said) = elaborate(tool, m, values) else { return };
-            problems.extend(said.unless_silent(&label(m, values)));
-        }
-    }
-    no_problems(&problems);
+    let runs: Vec<_> = cases.iter().flat_map(|case| TOOLS.map(|tool| (tool, case))).collect();
+    let one = |(tool, (m, values)): &(Tool, &(&Module, Binding))| {
+        elaborate(*tool, m, values).map(|said| said.unless_silent(&label(m, values)))
+    };
+    let Some(said) = runs.par_iter().map(one).collect::<Option<Vec<_>>>() else { return };
+    no_problems(&said.into_iter().flatten().collect::<Vec<_>>());
     println!("{} elaborations at other parameters, each in {} tools", cases.len(), TOOLS.len());
     assert!(cases.len() >= 24 + 22);
 }

@@ -2,19 +2,19 @@
 use super::configs::{Emitted, all, extra, file_count};
 use super::no_problems;
 use super::tools::{Said, Tool, run};
+use rayon::prelude::*;
 use std::process::Command;
 
 /// Runs a tool over every configuration; the tool must have been given every file.
-fn silent(tool: Tool, arguments: impl Fn(&mut Command, &Emitted)) {
-    let mut checked = 0;
-    let mut problems = Vec::new();
-    for e in all() {
-        let Some(mut c) = tool.command() else { return };
+fn silent(tool: Tool, arguments: impl Fn(&mut Command, &Emitted) + Sync) {
+    let one = |e: &Emitted| -> Option<(usize, Option<String>)> {
+        let mut c = tool.command()?;
         arguments(&mut c, e);
-        problems.extend(run(&mut c, &e.dir).unless_silent(&e.label));
-        checked += e.verilog().len();
-    }
-    no_problems(&problems);
+        Some((e.verilog().len(), run(&mut c, &e.dir).unless_silent(&e.label)))
+    };
+    let Some(said) = all().par_iter().map(one).collect::<Option<Vec<_>>>() else { return };
+    no_problems(&said.iter().filter_map(|s| s.1.clone()).collect::<Vec<_>>());
+    let checked: usize = said.iter().map(|s| s.0).sum();
     assert_eq!(checked, file_count());
     println!("{tool:?}: {checked} files of {} configurations", all().len());
 }
@@ -22,38 +22,38 @@ fn silent(tool: Tool, arguments: impl Fn(&mut Command, &Emitted)) {
 /// A traversal as a whole; units that it does not have one at a time. (Several tops are no mistake where every unit is one, but Verilator
 /// mixes up the widths of a module that several tops have at several parameter values.)
 fn verilate(tool: Tool) {
-    let mut problems = Vec::new();
-    let mut checked = 0;
-    for e in all() {
-        let tops: Vec<Option<String>> = match e.config.emit.units.as_slice() {
-            [] => vec![None],
-            _ => e.units.iter().map(|m| Some(format!("{}{}", e.config.emit.prefix, m.name))).collect(),
+    let one = |(e, top): &(&Emitted, Option<String>)| -> Option<Option<String>> {
+        let mut c = tool.command()?;
+        match top {
+            None => c.arg("-Wno-MULTITOP").args(e.verilog()),
+            Some(top) => c.args(["--top-module", top, "-y", "rtl", &format!("rtl/{top}.v")]),
         };
-        for top in tops {
-            let Some(mut c) = tool.command() else { return };
-            match &top {
-                None => c.arg("-Wno-MULTITOP").args(e.verilog()),
-                Some(top) => c.args(["--top-module", top, "-y", "rtl", &format!("rtl/{top}.v")]),
-            };
-            problems.extend(run(&mut c, &e.dir).unless_silent(&e.label));
+        Some(run(&mut c, &e.dir).unless_silent(&e.label))
+    };
+    let tops = |e: &'static Emitted| -> Vec<(&Emitted, Option<String>)> {
+        match e.config.emit.units.as_slice() {
+            [] => vec![(e, None)],
+            _ => e.units.iter().map(|m| (e, Some(format!("{}{}", e.config.emit.prefix, m.name)))).collect(),
         }
-        checked += e.verilog().len();
-    }
-    no_problems(&problems);
-    assert_eq!(checked, file_count());
-    println!("{tool:?}: {checked} files of {} configurations", all().len());
+    };
+    let cases: Vec<_> = all().iter().flat_map(tops).collect();
+    let Some(said) = cases.par_iter().map(one).collect::<Option<Vec<_>>>() else { return };
+    no_problems(&said.into_iter().flatten().collect::<Vec<_>>());
+    let labels: std::collections::BTreeSet<&str> = cases.iter().map(|c| c.0.label.as_str()).collect();
+    assert_eq!(labels.len(), all().len(), "every configuration was read");
+    println!("{tool:?}: {} files of {} configurations", file_count(), all().len());
 }
 
 /// Each unit of the default configuration, and each that no traversal needs, once more as the top, at its own default parameters.
 fn verilate_each(tool: Tool) {
     let e = extra();
-    let mut problems = Vec::new();
-    for name in e.names() {
-        let Some(mut c) = tool.command() else { return };
-        c.args(["--top-module", &name]).args(e.verilog());
-        problems.extend(run(&mut c, &e.dir).unless_silent(&name));
-    }
-    no_problems(&problems);
+    let one = |name: &String| -> Option<Option<String>> {
+        let mut c = tool.command()?;
+        c.args(["--top-module", name]).args(e.verilog());
+        Some(run(&mut c, &e.dir).unless_silent(name))
+    };
+    let Some(said) = e.names().par_iter().map(one).collect::<Option<Vec<_>>>() else { return };
+    no_problems(&said.into_iter().flatten().collect::<Vec<_>>());
 }
 
 #[test]
@@ -88,10 +88,10 @@ fn verible_has_no_finding() {
 #[test]
 fn yosys_reads_every_module_and_finds_no_undriven_or_doubly_driven_net() {
     silent(Tool::Yosys, |c, e| {
-        let mut script = format!("read_verilog {}\ndesign -save read\n", e.verilog().join(" "));
-        for name in e.names() {
-            script += &format!("design -load read\nhierarchy -check -top {name}\nproc\ncheck -assert\n");
-        }
+        // Without a top all modules stay, each at its defaults and at what its users give it.
+        let mut script = format!("read_verilog {}\nhierarchy -check\n", e.verilog().join(" "));
+        script += &e.names().iter().map(|name| format!("select -assert-any {name}\n")).collect::<String>();
+        script += "select -clear\nproc\ncheck -assert\n";
         std::fs::write(e.dir.join("check.ys"), script).expect("target is writable");
         c.arg("check.ys");
     });
