@@ -40,7 +40,8 @@ impl Build<'_> {
             files.push(entry.ok()?.path());
         }
         let bench = |name: String| self.tree.join("testbench").join(name);
-        files.extend([format!("{}.v", self.top), format!("{}_top.v", self.top), "verilator_main.cpp".into()].map(bench));
+        files
+            .extend([format!("{}.v", self.top), format!("{}_top.v", self.top), "verilator_main.cpp".into()].map(bench));
         files.sort();
         for file in files.iter().filter(|f| f.is_file()) {
             add(file.file_name()?.as_encoded_bytes());

@@ -1,5 +1,6 @@
 //! Benches that replay the vectors in a simulator: their text, and running them.
 mod harness;
+mod kept;
 mod run;
 mod text;
 

@@ -1,4 +1,5 @@
 //! Building and running a bench with Icarus Verilog or Verilator.
+use super::kept::Build;
 use crate::emit::emitted_name;
 use crate::error::{Error, Result, exit};
 use crate::files::Scratch;
@@ -38,6 +39,13 @@ impl Simulator {
         match self {
             Self::Icarus => "icarus",
             Self::Verilator => "verilator",
+        }
+    }
+    /// What a build makes, in the directory where it works.
+    fn product(self) -> &'static str {
+        match self {
+            Self::Icarus => "bench.vvp",
+            Self::Verilator => "obj/Vtb",
         }
     }
     fn program(self) -> String {
@@ -110,10 +118,21 @@ pub fn run_bench_on(
     arguments.extend(written.iter().map(|(key, _)| format!("+{key}={key}.txt")));
     let start = Instant::now();
     let define = paths.iterations.is_some().then_some("-DITERATIONS");
+    let many = has_many(&dir, unit, paths);
+    let product = work.path().join(sim.product());
+    let more = format!("{define:?} {many}");
+    let kept = Build { sim, program: sim.program(), tree: &dir, top: &top, params, more, product };
+    kept.once(|| match sim {
+        Simulator::Icarus => build_icarus(&top, params, define, work.path()),
+        Simulator::Verilator => build_verilator(&top, params, define, many, work.path()),
+    })?;
     let mut command = match sim {
-        Simulator::Icarus => build_icarus(&top, params, define, work.path())?,
-        Simulator::Verilator => build_verilator(&top, params, define, has_many(&dir, unit, paths), work.path())?,
+        Simulator::Icarus => process::command_in(work.path(), "vvp"),
+        Simulator::Verilator => process::command_in(work.path(), work.path().join(sim.product())),
     };
+    if sim == Simulator::Icarus {
+        command.args(["-n", sim.product()]);
+    }
     let build = start.elapsed();
     let start = Instant::now();
     let out = process::output(command.args(&arguments)).map_err(|_| missing(sim))?;
@@ -168,15 +187,12 @@ fn link(directory: &Path, name: &Path) -> Result<()> {
     linked.map_err(|e| Error::file("link to", directory, e))
 }
 
-fn build_icarus(top: &str, params: &Binding, define: Option<&str>, work: &Path) -> Result<Command> {
+fn build_icarus(top: &str, params: &Binding, define: Option<&str>, work: &Path) -> Result<()> {
     let mut c = process::command_in(work, "iverilog");
     c.args(["-g2005", "-Wall", "-s", &format!("{top}_top"), "-o", "bench.vvp"]);
     c.args(params.iter().map(|(k, v)| format!("-P{top}_top.{k}={v}")));
     c.args(define).args(["-y", "rtl"]).args(bench(top, true));
-    finish(Simulator::Icarus, c)?;
-    let mut run = process::command_in(work, "vvp");
-    run.args(["-n", "bench.vvp"]);
-    Ok(run)
+    finish(Simulator::Icarus, c)
 }
 
 fn in_path(program: &str) -> bool {
@@ -192,20 +208,21 @@ fn has_many(dir: &Path, unit: &str, paths: &Paths) -> bool {
     std::fs::metadata(vectors.join("stimulus.hex")).is_ok_and(|m| m.len() > MANY)
 }
 
-fn build_verilator(top: &str, params: &Binding, define: Option<&str>, many: bool, work: &Path) -> Result<Command> {
+fn build_verilator(top: &str, params: &Binding, define: Option<&str>, many: bool, work: &Path) -> Result<()> {
     let mut c = process::command_in(work, Simulator::Verilator.program());
     c.args(["--cc", "--exe", "--build", "-O3", "-Wno-lint", "--prefix", "Vtb", "-j", "2", "--top-module"]);
     // Its makefile refuses a directory with a blank in its path, which make itself is never asked to write down.
     c.arg(top).args(define).args(["--Mdir", "obj", "-MAKEFLAGS", "CURDIR=."]);
-    c.args(["-MAKEFLAGS", "OPT_SLOW=-O0", "-MAKEFLAGS", if many { "OPT_FAST=-O2" } else { "OPT_FAST=-O0" }]);
+    // One file for a quick build: each of several would read the library's headers again.
+    let quick = ["--output-split", "0", "-MAKEFLAGS", "OPT_SLOW=-O0", "-MAKEFLAGS", "OPT_FAST=-O0"];
+    c.args(if many { &["-MAKEFLAGS", "OPT_FAST=-O2"][..] } else { &quick });
     c.args(params.iter().map(|(k, v)| format!("-G{k}={v}")));
     c.args(["-y", "rtl"]).args(bench(top, false)).arg("testbench/verilator_main.cpp");
     // Most of the time that a small bench takes goes into Verilator's own library, which is the same for all of them.
     if std::env::var_os("OBJCACHE").is_none() && in_path("ccache") {
         c.env("OBJCACHE", "ccache");
     }
-    finish(Simulator::Verilator, c)?;
-    Ok(process::command_in(work, work.join("obj/Vtb")))
+    finish(Simulator::Verilator, c)
 }
 
 fn bench(top: &str, clocked: bool) -> Vec<String> {
