@@ -78,3 +78,40 @@ impl Build<'_> {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Build;
+    use crate::bench::Simulator;
+    use crate::ir::Binding;
+    use std::path::{Path, PathBuf};
+
+    /// Whatever the product depends on is in its key, and where it stands is not.
+    #[test]
+    fn a_build_is_known_by_its_text_parameters_and_simulator() {
+        let tree = |text: &str| {
+            let dir = tempfile::tempdir().unwrap();
+            for (path, text) in [("rtl/a.v", text), ("testbench/tb_a.v", "bench"), ("testbench/other.v", text)] {
+                std::fs::create_dir_all(dir.path().join(path).parent().unwrap()).unwrap();
+                std::fs::write(dir.path().join(path), text).unwrap();
+            }
+            dir
+        };
+        let key = |tree: &Path, sim: Simulator, params: &Binding, more: &str| {
+            let (program, more, product) = ("sim".to_string(), more.to_string(), PathBuf::new());
+            Build { sim, program, tree, top: "tb_a", params, more, product }.key().unwrap()
+        };
+        let (one, same, other) = (tree("module a;"), tree("module a;"), tree("module a ;"));
+        let none = Binding::new();
+        let first = key(one.path(), Simulator::Icarus, &none, "");
+        assert_eq!(first, key(same.path(), Simulator::Icarus, &none, ""));
+        for different in [
+            key(other.path(), Simulator::Icarus, &none, ""),
+            key(one.path(), Simulator::Verilator, &none, ""),
+            key(one.path(), Simulator::Icarus, &Binding::from([("W".into(), 3)]), ""),
+            key(one.path(), Simulator::Icarus, &none, "-DITERATIONS"),
+        ] {
+            assert_ne!(first, different);
+        }
+    }
+}
