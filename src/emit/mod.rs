@@ -4,6 +4,7 @@
 mod flow;
 mod manifest;
 mod tree;
+pub mod parts;
 
 pub use flow::flow;
 pub use manifest::manifest;

@@ -104,8 +104,7 @@ impl Target {
     }
     fn script(&self, top: &str) -> String {
         match self {
-            // Nobody reads the pyramid while it is written: what a read gives then needs no logic.
-            Self::Ecp5 => format!("synth_ecp5 -no-rw-check -top {top} -json top.json"),
+            Self::Ecp5 => format!("synth_ecp5 -top {top} -json top.json"),
             Self::Ice40 => format!("synth_ice40 -dsp -top {top}"),
             // Shift registers in LUTs would blur the count of the logic.
             Self::Xilinx => format!("synth_xilinx -family xc6v -flatten -noiopad -noclkbuf -nosrl -top {top}"),

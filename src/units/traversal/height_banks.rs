@@ -13,7 +13,7 @@ pub fn height_banks(addr: u32, data: u32, depth: u32) -> Arc<Module> {
     let b =
         Builder::new("height_banks", file!(), "on-chip memory in banks, with a write port and two registers a read");
     b.note("Preloaded by MEM_INIT, it is one array with two registers: what it does is the same.");
-    b.note("A read of the word that is being written gives the old word. Written for block RAM inference.");
+    b.note("A read of the word that is being written gives any word, in a simulation the old one. Written for block RAM inference.");
     let addr_w = b.param("ADDR_W", addr, "address bits");
     let data_w = b.param("DATA_W", data, "bits of a word");
     let depth = b.param("DEPTH", depth, "words");

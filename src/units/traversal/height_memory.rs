@@ -9,7 +9,7 @@ pub(super) const MEM_INIT: &str = "MEM_INIT";
 /// Builds the memory (parameters ADDR_W, DATA_W, DEPTH).
 pub fn height_memory(addr: u32, data: u32, depth: u32) -> Arc<Module> {
     let b = Builder::new("height_memory", file!(), "on-chip memory with a write port and a registered read");
-    b.note("A read of the word that is being written gives the old word. Written for block RAM inference.");
+    b.note("A read of the word that is being written gives any word, in a simulation the old one. Written for block RAM inference.");
     let addr_w = b.param("ADDR_W", addr, "address bits");
     let data_w = b.param("DATA_W", data, "bits of a word");
     let depth = b.param("DEPTH", depth, "words");
