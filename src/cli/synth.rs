@@ -138,6 +138,10 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
         }
     } else {
         print!("{}", rows(&done));
+        let part = work.target.part().map_or("", |p| p.name);
+        for f in done.iter().filter(|f| !f.misfits.is_empty()) {
+            println!("does not fit: {} takes {} in {part}", f.unit, f.misfits.join(", "));
+        }
     }
     Ok(())
 }

@@ -3,8 +3,8 @@
 //! Everything is made in memory first; the same configuration gives the same bytes.
 mod flow;
 mod manifest;
-mod tree;
 pub mod parts;
+mod tree;
 
 pub use flow::flow;
 pub use manifest::manifest;

@@ -105,11 +105,11 @@ impl Resource {
 }
 
 impl Part {
-    /// One phrase for each resource of which a netlist takes more than the part has.
+    /// One phrase (`171 of 32 block memories`) for each resource of which a netlist takes more than the part has.
     pub fn misfits(&self, cells: &std::collections::BTreeMap<String, u64>) -> Vec<String> {
         let over = |r: &Resource| {
             let taken = r.taken(cells);
-            (taken > r.most).then(|| format!("{taken} {} of {}", r.what.replace('_', " "), r.most))
+            (taken > r.most).then(|| format!("{taken} of {} {}", r.most, r.what.replace('_', " ")))
         };
         self.resources.iter().filter_map(over).collect()
     }
@@ -127,7 +127,7 @@ mod tests {
     #[test]
     fn what_is_too_much_is_named() {
         let cells = |n: u64| [("SB_RAM40_4K".to_string(), n), ("SB_RAM40_4KNR".to_string(), 1)].into();
-        assert_eq!(ICE40.misfits(&cells(170)), ["171 block memories of 32"]);
+        assert_eq!(ICE40.misfits(&cells(170)), ["171 of 32 block memories"]);
         assert!(ICE40.misfits(&cells(31)).is_empty());
     }
 

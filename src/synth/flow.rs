@@ -2,6 +2,7 @@
 use super::path::{Critical, critical};
 use super::top::{TOP, top_module};
 use crate::config::DefaultNettype;
+use crate::emit::parts::{self, Part};
 use crate::error::{Error, Result};
 use crate::files::Scratch;
 use crate::ir::Module;
@@ -88,7 +89,10 @@ pub struct Figures {
     pub area: Option<f64>,
     /// Every kind of cell and its count.
     pub cells: BTreeMap<String, u64>,
-    /// Clock, where the target has a place and route.
+    /// What the target's part has too few of, and the part; empty where it fits, or where no part is known.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub misfits: Vec<String>,
+    /// Clock, where the target has a place and route and the design fits.
     pub clock: Option<Clock>,
 }
 
@@ -100,6 +104,15 @@ impl Target {
             Self::Ice40 => "ice40",
             Self::Xilinx => "xilinx",
             Self::Liberty(_) => "liberty",
+        }
+    }
+    /// The part that a design is to fit; of a Liberty file there is none.
+    pub fn part(&self) -> Option<Part> {
+        match self {
+            Self::Ecp5 => Some(parts::ECP5),
+            Self::Ice40 => Some(parts::ICE40),
+            Self::Xilinx => Some(parts::XC6VLX760),
+            Self::Liberty(_) => None,
         }
     }
     fn script(&self, top: &str) -> String {
@@ -282,7 +295,7 @@ pub fn measure_files(files: &[(String, Vec<u8>)], top: &str, target: &Target, pl
         (e, _) => e,
     })?;
     let mut f = figures(top, target, work.path())?;
-    if *target == Target::Ecp5 {
+    if *target == Target::Ecp5 && f.misfits.is_empty() {
         f.clock = Some(clock(work.path(), placing)?);
     }
     Ok(f)
@@ -316,6 +329,7 @@ fn figures(unit: &str, target: &Target, dir: &Path) -> Result<Figures> {
         flip_flops: count(|k| k == "TRELLIS_FF" || k.contains("DFF") || k.contains("__df") || k.starts_with("FD")),
         depth,
         area: design["area"].as_f64(),
+        misfits: target.part().map(|p| p.misfits(&cells)).unwrap_or_default(),
         cells,
         clock: None,
     })

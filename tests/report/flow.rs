@@ -138,3 +138,21 @@ fn memories_fit_or_are_named_and_need_no_registers_beside_them() {
         }
     }
 }
+
+#[test]
+fn synth_says_what_does_not_fit() {
+    if without_tools() {
+        return;
+    }
+    let dir = tempfile::tempdir().unwrap();
+    // 1 to 4 multipliers a copy; the largest iCE40 has 8.
+    let line = ["synth", "--unit", "fp_mul", "--target", "ice40", "--copies"];
+    let out = reliefrtl(dir.path(), &[&line[..], &["9"]].concat());
+    assert!(
+        text(&out).contains("does not fit: fp_mul takes 9 of 8 multipliers in the largest iCE40s"),
+        "{}",
+        text(&out)
+    );
+    let out = reliefrtl(dir.path(), &[&line[..], &["2"]].concat());
+    assert!(out.status.success() && !text(&out).contains("does not fit"), "{}", text(&out));
+}

@@ -1,6 +1,7 @@
 //! Figures: the report, fitted designs, rates over scenes, areas and clocks.
 mod fit;
 mod flow;
+mod netlist;
 mod page;
 mod rates;
 mod synth;
