@@ -142,7 +142,7 @@ const SQRT_ROWS: &str = r#"
 "#;
 
 const MEMORY: &str = r#"
-  // Nobody needs the word that is being written: no logic has to remember it beside the memory.
+  // Nobody needs the word that is being written, so no logic remembers it.
   (* no_rw_check *)
   reg [DATA_W-1:0] mem [0:DEPTH-1];
   reg [DATA_W-1:0] read_q;
@@ -198,7 +198,7 @@ const BANKS: &str = r#"
   generate
     if (MEM_INIT != "") begin : gen_preload
       // One file fills one array; how it is divided among block memories is for the synthesizer.
-      // Nobody needs the word that is being written: no logic has to remember it beside the memory.
+      // Nobody needs the word that is being written, so no logic remembers it.
       (* no_rw_check *)
       reg [DATA_W-1:0] mem [0:DEPTH-1];
       reg [DATA_W-1:0] read_q;
@@ -215,7 +215,7 @@ const BANKS: &str = r#"
       // that the selection behind the registers is one AND-OR.
       for (g = 0; g < BankCount; g = g + 1) begin : gen_bank
         localparam integer Index = g;
-        // Nobody needs the word that is being written: no logic has to remember it beside the memory.
+        // Nobody needs the word that is being written, so no logic remembers it.
         (* no_rw_check *)
         reg  [DATA_W-1:0] mem [0:(1<<WordW)-1];
         reg  [DATA_W-1:0] read_q;
