@@ -1,9 +1,11 @@
 //! Benches that replay the vectors in a simulator: their text, and running them.
+mod coverage;
 mod harness;
 mod kept;
 mod run;
 mod text;
 
+pub use coverage::{Further, Point, PointKind, cover};
 pub use harness::{COMPILERS, Harness, HarnessRun, Load, harness_text};
 pub use run::{Outcome, Paths, Simulator, run_bench, run_bench_on};
 pub use text::bench_files;

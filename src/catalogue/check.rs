@@ -157,7 +157,7 @@ pub fn fits(m: &Module, set: &VectorSet) -> Result<()> {
             let column = |p: &crate::ir::Port| Column { name: p.name.clone(), width: p.width.eval(&b) as u32 };
             (m.data_inputs().map(|p| column(p.1)).collect(), m.data_outputs().map(|p| column(p.1)).collect())
         }
-        None => super::ray_columns(m),
+        None => super::ray_columns(m, &b),
     };
     let text = |c: &[Column]| c.iter().map(|c| format!("{}[{}]", c.name, c.width)).collect::<Vec<_>>().join(" ");
     for (what, have, want) in [("inputs", &set.inputs, &ins), ("outputs", &set.outputs, &outs)] {

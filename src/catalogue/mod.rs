@@ -1,14 +1,18 @@
 //! One entry a unit: its hardware, its model, its vectors. Here alone hardware and golden model meet.
 mod check;
 mod events;
+mod limits;
 mod met;
 mod models;
+mod ray_plan;
 mod rays;
 
 pub use check::{CheckReport, Mismatch, check_interp, check_netlist, compare, fits, told};
 pub use events::count_events;
+pub use limits::limit_sets;
 pub use models::model;
-pub use rays::{RaySet, ray_columns, ray_set};
+pub use ray_plan::planned_rays;
+pub use rays::{RaySet, ray_columns, ray_set, ray_set_at};
 
 use crate::config::{DatapathKind, Design};
 use crate::error::{Error, Result};

@@ -1,11 +1,13 @@
 //! Vector sets of `traverse`: rays, a height pyramid, expected hits, and every iteration on the way.
-use crate::config::{Design, Trim};
+use super::design_at;
+use crate::config::{DatapathKind, Design, Trim};
 use crate::error::Result;
-use crate::golden::{Pyramid, RayInput, Tracer};
-use crate::ir::Module;
+use crate::golden::{Pyramid, RayHit, RayInput, Tracer};
+use crate::ir::{Binding, Module};
 use crate::trace::{hit_row, inputs, outputs, row};
 use crate::units::traversal::traverse;
 use crate::vectors::{Column, Counts, VectorSet};
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// A set of rays over a map.
@@ -28,12 +30,11 @@ impl RaySet {
     }
 }
 
-/// Input and output columns of `traverse` at its defaults.
-pub fn ray_columns(m: &Module) -> (Vec<Column>, Vec<Column>) {
-    let b = m.default_binding();
+/// Input and output columns of `traverse` at parameter values `b`.
+pub fn ray_columns(m: &Module, b: &Binding) -> (Vec<Column>, Vec<Column>) {
     let column = |name: &&str| {
         let port = m.port(name).expect("traverse has its ports").1;
-        Column { name: name.to_string(), width: port.width.eval(&b) as u32 }
+        Column { name: name.to_string(), width: port.width.eval(b) as u32 }
     };
     (inputs(m).iter().map(column).collect(), outputs(m).iter().map(column).collect())
 }
@@ -43,12 +44,30 @@ pub fn ray_columns(m: &Module) -> (Vec<Column>, Vec<Column>) {
 /// # Errors
 /// An illegal design.
 pub fn ray_set(d: &Design, pyramid: &Pyramid, rays: &[RayInput], seed: u64) -> Result<RaySet> {
-    let m = &*traverse(d).module;
+    ray_set_at(d, &Binding::new(), pyramid, [&[], rays], seed)
+}
+
+/// As [`ray_set`], with `over` put over the parameters; rays are planned ones, then those of cameras.
+///
+/// # Errors
+/// As [`ray_set`].
+pub fn ray_set_at(
+    design: &Design,
+    over: &Binding,
+    pyramid: &Pyramid,
+    [planned, seen]: [&[RayInput]; 2],
+    seed: u64,
+) -> Result<RaySet> {
+    let m = &*traverse(design).module;
+    let params = m.binding_with(over);
+    let d = &design_at(design, &params);
+    let rays = [planned, seen].concat();
     let g = Tracer::new(d)?;
     // Where the design trims, the level of the node that was read stands at the end of the line.
     let trims = d.mode.trim != Trim::None;
     let mut trace = format!("ray,step,level,x,y,height,t,decision{}\n", if trims { ",read" } else { "" });
     let mut expected = Vec::with_capacity(rays.len());
+    let mut events = Reached::default();
     for (k, r) in rays.iter().enumerate() {
         let mut step = 0;
         let h = g.trace_with(pyramid, r, |i| {
@@ -58,15 +77,17 @@ pub fn ray_set(d: &Design, pyramid: &Pyramid, rays: &[RayInput], seed: u64) -> R
                 .expect("writing to a string can't fail");
             step += 1;
         });
+        events.count(d, r, &h);
         expected.push(hit_row(d, &h));
     }
     let names = inputs(m);
-    let (inputs, outputs) = ray_columns(m);
+    let (inputs, outputs) = ray_columns(m, &params);
     let set = VectorSet {
         unit: m.name.clone(),
-        params: m.default_binding(),
+        params,
         seed,
-        counts: Counts { rays: rays.len(), ..Counts::default() },
+        counts: Counts { corners: planned.len(), rays: seen.len(), ..Counts::default() },
+        events: events.0,
         inputs,
         outputs,
         stimulus: rays.iter().map(|r| row(&names, r)).collect(),
@@ -88,4 +109,31 @@ pub fn ray_set(d: &Design, pyramid: &Pyramid, rays: &[RayInput], seed: u64) -> R
     };
     let banks = if d.mode.bilinear { (0..4).map(bank).collect() } else { Vec::new() };
     Ok(RaySet { set, memory, banks, trace })
+}
+
+/// How many rays reach what, by name.
+#[derive(Default)]
+struct Reached(BTreeMap<String, usize>);
+
+impl Reached {
+    fn count(&mut self, d: &Design, r: &RayInput, h: &RayHit) {
+        let refused = h.limit && h.steps == 0;
+        let still = |travel: u64| match d.datapath.kind {
+            DatapathKind::Fixed => travel == 0,
+            _ => travel & !d.format.sign_bit() < 1 << d.format.man,
+        };
+        let found = [
+            ("refused: not a ray", refused),
+            ("given up at the step limit", h.limit && !refused),
+            ("hit in the last step before the limit", !h.limit && h.steps == d.traverse.step_limit),
+            ("hit in the first step", !h.limit && h.steps == 1),
+            ("hit on a top", !h.limit && !h.wall),
+            ("hit on a wall", h.wall),
+            ("moves along no axis", !refused && still(r.du) && still(r.dv)),
+            ("moves along one axis", !refused && still(r.du) != still(r.dv)),
+            ("goes up levels", h.ups > 0),
+            ("with a level of detail", r.lod > 0),
+        ];
+        found.into_iter().filter(|f| f.1).for_each(|(name, _)| *self.0.entry(name.to_string()).or_default() += 1);
+    }
 }

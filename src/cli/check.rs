@@ -1,11 +1,12 @@
 //! `reliefrtl check`: golden vectors replayed in an engine.
 use super::args::{CheckArgs, Cli, Engine};
 use super::output::spinner;
+use crate::config::Config;
 use crate::error::{Error, Result};
 use crate::files::Scratch;
-use crate::project::{Checked, Scene, alone_files, check_tree, project};
+use crate::project::{Checked, FileCoverage, Scene, alone_files, check_tree, coverage, project};
 use crate::vectors::Level;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Runs `check`.
 pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
@@ -17,6 +18,9 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
     }
     if a.wave.is_some() && a.engine != Engine::Interp {
         return Err(Error::input("check --wave records the interpreter: leave out --engine, or set it to interp"));
+    }
+    if a.coverage && a.engine != Engine::Verilator {
+        return Err(Error::input("check --coverage is counted by Verilator: add --engine verilator"));
     }
     let wave = a.wave.as_deref().map(|path| super::output::wave_sink(path, None)).transpose()?;
     let campaign = a.campaign.campaign(!alone.is_empty())?;
@@ -40,6 +44,9 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
             tree
         }
     };
+    if a.coverage {
+        return covered(cli, &c, &dir);
+    }
     let bar = spinner(cli, "checking");
     let seen = |x: &Checked| bar.set_message(format!("{} done", x.unit));
     let done = check_tree(&c, &dir, a.engine.simulator(), &a.unit, a.canary, wave.as_ref(), &seen);
@@ -53,6 +60,45 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
     match a.canary {
         Some(k) => Err(Error::ToolFailed(format!("the canary {k:?} was not noticed: this check can't fail"))),
         None => Ok(()),
+    }
+}
+
+/// Replays all vectors in Verilator and prints what they reach.
+fn covered(cli: &Cli, c: &Config, dir: &Path) -> Result<()> {
+    let bar = spinner(cli, "counting");
+    let found = coverage(c, dir);
+    bar.finish_and_clear();
+    let found = found?;
+    if cli.json {
+        let file = |(unit, f): (&String, &FileCoverage)| {
+            serde_json::json!({
+                "unit": unit, "branches_reached": f.branches[0], "branches": f.branches[1],
+                "toggles_reached": f.toggles[0], "toggles": f.toggles[1], "with_a_reason": f.reasons,
+            })
+        };
+        let files: Vec<_> = found.files.iter().map(file).collect();
+        let all = serde_json::json!({"files": files, "unlisted": found.unlisted, "stale": found.stale});
+        println!("{}", serde_json::to_string_pretty(&all).expect("plain data"));
+    } else {
+        for (unit, f) in &found.files {
+            let ([b, all_b], [t, all_t]) = (f.branches, f.toggles);
+            let left = all_b + all_t - b - t;
+            println!(
+                "{unit:<18} branches {b} of {all_b}, toggles {t} of {all_t}; {left} not reached, {} with a reason",
+                f.reasons
+            );
+        }
+        found.unlisted.iter().for_each(|p| println!("not reached, and no reason is listed: {p}"));
+        if found.exact {
+            found.stale.iter().for_each(|p| println!("on the list, {p}"));
+        } else {
+            println!("the list of reasons (src/units/unreached.toml) is that of the default configuration");
+        }
+    }
+    let wrong = found.unlisted.len() + found.stale.len();
+    match found.exact && wrong > 0 {
+        true => Err(Error::mismatch(format!("{wrong} points or entries of the list of what is not reached are wrong"))),
+        false => Ok(()),
     }
 }
 

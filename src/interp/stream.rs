@@ -14,9 +14,24 @@ pub struct Traffic {
     pub gaps: u8,
     /// Chance, in 256ths, that a result is not taken in a clock.
     pub stalls: u8,
-    /// Seed of both (ChaCha8).
+    /// Resets of one clock while items are on their way; what is lost is sent again. Before the first one, for [`FLOOD`] clocks, no result is
+    /// taken, so that every stage is full.
+    pub resets: u32,
+    /// Seed of all (ChaCha8).
     pub seed: u64,
 }
+
+impl Traffic {
+    /// Everything at once: half of the items held back, half of the results not taken, a flood, and resets in between.
+    pub const fn rough(seed: u64) -> Self {
+        Self { gaps: 128, stalls: 128, resets: 12, seed }
+    }
+}
+
+/// Clocks of the flood before the first reset.
+pub const FLOOD: u64 = 200;
+/// Clocks between two resets, at most.
+const BETWEEN_RESETS: u64 = 200;
 
 /// What a run gave.
 #[derive(Clone, Debug, Default)]
@@ -41,6 +56,7 @@ pub struct Stream {
     outs: Vec<Slot>,
     tags: usize,
     warm_up: u64,
+    patience: u64,
 }
 
 impl Stream {
@@ -50,7 +66,12 @@ impl Stream {
         let tag = net.inputs.iter().find(|p| p.name == "in_tag").map_or(1, |p| p.width);
         let ins = ins.iter().map(|n| net.input(n)).collect();
         let outs = outs.iter().map(|n| net.output(n)).collect();
-        Self { net, ins, outs, tags: 1 << tag.min(16), warm_up }
+        Self { net, ins, outs, tags: 1 << tag.min(16), warm_up, patience: PATIENCE }
+    }
+
+    /// The same for items that take at most `iterations` each, so that one that got lost is missed earlier.
+    pub fn patient(self, iterations: u64) -> Self {
+        Self { patience: iterations + 16, ..self }
     }
 
     /// As [`Stream::run`], with the items split over `threads` threads of `lanes` lanes each. Results come in the order
@@ -100,10 +121,11 @@ impl Stream {
         let lanes = lanes.clamp(1, items.len().max(1));
         let mut sim = Lanes::of_ports(&self.net, lanes);
         images.iter().enumerate().for_each(|(i, words)| sim.load(i, words.clone()));
-        sim.fill(self.net.input("rst"), 1);
+        let rst = self.net.input("rst");
+        sim.fill(rst, 1);
         sim.eval();
         sim.clock();
-        sim.fill(self.net.input("rst"), 0);
+        sim.fill(rst, 0);
         let mut lane: Vec<Lane> = (0..lanes).map(|l| Lane::new(l, self.tags)).collect();
         let mut rng = ChaCha8Rng::seed_from_u64(traffic.seed);
         let mut run = StreamRun { results: vec![Vec::new(); items.len()], ..StreamRun::default() };
@@ -112,19 +134,25 @@ impl Stream {
         let [ir, ov, ot, busy] = ["in_ready", "out_valid", "out_tag", "slot_busy"].map(|n| self.net.output(n));
         let mut seen = [(); 3].map(|()| vec![0u64; lanes]);
         sim.fill(or, 1);
+        let (mut resets, mut reset_at) = (traffic.resets, FLOOD);
         while left > 0 {
+            let reset = resets > 0 && run.cycles == reset_at;
+            let flood = traffic.resets > 0 && run.cycles < FLOOD;
+            if traffic.resets > 0 {
+                sim.fill(rst, u64::from(reset));
+            }
             for (l, state) in lane.iter_mut().enumerate() {
-                let hold = traffic.gaps > 0 && rng.random::<u8>() < traffic.gaps;
-                state.take = traffic.stalls == 0 || rng.random::<u8>() >= traffic.stalls;
-                if traffic.stalls > 0 {
+                let hold = traffic.gaps > 0 && rng.random::<u8>() < traffic.gaps && !flood;
+                state.take = (traffic.stalls == 0 || rng.random::<u8>() >= traffic.stalls) && !flood;
+                if traffic.stalls > 0 || traffic.resets > 0 {
                     sim.set(or, l, u64::from(state.take));
                 }
                 // An item that was not taken stays on the inputs, so there is mostly nothing to write.
-                if state.offer.is_none() && state.next < items.len() {
-                    state.offer = state.free_tag();
-                    if let Some(tag) = state.offer {
+                if state.offer.is_none() {
+                    state.offer = state.next_item(items.len()).and_then(|item| Some((state.free_tag()?, item)));
+                    if let Some((tag, item)) = state.offer {
                         sim.set(it, l, tag as u64);
-                        self.ins.iter().zip(&items[state.next]).for_each(|(s, v)| sim.set(*s, l, *v));
+                        self.ins.iter().zip(&items[item]).for_each(|(s, v)| sim.set(*s, l, *v));
                     }
                 }
                 let valid = state.offer.is_some() && !hold;
@@ -139,14 +167,17 @@ impl Stream {
             sim.read(ir, ready);
             sim.read(ov, valid);
             sim.read(busy, load);
-            for (l, state) in lane.iter_mut().enumerate() {
-                if state.next < items.len() && run.cycles >= self.warm_up {
+            // What a reset meets is lost, what is offered or taken in its clock not passed on.
+            for (l, state) in lane.iter_mut().enumerate().filter(|_| !reset) {
+                if state.next_item(items.len()).is_some() && run.cycles >= self.warm_up {
                     run.loaded += 1;
                     run.busy += load[l];
                 }
-                if let Some(tag) = state.offer.take_if(|_| state.valid && ready[l] == 1) {
-                    state.tags[tag] = Some(state.next);
-                    state.next += lanes;
+                if let Some((tag, item)) = state.offer.take_if(|_| state.valid && ready[l] == 1) {
+                    state.tags[tag] = Some(item);
+                    if state.again.pop().is_none() {
+                        state.next += lanes;
+                    }
                 }
                 if valid[l] == 1 && state.take {
                     let tag = sim.get(ot, l) as usize;
@@ -160,7 +191,13 @@ impl Stream {
                     quiet = 0;
                 }
             }
-            if quiet > PATIENCE * self.warm_up.max(4) {
+            if reset {
+                lane.iter_mut().for_each(Lane::lose);
+                quiet = 0;
+                resets -= 1;
+                reset_at = run.cycles + rng.random_range(1..=BETWEEN_RESETS);
+            }
+            if quiet > self.patience * self.warm_up.max(4) {
                 let lost = lane.iter().flat_map(|s| s.tags.iter().flatten()).min().copied().unwrap_or(0);
                 return Err(Error::Dropped(format!(
                     "ray {lost} went in and never came out ({left} of {} missing)",
@@ -177,16 +214,29 @@ impl Stream {
 /// One lane's bookkeeping.
 struct Lane {
     next: usize,
+    /// Items that a reset lost: they go first, the last one of them before the others.
+    again: Vec<usize>,
     tags: Vec<Option<usize>>,
     last_tag: usize,
-    offer: Option<usize>,
+    /// Tag and item on the inputs.
+    offer: Option<(usize, usize)>,
     valid: bool,
     take: bool,
 }
 
 impl Lane {
     fn new(first: usize, tags: usize) -> Self {
-        Self { next: first, tags: vec![None; tags], last_tag: 0, offer: None, valid: false, take: true }
+        let tags = vec![None; tags];
+        Self { next: first, again: Vec::new(), tags, last_tag: 0, offer: None, valid: false, take: true }
+    }
+    fn next_item(&self, items: usize) -> Option<usize> {
+        self.again.last().copied().or(Some(self.next).filter(|n| *n < items))
+    }
+    /// A reset: what was on its way is lost, and so is what is offered right now, unless it is offered again.
+    fn lose(&mut self) {
+        self.again.extend(self.tags.iter_mut().filter_map(Option::take));
+        self.again.sort_unstable_by(|a, b| b.cmp(a));
+        self.offer = None;
     }
     fn free_tag(&mut self) -> Option<usize> {
         let n = self.tags.len();

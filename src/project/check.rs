@@ -1,15 +1,16 @@
 //! Checks an emitted tree: every unit's vectors replayed by the interpreter or a simulator.
+use super::rays::{rays, rough};
 use super::same::{same_config, same_text};
 use super::stored::{memory, pyramid_of, ray_of, same_rows};
 use crate::bench::{Paths, Simulator, run_bench_on};
-use crate::catalogue::{CheckReport, check_interp, compare, fits, told, units};
+use crate::catalogue::{check_interp, compare, design_at, fits, told, units};
 use crate::config::{Config, Design};
 use crate::emit::Files;
 use crate::error::{Error, Result};
 use crate::files::{Scratch, Sink};
 use crate::interp::{Traffic, Wave, WaveFormat, elaborate};
 use crate::ir::{Binding, Module};
-use crate::trace::{Pipeline, diagnose, images, record_mismatch, record_ray, record_rows, wrong_iteration};
+use crate::trace::{Pipeline, images, record_mismatch, record_ray, record_rows, wrong_iteration};
 use crate::units::traversal::traverse;
 use crate::vectors::{VectorSet, read_set, set_files};
 
@@ -163,17 +164,41 @@ fn mismatch_wave(d: &Design, dir: &Path, m: &Arc<Module>, canary: Option<Canary>
     }
 }
 
+/// Directories of `traverse`'s further sets, below that of its first: step limits that rays reach.
+pub(super) const FURTHER: [&str; 2] = ["limit", "limit_1"];
+
 fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary: Option<Canary>) -> Result<Checked> {
-    let place = dir.join("golden").join(&m.name);
-    let (mut set, whole) = read_set(&place)?;
-    if set.params != m.default_binding() {
+    let mut checked = one_set(d, dir, m, &dir.join("golden").join(&m.name), &[], sim, canary)?;
+    if m.latency.is_none() && canary.is_none() {
+        for name in FURTHER {
+            let place = dir.join("golden").join(&m.name).join(name);
+            checked.rows += one_set(d, dir, m, &place, &["LEVELS", "STEP_LIMIT"], sim, None)?.rows;
+        }
+    }
+    Ok(checked)
+}
+
+/// One vector set of a unit, of which the parameters `own` may have values of their own.
+fn one_set(
+    d: &Design,
+    dir: &Path,
+    m: &Arc<Module>,
+    place: &Path,
+    own: &[&str],
+    sim: Option<Simulator>,
+    canary: Option<Canary>,
+) -> Result<Checked> {
+    let (mut set, whole) = read_set(place)?;
+    let mut over = set.params.clone();
+    over.retain(|name, _| own.contains(&name.as_str()));
+    if set.params != m.binding_with(&over) || !m.failed_checks(&set.params).is_empty() {
         return Err(Error::input(format!(
             "{}: the vectors were made for other parameter values than the configuration has",
             place.display()
         )));
     }
     // What an engine says about a spoiled row tells more than that two files differ.
-    let exports = same_rows(&place, &set);
+    let exports = same_rows(place, &set);
     fits(m, &set).map_err(|e| Error::input(format!("{}: {e}", place.display())))?;
     if let Some(canary) = canary {
         canary.spoil(&mut set);
@@ -184,10 +209,10 @@ fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary:
             r.verdict(&set, m)?;
             Ok(Checked { unit: m.name.clone(), rows: r.checked, note: String::new() })
         }
-        None => rays(d, &place, m, &set),
+        None => rays(d, place, m, &over, &set),
         Some(s) => {
             let spoiled = Scratch::new()?;
-            let mut from = place.canonicalize().map_err(|e| Error::file("find", &place, e))?;
+            let mut from = place.canonicalize().map_err(|e| Error::file("find", place, e))?;
             if canary.is_some() {
                 for (name, text) in set_files(&set) {
                     crate::files::write_atomic(spoiled.path().join(name), text.as_bytes())?;
@@ -200,8 +225,8 @@ fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary:
                 from = spoiled.path().to_path_buf();
             }
             let paths = Paths { vectors: Some(from), ..Paths::default() };
-            let o = run_bench_on(s, dir, &m.name, &Binding::new(), &paths, &[])
-                .map_err(|e| located(e, d, dir, s, &set, m, &paths))?;
+            let o = run_bench_on(s, dir, &m.name, &over, &paths, rough(m))
+                .map_err(|e| located(e, &design_at(d, &set.params), [dir, place], s, &set, m, &over, &paths))?;
             let note = o.output.lines().find(|l| l.starts_with("slots busy")).unwrap_or_default().to_string();
             Ok(Checked { unit: m.name.clone(), rows: o.checked, note })
         }
@@ -223,7 +248,17 @@ fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary:
 }
 
 /// What a simulator's bench said, decoded; a mismatch of `traverse` with its first wrong iteration, for which the bench runs once more.
-fn located(e: Error, d: &Design, dir: &Path, sim: Simulator, set: &VectorSet, m: &Arc<Module>, paths: &Paths) -> Error {
+#[allow(clippy::too_many_arguments)]
+fn located(
+    e: Error,
+    d: &Design,
+    [dir, place]: [&Path; 2],
+    sim: Simulator,
+    set: &VectorSet,
+    m: &Arc<Module>,
+    over: &Binding,
+    paths: &Paths,
+) -> Error {
     let told = told(e, sim.name(), set, m);
     let Error::Mismatch(found) = told else { return told };
     let vector = found.place.as_ref().map(|p| p.vector);
@@ -232,9 +267,9 @@ fn located(e: Error, d: &Design, dir: &Path, sim: Simulator, set: &VectorSet, m:
         let seen = work.path().join("iterations");
         // It fails as it did before.
         let paths = Paths { iterations: Some(seen.clone()), ..paths.clone() };
-        let _ = run_bench_on(sim, dir, &m.name, &Binding::new(), &paths, &[]);
+        let _ = run_bench_on(sim, dir, &m.name, over, &paths, rough(m));
         let iterations = std::fs::read_to_string(&seen).map_err(|e| Error::file("read", &seen, e))?;
-        let pyramid = pyramid_of(d, &memory(&dir.join("golden").join(&m.name))?)?;
+        let pyramid = pyramid_of(d, &memory(place)?)?;
         wrong_iteration(d, &pyramid, &ray_of(&set.stimulus[number]), number, &iterations)
     };
     Error::Mismatch(match vector.filter(|_| m.latency.is_none()).map(again) {
@@ -242,39 +277,4 @@ fn located(e: Error, d: &Design, dir: &Path, sim: Simulator, set: &VectorSet, m:
         // A tree without these signals (a netlist, say) has nothing more to tell.
         Some(Err(_)) | None => found,
     })
-}
-
-/// The traverse unit in the interpreter.
-fn rays(d: &Design, place: &Path, m: &Module, set: &VectorSet) -> Result<Checked> {
-    let image = memory(place)?;
-    let p = Pipeline::new(d, &Binding::new())?;
-    if image.len() != p.net.mems[0].depth {
-        return Err(Error::input(format!(
-            "{}/memory.hex has {} words, the pyramid has {}",
-            place.display(),
-            image.len(),
-            p.net.mems[0].depth
-        )));
-    }
-    let stream = p.stream();
-    let run = stream.run(&set.stimulus, &images(&p.net, &image), 1, Traffic::default())?;
-    let r: CheckReport = compare(set, "interp", &run.results)?;
-    if let Some(x) = &r.first {
-        let told = match diagnose(d, &pyramid_of(d, &image)?, &ray_of(&set.stimulus[x.vector]))? {
-            Some(divergence) => divergence.to_string(),
-            None => {
-                "interpreter and golden model agree in every iteration of this ray: the expected row is what differs"
-                    .into()
-            }
-        };
-        return r.verdict(set, m).map(|()| unreachable!("there is a mismatch")).map_err(|e| match e {
-            Error::Mismatch(found) => Error::Mismatch(found.and(told)),
-            e => e,
-        });
-    }
-    let note = format!(
-        "slots busy: {} of {} under full load; {} clocks from first ray to last hit",
-        run.busy, run.loaded, run.cycles
-    );
-    Ok(Checked { unit: m.name.clone(), rows: r.checked, note })
 }

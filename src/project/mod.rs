@@ -1,18 +1,21 @@
 //! A whole project from one configuration: scene, Verilog, benches, vectors, manifest; and its check by any engine.
 mod alone;
 mod check;
+mod coverage;
 mod digests;
+mod rays;
 mod same;
 mod scene;
 mod stored;
 
 pub use alone::{alone, alone_files, alone_text, alone_vectors};
 pub use check::{Canary, Checked, check_tree};
+pub use coverage::{Coverage, FileCoverage, coverage};
 pub use same::same_config;
 pub use scene::{Scene, encode, ray};
 
 use crate::bench::bench_files;
-use crate::catalogue::{count_events, ray_set, units, vector_set};
+use crate::catalogue::{RaySet, count_events, limit_sets, planned_rays, ray_set_at, units, vector_set};
 use crate::config::Config;
 use crate::emit::{self, Files};
 use crate::error::Result;
@@ -61,13 +64,29 @@ pub fn vectors(c: &Config, scene: &Scene) -> Result<Files> {
         set.events = count_events(&d, &m, &set);
         files.extend(set_files(&set).into_iter().map(|(n, t)| (format!("golden/{}/{n}", m.name), t)));
     }
-    let rays = scene.sample(c)?;
-    let set = ray_set(&d, &scene.pyramid, &rays, c.vectors.seed)?;
-    files.extend(set_files(&set.set).into_iter().map(|(n, t)| (format!("golden/traverse/{n}"), t)));
-    files.extend(set.memory_files().map(|(n, t)| (format!("golden/traverse/{n}"), t.clone())));
-    files.insert("golden/traverse/trace.csv".into(), set.trace);
+    for (place, set) in ray_sets(c, scene)? {
+        files.extend(set_files(&set.set).into_iter().map(|(n, t)| (format!("{place}/{n}"), t)));
+        files.extend(set.memory_files().map(|(n, t)| (format!("{place}/{n}"), t.clone())));
+        files.insert(format!("{place}/trace.csv"), set.trace);
+    }
     files.extend(digests::digests(&files));
     Ok(files)
+}
+
+/// The vector sets of `traverse`, each with its directory: planned rays and those of the configured views at the configured parameter
+/// values; and rays that reach a step limit.
+///
+/// # Errors
+/// An illegal design.
+pub fn ray_sets(c: &Config, scene: &Scene) -> Result<Vec<(String, RaySet)>> {
+    let (d, seed) = (c.design(), c.vectors.seed);
+    let planned = planned_rays(&d, &scene.pyramid, seed)?;
+    let rays = [&planned[..], &scene.sample(c)?];
+    let mut sets = vec![("golden/traverse".into(), ray_set_at(&d, &Binding::new(), &scene.pyramid, rays, seed)?)];
+    for (name, set) in limit_sets(&d, &scene.pyramid, seed)? {
+        sets.push((format!("golden/traverse/{name}"), set));
+    }
+    Ok(sets)
 }
 
 /// The Verilog with its benches and proof harnesses, and the manifest.

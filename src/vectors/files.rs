@@ -39,6 +39,7 @@ struct Description {
 fn policy(s: &VectorSet) -> String {
     let c = &s.counts;
     let corners = match s.campaign {
+        None if s.unit == "traverse" => "texels and corners of rays",
         None => "landmarks crossed with each other, then corner tables",
         Some(_) => "corner tables crossed with each other",
     };

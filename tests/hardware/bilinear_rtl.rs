@@ -65,7 +65,7 @@ const SIZES: [((u32, u32), u32, u32); 7] = [
 fn the_interpreter_equals_golden_at_formats_and_level_counts() {
     let mut seen = [0; 4];
     for (k, (format, levels, height)) in SIZES.into_iter().enumerate() {
-        for traffic in [Traffic::default(), Traffic { gaps: 60, stalls: 120, seed: k as u64 }] {
+        for traffic in [Traffic::default(), Traffic { gaps: 60, stalls: 120, resets: 2, seed: k as u64 }] {
             let mut d = design(format, levels, height);
             d.traverse.step_limit = if k == 1 { 9 } else { 65535 };
             let (pyramid, rays) = hard(&d, k as u64);

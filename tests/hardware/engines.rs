@@ -149,7 +149,7 @@ fn traverse_at_other_sizes_in_icarus() {
 fn traffic_loses_and_repeats_nothing() {
     if !skip() {
         for sim in [Simulator::Icarus, Simulator::Verilator] {
-            for traffic in [&["gaps"][..], &["stalls"], &["gaps", "stalls", "flood"]] {
+            for traffic in [&["gaps"][..], &["stalls"], &["gaps", "stalls", "flood", "reset"], &["again"]] {
                 traverse_at(sim, &[(4, 8)], traffic);
             }
         }

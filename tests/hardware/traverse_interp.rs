@@ -42,7 +42,7 @@ fn every_mode_equals_golden_and_hits_alike() {
                 d.mode = ModeConfig { start_level, levels_down, level_up, ..ModeConfig::default() };
                 let g = Golden::new(&d).unwrap();
                 let p = Pipeline::new(&d, &Binding::new()).unwrap();
-                let traffic = Traffic { gaps: 60, stalls: 90, seed: runs };
+                let traffic = Traffic { gaps: 60, stalls: 90, resets: 2, seed: runs };
                 let run = p.run(&pyramid, &rays, 8, traffic).unwrap();
                 let hits: Vec<RayHit> = run.results.iter().map(|r| hit(r)).collect();
                 for (k, (h, r)) in hits.iter().zip(&rays).enumerate() {
@@ -74,7 +74,7 @@ fn every_trim_equals_golden_and_hits_alike() {
                     d.mode = ModeConfig { start_level, levels_down, level_up, trim, lod: true, bilinear: false };
                     let g = Golden::new(&d).unwrap();
                     let p = Pipeline::new(&d, &Binding::new()).unwrap();
-                    let traffic = Traffic { gaps: 60, stalls: 90, seed: runs };
+                    let traffic = Traffic { gaps: 60, stalls: 90, resets: 2, seed: runs };
                     let run = p.run(&pyramid, &rays, 8, traffic).unwrap();
                     let hits: Vec<RayHit> = run.results.iter().map(|r| hit(r)).collect();
                     for (k, (h, r)) in hits.iter().zip(&rays).enumerate() {
@@ -142,9 +142,11 @@ fn registers_between_units_change_no_result() {
         d.mode.trim = [Trim::None, Trim::Descent, Trim::Always][k % 3];
         let (pyramid, rays) = hard(&d, 8);
         let (g, p) = (Golden::new(&d).unwrap(), Pipeline::new(&d, &Binding::new()).unwrap());
-        for traffic in
-            [Traffic::default(), Traffic { gaps: 30, stalls: 200, seed: 7 }, Traffic { gaps: 200, stalls: 0, seed: 8 }]
-        {
+        for traffic in [
+            Traffic::default(),
+            Traffic { gaps: 30, stalls: 200, resets: 3, seed: 7 },
+            Traffic { gaps: 200, seed: 8, ..Traffic::default() },
+        ] {
             let run = p.run(&pyramid, &rays, 64, traffic).unwrap();
             assert_eq!(run.results.len(), rays.len(), "{l:?}");
             assert!(run.results.iter().zip(&rays).all(|(h, r)| hit(h) == g.trace(&pyramid, r)), "{l:?}, {traffic:?}");
@@ -178,7 +180,7 @@ fn threads_and_traffic_change_no_result() {
     let want = p.run(&pyramid, &rays, 64, Traffic::default()).unwrap().results;
     assert_eq!(want.len(), rays.len());
     for (threads, lanes) in [(1, 200), (2, 16), (3, 64), (7, 1)] {
-        for traffic in [Traffic::default(), Traffic { gaps: 90, stalls: 120, seed: 4 }] {
+        for traffic in [Traffic::default(), Traffic { gaps: 90, stalls: 120, resets: 1, seed: 4 }] {
             let run = |()| p.run_parallel(&pyramid, &rays, lanes, threads, traffic).unwrap();
             let [first, again] = [(), ()].map(run);
             assert_eq!(first.results, want, "{threads} threads, {traffic:?}");

@@ -199,6 +199,10 @@ pub struct CheckArgs {
     /// Where the first mismatch goes as a waveform of the interpreter: the clocks around it, undefined values as x.
     #[arg(long, value_name = "W.fst|W.vcd")]
     pub wave: Option<PathBuf>,
+    /// Also counts what the vectors reach (with --engine verilator): branches and bits that change, by file. Of the default configuration a
+    /// point that is not reached and has no reason on the list is a failure with exit code 1.
+    #[arg(long, conflicts_with_all = ["unit", "level", "canary", "wave"])]
+    pub coverage: bool,
 }
 
 /// Options of `prove`.

@@ -2,6 +2,7 @@
 //! What survives is listed by name with `cargo test --test proofs mutants -- --nocapture`; of arithmetic, with a proof that it computes the same.
 mod aig;
 mod blast;
+mod control;
 mod equal;
 mod simulated;
 

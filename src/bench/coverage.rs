@@ -1,0 +1,167 @@
+//! Branch and toggle coverage of emitted files: Verilator counts while the benches replay what is shipped.
+use super::run::{Simulator, build_covered, link};
+use crate::emit::emitted_name;
+use crate::error::{Error, Result};
+use crate::files::Scratch;
+use crate::ir::Binding;
+use crate::process;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::path::Path;
+
+/// What is counted.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum PointKind {
+    /// A way through an `if` or `case`.
+    Branch,
+    /// A bit of a signal that changes.
+    Toggle,
+}
+
+/// Something that can be reached, summed over all copies of the module.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct Point {
+    /// Module, without the prefix of the tree.
+    pub unit: String,
+    /// What is counted.
+    pub kind: PointKind,
+    /// Signal and bit, or the branch.
+    pub name: String,
+    /// Line in the module's file.
+    pub line: u32,
+}
+
+/// A bench of a set at parameter values of its own.
+pub struct Further {
+    /// Its directory, from the tree's root.
+    pub place: String,
+    /// Parameter values that differ from the defaults.
+    pub over: Binding,
+}
+
+/// Builds the benches of `units` under one top, with a bench of `traverse` more for each of `further`, runs all of them once, and returns how often each
+/// point of the emitted files was reached.
+///
+/// # Errors
+/// A missing tool, a failed build, benches that do not pass.
+pub fn cover(dir: &Path, units: &[String], further: &[Further]) -> Result<BTreeMap<Point, u64>> {
+    let work = Scratch::new()?;
+    let dir = dir.canonicalize().map_err(|e| Error::file("find", dir, e))?;
+    for part in ["rtl", "testbench", "golden"] {
+        link(&dir.join(part), &work.path().join(part))?;
+    }
+    let benches = units.iter().map(|u| emitted_name(&dir, "testbench", &format!("tb_{u}"), ".v"));
+    let benches = benches.collect::<Result<Vec<_>>>()?;
+    let mut sources = Vec::new();
+    let mut tops: Vec<(String, Binding)> = benches.iter().map(|b| (b.clone(), Binding::new())).collect();
+    for (k, f) in further.iter().enumerate() {
+        let bench = emitted_name(&dir, "testbench", "tb_traverse", ".v")?;
+        let path = dir.join(format!("testbench/{bench}.v"));
+        let text = std::fs::read_to_string(&path).map_err(|e| Error::file("read", path, e))?;
+        let name = format!("tb_further_{k}");
+        let text = text
+            .replace(&format!("module {bench} "), &format!("module {name} "))
+            .replace("\"golden/traverse\"", &format!("\"{}\"", f.place));
+        sources.push((format!("{name}.v"), text));
+        tops.push((name, f.over.clone()));
+    }
+    sources.push(("covered.v".into(), top(&tops)));
+    sources.push(("covered.vlt".into(), quiet(&sources)));
+    sources.push(("covered.cpp".into(), MAIN.into()));
+    for (name, text) in &sources {
+        crate::files::write_atomic(work.path().join(name), text.as_bytes())?;
+    }
+    let benches: Vec<String> = benches.iter().map(|b| format!("testbench/{b}.v")).collect();
+    let sources: Vec<String> = sources.into_iter().map(|s| s.0).collect();
+    let mut run = build_covered(work.path(), &benches, &sources)?;
+    let out = process::output(run.args(["+again", "coverage.dat"]));
+    let out = out.map_err(|_| Error::ToolFailed("the benches that count coverage can't be run".into()))?;
+    let counts = work.path().join("coverage.dat");
+    let text = String::from_utf8_lossy(&out.stdout);
+    let passed = text.lines().filter(|l| l.starts_with("PASS ")).count();
+    if !out.status.success() || passed != tops.len() {
+        let failed = text.lines().find(|l| l.starts_with("FAIL ")).unwrap_or("without a verdict");
+        let name = Simulator::Verilator.name();
+        return Err(Error::mismatch(format!("{passed} of {} benches pass in {name}: {failed}", tops.len())));
+    }
+    let text = std::fs::read(&counts).map_err(|e| Error::file("read", &counts, e))?;
+    let prefix = tops[0].0.split("tb_").next().unwrap_or_default();
+    points(&String::from_utf8_lossy(&text), prefix)
+}
+
+/// The top above all benches.
+fn top(benches: &[(String, Binding)]) -> String {
+    let n = benches.len();
+    let mut out = format!(
+        "module covered (\n  input wire clk,\n  output wire done,\n  output wire [7:0] exit_code\n);\n  wire [{}:0] all;\n",
+        n - 1
+    );
+    for (k, (name, over)) in benches.iter().enumerate() {
+        let over: Vec<String> = over.iter().map(|(p, v)| format!(".{p}({v})")).collect();
+        let over = if over.is_empty() { String::new() } else { format!(" #({})", over.join(", ")) };
+        writeln!(
+            out,
+            "  wire [7:0] code_{k};\n  {name}{over} bench_{k} (.clk(clk), .done(all[{k}]), .exit_code(code_{k}));"
+        )
+        .expect("writing to a string can't fail");
+    }
+    let codes: Vec<String> = (0..n).map(|k| format!("code_{k}")).collect();
+    out + &format!("  assign done = &all;\n  assign exit_code = {};\nendmodule\n", codes.join(" | "))
+}
+
+/// Verilator's orders: benches are not counted.
+fn quiet(sources: &[(String, String)]) -> String {
+    let files = sources.iter().map(|s| s.0.as_str()).chain(["tb_*.v"]);
+    files.fold("`verilator_config\n".to_string(), |out, f| out + &format!("coverage_off -file \"*{f}\"\n"))
+}
+
+/// Clocks all benches until they are done; the last argument says where the counts go.
+const MAIN: &str = r#"#include <memory>
+#include "Vtb.h"
+#include "verilated.h"
+#include "verilated_cov.h"
+int main(int argc, char** argv) {
+  const auto context = std::make_unique<VerilatedContext>();
+  context->commandArgs(argc, argv);
+  const auto top = std::make_unique<Vtb>(context.get());
+  top->clk = 0;
+  top->eval();
+  while (!top->done && !context->gotFinish()) {
+    top->clk = 1;
+    top->eval();
+    top->clk = 0;
+    top->eval();
+  }
+  top->final();
+  context->coveragep()->write(argv[argc - 1]);
+  return top->done ? top->exit_code : 4;
+}
+"#;
+
+/// Counts of a coverage file by point. A line is `C 'key' count`; fields of the key are `\x01name\x02value`.
+fn points(text: &str, prefix: &str) -> Result<BTreeMap<Point, u64>> {
+    let bad = |line: &str| Error::ToolFailed(format!("Verilator's coverage file holds the line {line:?}"));
+    let mut out = BTreeMap::new();
+    for line in text.lines().filter(|l| l.starts_with("C '")) {
+        let (key, count) = line[3..].rsplit_once("' ").ok_or_else(|| bad(line))?;
+        let count: u64 = count.trim().parse().map_err(|_| bad(line))?;
+        let fields: BTreeMap<&str, &str> = key.split('\u{1}').filter_map(|f| f.split_once('\u{2}')).collect();
+        let field = |name: &str| fields.get(name).copied().unwrap_or_default();
+        let kind = match field("page").split('/').next() {
+            Some("v_toggle") => PointKind::Toggle,
+            Some("v_branch") => PointKind::Branch,
+            _ => continue,
+        };
+        let file = Path::new(field("f")).file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        // Newer versions count both directions apart.
+        let name = field("o").split(':').next().unwrap_or_default().to_string();
+        let number = field("l").parse().map_err(|_| bad(line))?;
+        let line = if kind == PointKind::Branch { number } else { 0 };
+        *out.entry(Point { unit: file.strip_prefix(prefix).unwrap_or(&file).to_string(), kind, name, line })
+            .or_insert(0) += count;
+    }
+    if out.is_empty() {
+        return Err(Error::NothingRan("Verilator counted no point of any emitted file".into()));
+    }
+    Ok(out)
+}
