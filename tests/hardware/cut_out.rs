@@ -65,12 +65,17 @@ const CUTS: &[Cut] = &[
     ("refusal of what is no ray", |dir, _| {
         edit(dir, "rtl/relief_traverse.v", "wire s0_new_refused =", "~s0_new_ok", "1'b0");
     }),
-    ("step limit", |dir, _| edit(dir, "rtl/relief_traverse.v", "_at_limit =", "_at_limit =", "_at_limit = 1'b0 &")),
+    ("step limit", |dir, _| edit(dir, "rtl/relief_traverse.v", "_ends_now =", "_last_step;", "_last_step & 1'b0;")),
     ("back-pressure", |dir, handshake| match handshake {
         0 => edit(dir, "rtl/relief_traverse.v", "wire hit_ce =", "| out_ready", "| 1'b1"),
         _ => edit(dir, "rtl/relief_traverse.v", ".out_ready  (out_ready)", "(out_ready)", "(1'b1)"),
     }),
-    ("reset of the loop's valid bit", |dir, _| keep_at_reset(dir, "rtl/relief_traverse.v", "s0_back_valid <= 1'b0;")),
+    ("reset of the loop's valid bit", |dir, _| {
+        let text = std::fs::read_to_string(dir.join("rtl/relief_traverse.v")).unwrap();
+        let goes_on = text.lines().find(|l| l.contains("s0_back_valid ") && l.contains("<= s")).unwrap();
+        let cleared = text.lines().find(|l| l.contains("s0_back_valid ") && l.contains("<= 1'b0;")).unwrap();
+        edit(dir, "rtl/relief_traverse.v", cleared, cleared, goes_on);
+    }),
     ("reset of the first stage of setup", |dir, _| keep_at_reset(dir, "rtl/relief_setup_delay.v", "s1_valid <= 1'b0;")),
     ("reset of the last stage of setup", |dir, _| {
         let text = std::fs::read_to_string(dir.join("rtl/relief_setup_delay.v")).unwrap();

@@ -176,7 +176,7 @@ fn shipped_rays_notice_what_is_cut_out_of_the_description() {
     }
     let cuts = [
         ("refusal", constant("new_refused", Op::Zeros)),
-        ("step limit", constant("at_limit", Op::Zeros)),
+        ("step limit", constant("last_step", Op::Zeros)),
         ("back-pressure", constant("hit_ce", Op::Ones)),
         ("reset", unreset),
     ];
