@@ -206,8 +206,8 @@ fn portable_maps() {
 #[test]
 fn files_without_a_header() {
     let bytes: Vec<u8> = ramp(16).iter().flat_map(|w| (*w as u16).to_le_bytes()).collect();
-    map("m.r16", &[], &[bytes.clone()]);
-    map("m.hgt", &[], &[bytes.clone()]);
+    map("m.r16", &[], std::slice::from_ref(&bytes));
+    map("m.hgt", &[], std::slice::from_ref(&bytes));
     map("m.raw", &["map.size=8,8"], &[bytes.clone(), ramp(8).iter().map(|w| *w as u8).collect(), vec![0x41; 256]]);
 }
 
@@ -360,14 +360,14 @@ fn stored_measurements() {
     let mut plan = Plan::new(&config, &Selection { extent: Extent::Tiny, ..Selection::default() }).unwrap();
     plan.cells.truncate(1);
     let dir = tempfile::tempdir().unwrap();
-    cells(&plan, dir.path(), &|_, _| ()).unwrap();
+    let (whole, _) = cells(&plan, dir.path(), &|_, _| ()).unwrap();
     let path = std::fs::read_dir(dir.path().join("cells")).unwrap().next().unwrap().unwrap().path();
     let seed = std::fs::read(&path).unwrap();
     fuzz("cell.json", &[seed], |bytes| {
         // What is no measurement is measured again.
         std::fs::write(&path, bytes).unwrap();
         let (found, work) = cells(&plan, dir.path(), &|_, _| ())?;
-        assert_eq!((found.len(), work.measured + work.taken), (1, 1));
+        assert!(found == whole && work.measured + work.taken == 1, "what was edited counts as measured");
         Ok(())
     });
 }

@@ -28,6 +28,9 @@ pub struct Tiff {
     pub words: Vec<u64>,
 }
 
+/// Kind, bytes of a value, values.
+type Field = (u16, usize, Vec<u64>);
+
 impl Tiff {
     pub fn grey(width: usize, bits: u32, words: &[u64]) -> Self {
         Self {
@@ -183,7 +186,7 @@ impl Tiff {
         let long = |values: &[u64]| (4u16, 4usize, values.to_vec());
         let offsets: Vec<u64> = places.iter().map(|p| p.0).collect();
         let counts: Vec<u64> = places.iter().map(|p| p.1).collect();
-        let mut tags: Vec<(u16, (u16, usize, Vec<u64>))> = vec![
+        let mut tags: Vec<(u16, Field)> = vec![
             (254, long(&[kind.into()])),
             (256, long(&[self.width as u64])),
             (257, long(&[self.height as u64])),
