@@ -71,7 +71,7 @@ impl Harness {
     ///
     /// # Errors
     /// [`Error::ToolMissing`] without Verilator, make or the compiler; [`Error::ToolFailed`] if the build fails.
-    pub fn new(compiler: &str, files: &Files, traverse: &Module, top: &str, load: &Load<'_>) -> Result<Self> {
+    pub fn new(compiler: &str, files: &Files, traverse: &Module, top: &str) -> Result<Self> {
         let work = Scratch::new()?;
         let put = |name: &str, bytes: &[u8]| {
             let place = work.path().join(name);
@@ -81,10 +81,6 @@ impl Harness {
         };
         files.iter().filter(|(name, _)| name.starts_with("rtl/")).try_for_each(|(n, text)| put(n, text.as_bytes()))?;
         put("harness.cpp", harness_text(traverse, top).as_bytes())?;
-        let counts = [load.memory.len() as u64, load.rays.len() as u64];
-        let rows = load.rays.iter().chain(load.expected).flatten();
-        let words = counts.iter().chain(load.memory).chain(rows);
-        put("rays.bin", &words.flat_map(|w| w.to_ne_bytes()).collect::<Vec<u8>>())?;
         let start = Instant::now();
         let verilator = std::env::var("VERILATOR").unwrap_or_else(|_| "verilator".into());
         // Nothing that costs time in the model: no assertions, no random values for x.
@@ -99,6 +95,19 @@ impl Harness {
         let out = tool(work.path(), "make", &make)?;
         finish(compiler, &out)?;
         Ok(Self { build: start.elapsed(), work })
+    }
+
+    /// Says what [`Harness::run`] sends from now on.
+    ///
+    /// # Errors
+    /// A directory that can't be written.
+    pub fn load(&self, load: &Load<'_>) -> Result<()> {
+        let counts = [load.memory.len() as u64, load.rays.len() as u64];
+        let rows = load.rays.iter().chain(load.expected).flatten();
+        let words = counts.iter().chain(load.memory).chain(rows);
+        let place = self.work.path().join("rays.bin");
+        let bytes: Vec<u8> = words.flat_map(|w| w.to_ne_bytes()).collect();
+        std::fs::write(&place, bytes).map_err(|e| Error::file("write", &place, e))
     }
 
     /// Sends all rays once.

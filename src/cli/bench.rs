@@ -95,8 +95,11 @@ fn measure(c: &Config, task: &Task, turns: usize, tell: &dyn Fn(&str)) -> Result
     let load = Load { memory: &memory, rays: &items, expected: &task.expected };
     for compiler in COMPILERS.into_iter().filter(|compiler| process::starts(compiler)) {
         tell(&format!("building the harness in Verilator with {compiler}"));
-        match Harness::new(compiler, &hardware.files, &hardware.traverse.module, &top, &load) {
-            Ok(harness) => harnesses.push((compiler, harness)),
+        match Harness::new(compiler, &hardware.files, &hardware.traverse.module, &top) {
+            Ok(harness) => {
+                harness.load(&load)?;
+                harnesses.push((compiler, harness));
+            }
             Err(e @ Error::ToolMissing(_)) => left_out.push(e),
             Err(e) => return Err(e),
         }

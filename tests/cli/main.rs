@@ -1,4 +1,5 @@
 //! The command line as a user meets it: sentences, exit codes, nothing half-written, equal bytes from the engines. A file a verb.
+mod bench;
 mod build;
 mod check;
 mod config;

@@ -6,6 +6,7 @@ mod engines;
 mod exit_status;
 mod fixed;
 mod hard_rtl;
+mod harness;
 mod lanes;
 mod one_op;
 mod ops;
