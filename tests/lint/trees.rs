@@ -48,7 +48,7 @@ fn elaborate(tool: Tool, dir: &Path, top: &str, files: &[&str]) -> Option<Said> 
         Tool::Icarus => drop(c.args(["-s", top]).args(files)),
         Tool::Verilator | Tool::VerilatorNew => drop(c.args(["-Wno-lint", "--top-module", top]).args(files)),
         Tool::Slang => drop(c.args(["--words", "--top", top]).args(files)),
-        Tool::Yosys => {
+        Tool::Yosys | Tool::YosysNew => {
             let script = format!("read_verilog -formal {}; hierarchy -check -top {top}", files.join(" "));
             c.args(["-p", &script]);
         }
