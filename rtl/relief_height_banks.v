@@ -69,7 +69,8 @@ module relief_height_banks #(
         reg  [DATA_W-1:0] out_q;
         reg               asked_q;
         reg               asked_out_q;
-        wire [DATA_W-1:0] so_far;
+        wire [DATA_W-1:0] below;
+        wire [DATA_W-1:0] so_far = below | ({DATA_W{asked_out_q}} & out_q);
         wire              written = write_addr[ADDR_W-1:WordW] == Index[ADDR_W-1-WordW:0];
         always @(posedge clk) begin
           if (write_en && written) mem[write_addr[WordW-1:0]] <= write_data;
@@ -79,12 +80,14 @@ module relief_height_banks #(
           asked_out_q <= asked_q;
         end
         if (g == 0) begin : gen_first
-          assign so_far = {DATA_W{asked_out_q}} & out_q;
+          assign below = {DATA_W{1'b0}};
         end else begin : gen_later
-          assign so_far = gen_bank[g-1].so_far | ({DATA_W{asked_out_q}} & out_q);
+          assign below = gen_bank[g-1].so_far;
+        end
+        if (g == BankCount - 1) begin : gen_last
+          assign read_data = so_far;
         end
       end
-      assign read_data = gen_bank[BankCount-1].so_far;
     end
   endgenerate
 endmodule
