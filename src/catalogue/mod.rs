@@ -60,6 +60,7 @@ pub fn design_at(d: &Design, b: &Binding) -> Design {
     set("HEIGHT_W", &mut d.traverse.height_bits);
     set("TILE_W", &mut d.traverse.tile_bits);
     set("FRAC_W", &mut d.traverse.frac_bits);
+    set("TAG_W", &mut d.traverse.tag_bits);
     set("STEP_LIMIT", &mut d.traverse.step_limit);
     set("NUDGE_W", &mut d.datapath.nudge_bits);
     set("FRACTION_W", &mut d.datapath.fraction_bits);

@@ -126,16 +126,22 @@ fn print_map(cli: &Cli, scene: &Scene) -> Result<()> {
 pub fn vectors(cli: &Cli, a: &VectorsArgs) -> Result<()> {
     let (c, alone) = super::config::load_for(cli, &a.unit)?;
     let campaign = a.campaign.campaign(!alone.is_empty())?;
+    let over = project::parameters(&a.param)?;
+    alone.iter().try_for_each(|m| project::accepts(m, &over))?;
     let dir = super::output::directory(&a.out)?;
     let bar = spinner(cli, "computing vectors");
     let own: Vec<String> = a.unit.iter().map(|name| format!("golden/{name}/")).collect();
-    let files = if alone.is_empty() {
+    let files = if alone.is_empty() && !over.is_empty() {
+        let map = a.map.map.as_deref();
+        let each = a.unit.iter().map(|name| project::unit_vectors(&c, name, &over, map, a.map.resample));
+        each.collect::<Result<Vec<_>>>()?.into_iter().flatten().collect()
+    } else if alone.is_empty() {
         let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
         let mut files = project::vectors(&c, &scene)?;
         files.retain(|f, _| own.is_empty() || own.iter().any(|dir| f.starts_with(dir)));
         files
     } else {
-        alone.iter().flat_map(|m| project::alone_vectors(&c, m, campaign)).collect()
+        alone.iter().flat_map(|m| project::alone_vectors(&c, m, &over, campaign)).collect()
     };
     if files.is_empty() {
         return Err(Error::NothingRan("the chosen unit has no vectors of its own".into()));

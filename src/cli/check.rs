@@ -4,7 +4,10 @@ use super::output::spinner;
 use crate::config::Config;
 use crate::error::{Error, Result};
 use crate::files::Scratch;
-use crate::project::{Checked, FileCoverage, Scene, alone_files, check_tree, coverage, project};
+use crate::project::{
+    Checked, FileCoverage, Scene, accepts, alone_files, alone_text, alone_vectors, check_tree_at, coverage, parameters,
+    project, text, unit_vectors,
+};
 use crate::vectors::Level;
 use std::path::{Path, PathBuf};
 
@@ -24,6 +27,11 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
     }
     let wave = a.wave.as_deref().map(|path| super::output::wave_sink(path, None)).transpose()?;
     let campaign = a.campaign.campaign(!alone.is_empty())?;
+    let over = parameters(&a.param)?;
+    alone.iter().try_for_each(|m| accepts(m, &over))?;
+    if !over.is_empty() && a.batches.is_some() {
+        return Err(Error::input("--level 3 takes no --param: levels 1 and 2 do"));
+    }
     if let Some(endless) = campaign.filter(|c| c.level == Level::Three) {
         let [m] = &alone[..] else { return Err(Error::input("--level 3 goes on until it is stopped: name one unit")) };
         return super::endless::run(cli, a, &c, m, endless);
@@ -37,8 +45,20 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
         None => {
             let tree = work.path().join("tree");
             let files = match &alone[..] {
-                [] => project(&c, &Scene::new(&c, None, false)?)?.files,
-                units => alone_files(&c, units, campaign)?,
+                [] if over.is_empty() => project(&c, &Scene::new(&c, None, false)?)?.files,
+                [] => {
+                    let mut files = text(&c)?.files;
+                    for name in &a.unit {
+                        files.extend(unit_vectors(&c, name, &over, None, false)?);
+                    }
+                    files
+                }
+                units if over.is_empty() => alone_files(&c, units, campaign)?,
+                units => {
+                    let mut files = alone_text(&c, units)?;
+                    units.iter().for_each(|m| files.extend(alone_vectors(&c, m, &over, campaign)));
+                    files
+                }
             };
             super::output::write_tree(&tree, &files)?;
             tree
@@ -49,7 +69,7 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
     }
     let bar = spinner(cli, "checking");
     let seen = |x: &Checked| bar.set_message(format!("{} done", x.unit));
-    let done = check_tree(&c, &dir, a.engine.simulator(), &a.unit, a.canary, wave.as_ref(), &seen);
+    let done = check_tree_at(&c, &dir, a.engine.simulator(), &a.unit, &over, a.canary, wave.as_ref(), &seen);
     bar.finish_and_clear();
     let done = done?;
     // Of a tree that an engine has read, other text than what was generated is no fault (a netlist, a mutant): it is said.

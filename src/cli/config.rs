@@ -46,7 +46,8 @@ pub(super) fn load_ranges(cli: &Cli, units: &[String]) -> Result<Config> {
     if let Some(profile) = cli.profile {
         c.latency = profile.latency_for(&asked);
     }
-    let alone = !units.is_empty() && units.iter().all(|name| crate::project::alone(&c, name).is_some());
+    let named = Config { convert: Default::default(), ..c.clone() };
+    let alone = !units.is_empty() && units.iter().all(|name| crate::project::alone(&named, name).is_some());
     let scope = if alone { Scope::Alone(units) } else { Scope::Traversal };
     let clock = cli.clock.map(|mhz| Ok::<(u32, Choice), Error>((mhz, for_clock(mhz, &asked, scope)?))).transpose()?;
     if let Some((mhz, choice)) = &clock {
@@ -56,6 +57,7 @@ pub(super) fn load_ranges(cli: &Cli, units: &[String]) -> Result<Config> {
     if let Some(map) = cli.verb.map() {
         map.apply(&mut c.map);
     }
+    c.design().check_convert()?;
     if let Some((mhz, choice)) = clock {
         if c.emit.clock_mhz != mhz {
             return Err(Error::input(format!(

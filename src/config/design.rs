@@ -219,6 +219,16 @@ impl Default for LatencyConfig {
     }
 }
 
+/// Widths of the conversions alone (`fp_from_int`, `fp_to_int`, `fp_from_fixed`, `fp_to_fixed`).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct ConvertConfig {
+    /// INT_W: bits of the integer or fixed-point word; 0: what the traversal needs.
+    pub int_bits: u32,
+    /// FRAC_W: of these, bits behind the point.
+    pub frac_bits: u32,
+}
+
 /// Everything that shapes the hardware.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Design {
@@ -234,6 +244,47 @@ pub struct Design {
     pub datapath: DatapathConfig,
     /// Units besides what the traversal needs.
     pub extra: ExtraUnits,
+    /// Widths of conversions alone.
+    pub convert: ConvertConfig,
+}
+
+impl Design {
+    /// INT_W of `fp_from_int` and `fp_to_int`; INT_W and FRAC_W of `fp_from_fixed`, and of `fp_to_fixed`. Of a traversal its own.
+    pub fn conversions(&self) -> (u32, [(u32, u32); 2]) {
+        let (ConvertConfig { int_bits, frac_bits }, t) = (self.convert, &self.traverse);
+        if int_bits > 0 {
+            return (int_bits, [(int_bits, frac_bits); 2]);
+        }
+        let hit = (t.idx_bits() + t.frac_bits, t.frac_bits);
+        let nudge = self.datapath.nudge_bits;
+        let from = match self.datapath.kind {
+            DatapathKind::Published => (t.idx_bits() + nudge + 1, nudge),
+            DatapathKind::Watertight | DatapathKind::Fixed => hit,
+        };
+        (t.idx_bits(), [from, hit])
+    }
+
+    /// What `convert` asks for and the format does not allow, a sentence a problem.
+    pub(super) fn convert_problems(&self) -> Vec<String> {
+        let (ConvertConfig { int_bits, frac_bits }, most) = (self.convert, 61 - self.format.man);
+        let mut problems = Vec::new();
+        if int_bits == 0 && frac_bits > 0 {
+            problems
+                .push(format!("convert.frac_bits = {frac_bits} needs convert.int_bits, the bits of the whole word"));
+        }
+        if int_bits == 1 || int_bits > most {
+            problems.push(format!(
+                "convert.int_bits = {int_bits} is too {}: 2 to 61 - format.man = {most} are legal, or 0 for what the traversal needs",
+                if int_bits == 1 { "small" } else { "large" }
+            ));
+        }
+        if int_bits > 0 && frac_bits > int_bits {
+            problems.push(format!(
+                "convert.frac_bits = {frac_bits} is too large: at most convert.int_bits = {int_bits} is legal"
+            ));
+        }
+        problems
+    }
 }
 
 impl Default for Design {
@@ -245,6 +296,7 @@ impl Default for Design {
             latency: LatencyConfig::default(),
             datapath: DatapathConfig::default(),
             extra: ExtraUnits::default(),
+            convert: ConvertConfig::default(),
         }
     }
 }

@@ -17,6 +17,15 @@ impl Design {
         if problems.is_empty() { Ok(()) } else { Err(Error::input(problems.join("; "))) }
     }
 
+    /// Whether conversions alone can be built as they are asked for.
+    ///
+    /// # Errors
+    /// One sentence with all keys of `convert` that don't fit the format.
+    pub fn check_convert(&self) -> Result<()> {
+        let problems = self.convert_problems();
+        if problems.is_empty() { Ok(()) } else { Err(Error::input(problems.join("; "))) }
+    }
+
     /// As [`Design::check_divider`], a sentence a problem.
     pub(super) fn divider_problems(&self) -> Vec<String> {
         let mut problems = Vec::new();

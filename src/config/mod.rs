@@ -19,7 +19,8 @@ pub(crate) mod validate;
 pub use crate::format::{Rounding, Specials, Subnormals};
 pub use clock::{Choice, Scope, for_clock, latency_key};
 pub use design::{
-    DatapathConfig, DatapathKind, Design, Divider, LatencyConfig, LevelUp, ModeConfig, TraverseConfig, Trim,
+    ConvertConfig, DatapathConfig, DatapathKind, Design, Divider, LatencyConfig, LevelUp, ModeConfig, TraverseConfig,
+    Trim,
 };
 pub use extra::{ExtraUnit, ExtraUnits};
 pub use input::{
@@ -44,6 +45,8 @@ pub struct Config {
     pub mode: ModeConfig,
     /// Clocks of each kind of unit.
     pub latency: LatencyConfig,
+    /// Widths of conversions alone.
+    pub convert: ConvertConfig,
     /// The height map.
     pub map: MapConfig,
     /// The views whose rays are traced.
@@ -64,6 +67,7 @@ impl Config {
             latency: self.latency,
             datapath: self.datapath,
             extra: self.emit.units.iter().copied().collect(),
+            convert: self.convert,
         }
     }
 

@@ -13,6 +13,7 @@ impl Config {
         // A sum of numbers that are out of range themselves tells nothing new.
         if problems.is_empty() {
             self.choice_problems(&mut problems);
+            self.convert_problem(&mut problems);
             self.width_problems(&mut problems);
             self.published_problems(&mut problems);
             self.trim_problems(&mut problems);
@@ -63,6 +64,17 @@ impl Config {
             if word != needed {
                 problems.push(format!(
                     "format.{key} = \"{word}\" is for arithmetic alone (`emit --unit fp_add`, `check --unit fp_add`): a traversal needs \"{needed}\""
+                ));
+            }
+        }
+    }
+
+    /// A traversal knows the widths that it converts.
+    fn convert_problem(&self, problems: &mut Vec<String>) {
+        for (key, value) in [("int_bits", self.convert.int_bits), ("frac_bits", self.convert.frac_bits)] {
+            if value > 0 {
+                problems.push(format!(
+                    "convert.{key} = {value} is for conversions alone (`emit --unit fp_to_fixed`, `check --unit fp_to_fixed`): a traversal needs 0"
                 ));
             }
         }

@@ -77,6 +77,10 @@ impl Flat {
         if op.aux == 0 && op.width == op.arg_width {
             return Some(op.args[0]);
         }
+        // Of zeros that were put on top of a word nothing is left of the word; a kernel of 32 bits would not shift so far.
+        if op.aux >= op.arg_width {
+            return Some(self.constant(0, op.width));
+        }
         let from = self.made_by(op.args[0])?;
         match from.kind {
             Kind::Slice if op.aux + op.width <= from.width => {

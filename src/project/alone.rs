@@ -15,13 +15,13 @@ pub fn alone(c: &Config, name: &str) -> Option<Arc<Module>> {
     arithmetic(&d).into_iter().chain(available(&d)).find(|m| m.name == name)
 }
 
-/// Its vectors, under `golden/`; of a campaign, or the usual choice.
-pub fn alone_vectors(c: &Config, m: &Module, campaign: Option<Campaign>) -> Files {
-    let (d, b) = (c.design(), Binding::new());
+/// Its vectors at parameter values `over`, under `golden/`; of a campaign, or the usual choice.
+pub fn alone_vectors(c: &Config, m: &Module, over: &Binding, campaign: Option<Campaign>) -> Files {
+    let (d, b) = (c.design(), over);
     let plan = Plan { rows: c.vectors.arithmetic as usize, seed: c.vectors.seed };
     let mut set = match campaign {
-        None => vector_set(&d, m, &b, plan),
-        Some(campaign) => campaign_set(&d, m, &b, plan, campaign),
+        None => vector_set(&d, m, b, plan),
+        Some(campaign) => campaign_set(&d, m, b, plan, campaign),
     };
     set.events = count_events(&d, m, &set);
     let mut files: Files = set_files(&set).into_iter().map(|(n, t)| (format!("golden/{}/{n}", m.name), t)).collect();
@@ -49,6 +49,6 @@ pub fn alone_text(c: &Config, units: &[Arc<Module>]) -> Result<Files> {
 /// As [`alone_text`].
 pub fn alone_files(c: &Config, units: &[Arc<Module>], campaign: Option<Campaign>) -> Result<Files> {
     let mut files = alone_text(c, units)?;
-    units.iter().for_each(|m| files.extend(alone_vectors(c, m, campaign)));
+    units.iter().for_each(|m| files.extend(alone_vectors(c, m, &Binding::new(), campaign)));
     Ok(files)
 }

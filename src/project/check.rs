@@ -75,6 +75,24 @@ pub fn check_tree(
     wave: Option<&(Sink, WaveFormat)>,
     seen: &(dyn Fn(&Checked) + Sync),
 ) -> Result<Vec<Checked>> {
+    check_tree_at(c, dir, sim, only, &Binding::new(), canary, wave, seen)
+}
+
+/// As [`check_tree`], of vectors that were made for the parameter values `over`.
+///
+/// # Errors
+/// As [`check_tree`].
+#[allow(clippy::too_many_arguments)]
+pub fn check_tree_at(
+    c: &Config,
+    dir: &Path,
+    sim: Option<Simulator>,
+    only: &[String],
+    over: &Binding,
+    canary: Option<Canary>,
+    wave: Option<&(Sink, WaveFormat)>,
+    seen: &(dyn Fn(&Checked) + Sync),
+) -> Result<Vec<Checked>> {
     let mut c = c.clone();
     // Names and directives in a tree are the tree's own; what it computes is the configuration's.
     if let Some(e) = crate::emit::manifest_emit(dir) {
@@ -104,7 +122,7 @@ pub fn check_tree(
         same_text(&text, dir)?;
     }
     let one = |m: &Arc<Module>| {
-        let r = vouched(dir, m, canary, unit(&d, dir, m, sim, canary));
+        let r = vouched(dir, m, canary, unit(&d, dir, m, over, sim, canary));
         if let Ok(c) = &r {
             seen(c);
         }
@@ -113,7 +131,7 @@ pub fn check_tree(
     let all: Vec<Result<Checked>> = list.par_iter().map(one).collect();
     let failed = all.iter().position(|r| matches!(r, Err(Error::Mismatch(_))));
     if let Some((m, (sink, format))) = failed.map(|k| &list[k]).zip(wave) {
-        mismatch_wave(&d, dir, m, canary)?.write(sink, *format, &m.name)?;
+        mismatch_wave(&design_at(&d, over), dir, m, canary)?.write(sink, *format, &m.name)?;
     }
     all.into_iter().collect()
 }
@@ -167,33 +185,42 @@ fn mismatch_wave(d: &Design, dir: &Path, m: &Arc<Module>, canary: Option<Canary>
 /// Directories of `traverse`'s further sets, below that of its first: step limits that rays reach.
 pub(super) const FURTHER: [&str; 2] = ["limit", "limit_1"];
 
-fn unit(d: &Design, dir: &Path, m: &Arc<Module>, sim: Option<Simulator>, canary: Option<Canary>) -> Result<Checked> {
-    let mut checked = one_set(d, dir, m, &dir.join("golden").join(&m.name), &[], sim, canary)?;
-    if m.latency.is_none() && canary.is_none() {
+fn unit(
+    d: &Design,
+    dir: &Path,
+    m: &Arc<Module>,
+    given: &Binding,
+    sim: Option<Simulator>,
+    canary: Option<Canary>,
+) -> Result<Checked> {
+    let place = dir.join("golden").join(&m.name);
+    let mut checked = one_set(d, dir, m, &place, (given, &[]), sim, canary)?;
+    if m.latency.is_none() && canary.is_none() && given.is_empty() {
         for name in FURTHER {
             let place = dir.join("golden").join(&m.name).join(name);
-            checked.rows += one_set(d, dir, m, &place, &["LEVELS", "STEP_LIMIT"], sim, None)?.rows;
+            checked.rows += one_set(d, dir, m, &place, (given, &["LEVELS", "STEP_LIMIT"]), sim, None)?.rows;
         }
     }
     Ok(checked)
 }
 
-/// One vector set of a unit, of which the parameters `own` may have values of their own.
+/// One vector set of a unit at the parameter values `given`, of which the parameters `own` may have values of their own.
 fn one_set(
     d: &Design,
     dir: &Path,
     m: &Arc<Module>,
     place: &Path,
-    own: &[&str],
+    (given, own): (&Binding, &[&str]),
     sim: Option<Simulator>,
     canary: Option<Canary>,
 ) -> Result<Checked> {
     let (mut set, whole) = read_set(place)?;
     let mut over = set.params.clone();
-    over.retain(|name, _| own.contains(&name.as_str()));
-    if set.params != m.binding_with(&over) || !m.failed_checks(&set.params).is_empty() {
+    over.retain(|name, _| own.contains(&name.as_str()) || given.contains_key(name));
+    let others = given.iter().any(|(name, value)| over.get(name) != Some(value));
+    if others || set.params != m.binding_with(&over) || !m.failed_checks(&set.params).is_empty() {
         return Err(Error::input(format!(
-            "{}: the vectors were made for other parameter values than the configuration has",
+            "{}: the vectors were made for other parameter values than the configuration, or --param, has",
             place.display()
         )));
     }

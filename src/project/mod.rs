@@ -3,14 +3,16 @@ mod alone;
 mod check;
 mod coverage;
 mod digests;
+mod params;
 mod rays;
 mod same;
 mod scene;
 mod stored;
 
 pub use alone::{alone, alone_files, alone_text, alone_vectors};
-pub use check::{Canary, Checked, check_tree};
+pub use check::{Canary, Checked, check_tree, check_tree_at};
 pub use coverage::{Coverage, FileCoverage, coverage};
+pub use params::{accepts, parameters, unit_vectors};
 pub use same::same_config;
 pub use scene::{Scene, encode, ray};
 

@@ -6,7 +6,7 @@ use serde_json::Value;
 use std::path::Path;
 
 /// Sections of the configuration that shape the hardware.
-const HARDWARE: [&str; 5] = ["format", "traverse", "mode", "datapath", "latency"];
+const HARDWARE: [&str; 6] = ["format", "traverse", "mode", "datapath", "latency", "convert"];
 
 /// The interpreter runs the datapath that the configuration emits, not the text in `dir`: refuses a tree where the two differ.
 ///

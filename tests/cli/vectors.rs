@@ -100,3 +100,78 @@ fn classes_meet() {
         assert_eq!(pairs.len(), 100, "{name}: zero, subnormal, infinity, NaN, number, of both signs");
     }
 }
+
+/// Any legal parameter value of a unit's text, by `--param`; of conversions alone also by keys.
+#[test]
+fn units_at_other_parameters() {
+    let dir = tempfile::tempdir().unwrap();
+    let run = |line: &[&str]| {
+        let out = std::process::Command::new(env!("CARGO_BIN_EXE_reliefrtl"))
+            .args(line)
+            .current_dir(dir.path())
+            .output()
+            .expect("the program runs");
+        let said = String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
+        (out.status.code().unwrap(), said)
+    };
+    let (code, said) = run(&["vectors", "--unit", "lzc", "--param", "W=13", "--out", "a"]);
+    assert_eq!(code, 0, "{said}");
+    let text = std::fs::read_to_string(dir.path().join("a/golden/lzc/vectors.json")).unwrap();
+    assert!(text.contains("\"W\": 13"), "{text}");
+    let gradual = ["--set", "format.subnormals=gradual"];
+    let small = ["--param", "EXP_W=2", "--param", "MAN_W=3", "--param", "INT_W=4", "--param", "FRAC_W=4"];
+    let mut engines = vec!["interp"];
+    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
+        println!("skipped in Icarus: RELIEFRTL_NO_SIMULATORS=1");
+    } else {
+        engines.push("icarus");
+    }
+    for engine in engines {
+        let head = ["check", "--engine", engine];
+        for rest in [
+            [&["--unit", "fp_to_fixed"][..], &small, &gradual].concat(),
+            vec!["--unit", "div_rows", "--param", "W=9", "--param", "ROWS=3"],
+            vec!["--unit", "node_planes", "--param", "LEVELS=5", "--param", "IDX_W=11", "--set", "traverse.levels=3"],
+            vec!["--unit", "traverse", "--param", "LEVELS=4", "--param", "TAG_W=3", "--set", "vectors.rays=20"],
+            vec!["--unit", "fp_to_fixed", "--set", "convert.int_bits=20", "--set", "convert.frac_bits=3"],
+        ] {
+            let (code, said) = run(&[&head[..], &rest].concat());
+            assert!(code == 0 && said.contains("1 unit, 0 of "), "{engine} {rest:?}: {said}");
+        }
+        let spoiled = ["--canary", "flip"];
+        let (code, said) = run(&[&head[..], &["--unit", "fp_to_fixed"], &small, &gradual, &spoiled].concat());
+        assert_eq!(code, 1, "{said}");
+    }
+    let text = {
+        let (code, said) = run(&[
+            "emit",
+            "--unit",
+            "fp_from_fixed",
+            "--set",
+            "convert.int_bits=20",
+            "--set",
+            "convert.frac_bits=3",
+            "--out",
+            "b",
+        ]);
+        assert_eq!(code, 0, "{said}");
+        std::fs::read_to_string(dir.path().join("b/rtl/relief_fp_from_fixed.v")).unwrap()
+    };
+    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.contains("integer INT_W = 20,") && words.contains("integer FRAC_W = 3"), "{text}");
+    for (line, words) in [
+        (&["vectors", "--unit", "lzc", "--param", "W=65"][..], "lzc needs W <= 64"),
+        (&["vectors", "--unit", "lzc", "--param", "X=5"], "lzc has no parameter X; it has the parameters W"),
+        (&["vectors", "--unit", "lzc", "--param", "W=w"], "is not NAME=VALUE"),
+        (&["vectors", "--unit", "lzc", "--param", "W=5", "--param", "W=6"], "gives W twice"),
+        (&["vectors", "--param", "W=5"], "--unit"),
+        (&["check", "--unit", "fp_to_int", "--set", "convert.int_bits=1"], "convert.int_bits = 1 is too small"),
+        (&["check", "--unit", "fp_to_int", "--set", "convert.int_bits=50"], "at most 61 - format.man = 45"),
+        (&["check", "--unit", "fp_to_fixed", "--set", "convert.frac_bits=5"], "needs convert.int_bits"),
+        (&["build", "--set", "convert.int_bits=20"], "is for conversions alone"),
+    ] {
+        let (code, said) = run(line);
+        let words = words.replace("at most 61 - format.man = 45", "2 to 61 - format.man = 45 are legal");
+        assert!(code == 2 && said.contains(&words), "{line:?}: {code} {said}");
+    }
+}

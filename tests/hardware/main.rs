@@ -1,6 +1,7 @@
 //! The hardware: operations, units and whole traversals in the interpreter, Icarus and Verilator against the golden model.
 mod bench_faults;
 mod bilinear_rtl;
+mod corners;
 mod cut_out;
 mod engines;
 mod exit_status;
@@ -10,6 +11,7 @@ mod harness;
 mod lanes;
 mod one_op;
 mod ops;
+mod preload;
 mod profiles;
 mod published;
 mod tracked;

@@ -104,7 +104,16 @@ fn replay(program: &Path, target: &Target, unit: &str, sets: &[&str]) -> usize {
     let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cells");
     let mut c = Command::new("iverilog");
     // Icarus knows no values of open inputs; the netlists leave none open.
-    c.args(["-g2012", "-DNO_ICE40_DEFAULT_ASSIGNMENTS", "-s", &format!("relief_tb_{unit}_top"), "-o", "gates.vvp", "gates.v", "wrapper.v"]);
+    c.args([
+        "-g2012",
+        "-DNO_ICE40_DEFAULT_ASSIGNMENTS",
+        "-s",
+        &format!("relief_tb_{unit}_top"),
+        "-o",
+        "gates.vvp",
+        "gates.v",
+        "wrapper.v",
+    ]);
     c.args([format!("out/testbench/relief_tb_{unit}.v"), format!("out/testbench/relief_tb_{unit}_top.v")]);
     let newest = usize::from(program != Path::new("yosys"));
     let ours = Some(ours[newest]).filter(|f| !f.is_empty()).map(|f| own.join(f));

@@ -1,7 +1,7 @@
 //! The golden model of the units that the published datapath alone has, in the order of their ports.
 use super::level_bits;
 use crate::bits::{mask, signed};
-use crate::config::{Design, LevelUp};
+use crate::config::{DatapathConfig, Design, LevelUp, TraverseConfig};
 use crate::golden::float as gf;
 use crate::golden::{Published, RayInput, Travel, descend_levels};
 use crate::ir::Binding;
@@ -77,7 +77,10 @@ pub fn model(unit: &str, d: &Design, b: &Binding, x: &[u64]) -> Vec<u64> {
             }
         }
         "ray_scale" => {
-            let g = Published::new(d).expect("the set's parameters are legal");
+            // The setup knows nothing of the hit position and of the nudge, whose bits may be too many beside it.
+            let traverse = TraverseConfig { frac_bits: 1, ..d.traverse };
+            let datapath = DatapathConfig { nudge_bits: 0, ..d.datapath };
+            let g = Published::new(&Design { traverse, datapath, ..*d }).expect("the set's parameters are legal");
             let ray = RayInput { u: x[0], v: x[1], du: x[2], dv: x[3], lod: 0 };
             let Some(r) = g.route(&ray) else { return vec![0; 8] };
             let axis = |a: &Travel| [a.p, a.d, index(a.x)];

@@ -1,6 +1,6 @@
 //! The golden model of the units that the watertight datapath alone has, in the order of their ports.
 use crate::bits::{mask, signed};
-use crate::config::{Design, Trim};
+use crate::config::{Design, TraverseConfig, Trim};
 use crate::golden::float as gf;
 use crate::golden::{Golden, RayInput};
 use crate::ir::Binding;
@@ -30,7 +30,9 @@ pub(super) fn model(unit: &str, d: &Design, b: &Binding, x: &[u64]) -> Vec<u64> 
             vec![u64::from(inside), u64::from(x_first), if gf::lt(f, t, exit) { exit } else { t }]
         }
         "ray_setup" => {
-            let g = Golden::new(d).expect("the set's parameters are legal");
+            // The setup knows nothing of the hit position, whose bits may be too many beside it.
+            let traverse = TraverseConfig { frac_bits: 1, ..d.traverse };
+            let g = Golden::new(&Design { traverse, ..*d }).expect("the set's parameters are legal");
             let o = g.setup(&RayInput {
                 u: x[0],
                 v: x[1],

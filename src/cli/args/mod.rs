@@ -130,6 +130,9 @@ pub struct VectorsArgs {
     /// Only these units'; arithmetic at any format, whatever a traversal asks of its own.
     #[arg(long, value_name = "NAME,...", value_delimiter = ',', value_parser = unit_name)]
     pub unit: Vec<String>,
+    /// Another value of a parameter of the units' text, as Verilog's -P gives it; any that manifest.json allows.
+    #[arg(long, value_name = "NAME=VALUE", requires = "unit")]
+    pub param: Vec<String>,
     /// Tables of corners.
     #[command(flatten)]
     pub campaign: CampaignArgs,
@@ -184,6 +187,9 @@ pub struct CheckArgs {
     /// Only these units.
     #[arg(long, value_name = "NAME,...", value_delimiter = ',', value_parser = unit_name)]
     pub unit: Vec<String>,
+    /// Another value of a parameter of the units' text, as Verilog's -P gives it; any that manifest.json allows.
+    #[arg(long, value_name = "NAME=VALUE", requires = "unit")]
+    pub param: Vec<String>,
     /// Tables of corners.
     #[command(flatten)]
     pub campaign: CampaignArgs,

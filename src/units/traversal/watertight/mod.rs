@@ -98,17 +98,17 @@ fn constants(s: &Sizes, d: &Design) -> Vec<Field> {
 }
 
 fn arithmetic(d: &Design) -> Vec<Arc<Module>> {
-    let (f, t, l) = (d.format, &d.traverse, &d.latency);
-    let fixed = t.idx_bits() + t.frac_bits;
+    let (f, l) = (d.format, &d.latency);
+    let (int, [from, to]) = d.conversions();
     vec![
         divider_core(d),
         float::fp_add(f, l.add),
         float::fp_mul(f, l.mul),
         float::fp_div(f, l),
         float::fp_lt(f, l.compare),
-        float::fp_from_int(f, t.idx_bits(), l.from_int),
-        float::fp_to_int(f, t.idx_bits(), l.to_int),
-        float::fp_from_fixed(f, fixed, t.frac_bits, l.from_int),
-        float::fp_to_fixed(f, fixed, t.frac_bits, l.to_int),
+        float::fp_from_int(f, int, l.from_int),
+        float::fp_to_int(f, int, l.to_int),
+        float::fp_from_fixed(f, from.0, from.1, l.from_int),
+        float::fp_to_fixed(f, to.0, to.1, l.to_int),
     ]
 }
