@@ -35,6 +35,11 @@ fn call(entry: &Entry) -> Result<(Cli, SynthArgs)> {
     }
 }
 
+/// A figure that is no longer one.
+const TEXT: &str = "was measured on another text";
+/// A figure of this text, by tools that were asked for something else.
+const FLOW: &str = "was measured by another flow";
+
 /// Why an entry has to be measured again, if it has to be.
 fn reason(entry: &Entry, value: &Value) -> Result<Option<&'static str>> {
     let (cli, a) = call(entry)?;
@@ -44,8 +49,8 @@ fn reason(entry: &Entry, value: &Value) -> Result<Option<&'static str>> {
     let work = prepare(&cli, &a)?;
     let [job] = &work.jobs[..] else { return Err(Error::input(format!("{}: not one unit", entry.command))) };
     Ok(match &entry.digest {
-        Some(d) if *d != digest(&job.unit, work.placing.copies) => Some("was measured on another text"),
-        _ if value["asked"] != asked(&work.target, &work.placing) => Some("was measured by another flow"),
+        Some(d) if *d != digest(&job.unit, work.placing.copies) => Some(TEXT),
+        _ if value["asked"] != asked(&work.target, &work.placing) => Some(FLOW),
         _ => None,
     })
 }
@@ -53,16 +58,19 @@ fn reason(entry: &Entry, value: &Value) -> Result<Option<&'static str>> {
 /// Prints the calls of a file whose text has changed since.
 ///
 /// # Errors
-/// Exit code 1 if there are any that have figures.
+/// Exit code 1 if there are any of another text.
 pub fn stale(file: &Path) -> Result<()> {
     let (mut old, mut open, mut good) = (0, 0, 0);
     for kept in read(file)? {
-        match reason(&kept.entry, &kept.value)? {
-            None => good += 1,
-            Some(why) => {
-                println!("{}  # {why}", kept.entry.command);
-                if kept.entry.digest.is_some() { old += 1 } else { open += 1 }
-            }
+        let why = reason(&kept.entry, &kept.value)?;
+        if let Some(why) = why {
+            println!("{}  # {why}", kept.entry.command);
+        }
+        match why {
+            // Its entry says what the tools were asked for.
+            None | Some(FLOW) => good += 1,
+            Some(TEXT) => old += 1,
+            Some(_) => open += 1,
         }
     }
     println!("{good} figures are of the text that is emitted now, {old} are not, {open} were never measured on it");
