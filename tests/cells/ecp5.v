@@ -48,7 +48,7 @@ module DP16KD (
   initial begin
     // Words of 18 bits, one in 20.
     for (k = 0; k < 2048; k = k + 1) mem[k] = |init ? init[20*(k/2)+9*(k%2)+:9] : 9'bx;
-    if (REGMODE_A != "NOREG" || REGMODE_B != "NOREG" || RESETMODE != "SYNC" || CLKAMUX != "CLKA" || CLKBMUX != "CLKB"
+    if (REGMODE_A != "NOREG" || REGMODE_B != "NOREG" || CLKAMUX != "CLKA" || CLKBMUX != "CLKB"
         || CSDECODE_A != "0b000" || CSDECODE_B != "0b000") begin
       $display("DP16KD: a setting that has no model");
       $finish;

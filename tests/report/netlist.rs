@@ -18,7 +18,7 @@ const TARGETS: [Target; 6] = [
     ("xilinx", "xilinx/cells_sim.v", ["xilinx.v", "xilinx.v"]),
     ("gowin", "gowin/cells_sim.v", ["gowin.v", "gowin_b.v"]),
 ];
-const UNITS: [&str; 3] = ["fp_add", "fp_mul", "fp_div"];
+const UNITS: [&str; 4] = ["fp_add", "fp_lt", "fp_mul", "fp_div"];
 
 /// Where a Yosys keeps its cells.
 fn cells_of(program: &Path) -> PathBuf {
@@ -41,8 +41,7 @@ fn unknown_cells(program: &Path, file: &str, ours: &str, dir: &Path) -> PathBuf 
         Some((before, value)) if value.contains('=') && value.trim_end().ends_with(';') => {
             format!("{before}initial begin end\n")
         }
-        // A block that waits for a change of constants would never run.
-        _ => format!("{}\n", line.replace("always @*", "always_comb")),
+        _ => format!("{line}\n"),
     };
     let named = |line: &str| {
         let name = line.trim().strip_prefix("module ")?;
