@@ -4,8 +4,8 @@
 // Latency    2 clocks
 // Throughput one result per clock
 // Note       Preloaded by MEM_INIT, it is one array with two registers: what it does is the same.
-// Note       A read of the word that is being written gives the old word. Written for block RAM
-//            inference.
+// Note       A read of the word that is being written gives any word, in a simulation the old one.
+//            Written for block RAM inference.
 `default_nettype none
 module relief_height_banks #(
   parameter integer ADDR_W = 17,     // address bits
@@ -49,6 +49,8 @@ module relief_height_banks #(
   generate
     if (MEM_INIT != "") begin : gen_preload
       // One file fills one array; how it is divided among block memories is for the synthesizer.
+      // Nobody needs the word that is being written, so no logic remembers it.
+      (* no_rw_check *)
       reg [DATA_W-1:0] mem [0:DEPTH-1];
       reg [DATA_W-1:0] read_q;
       reg [DATA_W-1:0] out_q;
@@ -64,6 +66,8 @@ module relief_height_banks #(
       // that the selection behind the registers is one AND-OR.
       for (g = 0; g < BankCount; g = g + 1) begin : gen_bank
         localparam integer Index = g;
+        // Nobody needs the word that is being written, so no logic remembers it.
+        (* no_rw_check *)
         reg  [DATA_W-1:0] mem [0:(1<<WordW)-1];
         reg  [DATA_W-1:0] read_q;
         reg  [DATA_W-1:0] out_q;

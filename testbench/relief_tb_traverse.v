@@ -2,7 +2,9 @@
 // relief_tb_traverse: loads the pyramid, sends the golden rays, and checks that every ray comes back exactly once and right.
 //   +vectors=DIR   directory with memory.hex, stimulus.hex, expected.hex (default golden/traverse)
 //   +gaps          rays are held back at random      +stalls    results are taken at random
-//   +flood         fills the pipeline with rays, resets it, and only then runs the set
+//   +flood         fills the pipeline with rays, resets it for one clock, and only then runs the set
+//   +reset         resets of one clock while rays are on their way; the set starts again after each
+//   +again         the set, and once it has passed, the set again with gaps, stalls, flood and reset
 //   +patience=N    clocks without a result after which a ray counts as lost (default: four times
 //                  what the longest ray sent so far may take)
 // The parameter MEM_INIT names a file that fills the memory at power-up; memory.hex isn't loaded then.
@@ -28,6 +30,8 @@ module relief_tb_traverse #(
   output reg  [7:0] exit_code
 );
   localparam integer WarmUp = 47;  // clocks until the pipeline can be full
+  localparam integer Flood = 200;             // clocks of the flood
+  localparam integer Resets = 12;             // resets while rays are on their way
   localparam integer TagBits = (TAG_W < 8) ? TAG_W : 8;
   localparam integer Tags = 1 << TagBits;
   // Bits of a row, as the files announce them, and words of the pyramid.
@@ -61,6 +65,10 @@ module relief_tb_traverse #(
   integer k;
   reg     gaps;
   reg     stalls;
+  reg     again;
+  reg     told;
+  integer resets_left;
+  integer until_reset;
 
   // What is left to do, and what was seen.
   integer words_left;
@@ -110,7 +118,7 @@ module relief_tb_traverse #(
   wire       idle;
 
   // What each tag in flight stands for.
-  reg        tag_used [0:Tags-1];
+  reg [Tags-1:0] tag_used;
   integer    tag_ray [0:Tags-1];
   reg [TAG_W-1:0] tag_sent [0:Tags-1];
   reg [LEVELS-1:0] want_out_i [0:Tags-1];
@@ -244,13 +252,15 @@ module relief_tb_traverse #(
     in_v = 0;
     in_du = 0;
     in_dv = 0;
-    for (k = 0; k < Tags; k = k + 1) begin
-      tag_used[k] = 1'b0;
-      tag_ray[k] = 0;
-    end
+    tag_used = {Tags{1'b0}};
+    for (k = 0; k < Tags; k = k + 1) tag_ray[k] = 0;
     gaps = $test$plusargs("gaps") != 0;
     stalls = $test$plusargs("stalls") != 0;
-    if ($test$plusargs("flood") != 0) flood_left = 200;
+    if ($test$plusargs("flood") != 0) flood_left = Flood;
+    again = $test$plusargs("again") != 0;
+    resets_left = ($test$plusargs("reset") != 0) ? Resets : 0;
+    until_reset = 100;
+    told = 1'b0;
     if ($value$plusargs("patience=%d", patience) == 0) patience = 0;
     if ($value$plusargs("vectors=%s", dir) == 0) dir = "golden/traverse";
     mem_fd = $fopen($sformatf("%0s/memory.hex", dir), "r");
@@ -333,24 +343,65 @@ module relief_tb_traverse #(
     end
   endtask
 
-  // Rays that reset throws away; nothing of them may come out afterwards.
+  // The files of the set from their first row on.
+  task automatic rewind_set;
+    integer rows_in;
+    integer rows_out;
+    integer bits;
+    begin
+      $fclose(stim_fd);
+      $fclose(exp_fd);
+      stim_fd = $fopen($sformatf("%0s/stimulus.hex", dir), "r");
+      exp_fd = $fopen($sformatf("%0s/expected.hex", dir), "r");
+      read_head(stim_fd, rows_in, bits);
+      read_head(exp_fd, rows_out, bits);
+      stim_left <= rows_in;
+      exp_left <= rows_out;
+      rays <= 0;
+      checked <= 0;
+      quiet <= 0;
+      tag_used <= {Tags{1'b0}};
+    end
+  endtask
+
+  // Rays that reset throws away; nothing of them may come out afterwards. What is offered in the
+  // clock of a reset counts as never sent.
   task automatic flood;
-    integer unused_rows;
-    integer unused_bits;
     begin
       load_en <= 1'b0;
       flood_left <= flood_left - 1;
       out_ready <= 1'b0;
-      rst <= flood_left < 4;
+      rst <= flood_left == 1;
       if (flood_left == 1) begin
-        in_valid <= 1'b0;
-        $fclose(stim_fd);
-        stim_fd = $fopen($sformatf("%0s/stimulus.hex", dir), "r");
-        read_head(stim_fd, unused_rows, unused_bits);
+        flood_rows <= 0;
+        rewind_set;
       end else if (flood_rows < stim_left) begin
         flood_rows <= flood_rows + 1;
         send_ray(next_tag);
       end
+    end
+  endtask
+
+  // A reset while rays are on their way.
+  task automatic reset_inside;
+    begin
+      rst <= 1'b1;
+      resets_left <= resets_left - 1;
+      until_reset <= {24'd0, lfsr[23:16]} + 1;
+      rewind_set;
+    end
+  endtask
+
+  // The set has passed: once more, with everything that happens at both sides.
+  task automatic start_again;
+    begin
+      again <= 1'b0;
+      gaps <= 1'b1;
+      stalls <= 1'b1;
+      flood_left <= Flood;
+      resets_left <= Resets;
+      until_reset <= 100;
+      rewind_set;
     end
   endtask
 
@@ -497,8 +548,9 @@ module relief_tb_traverse #(
   task automatic offer;
     reg [TagBits-1:0] low;
     begin
-      low = accepted ? next_tag + 1'b1 : next_tag;
-      if (accepted || !in_valid) begin
+      // A tag that a reset met is not used at once: a result that comes all the same is told apart.
+      low = (accepted || rst) ? next_tag + 1'b1 : next_tag;
+      if (accepted || !in_valid || rst) begin
         if (stim_left > 0 && !tag_used[low] && !(gaps && lfsr[9])) begin
           send_ray(low);
           stim_left <= stim_left - 1;
@@ -535,11 +587,18 @@ module relief_tb_traverse #(
                  idle ? "1 while a ray was inside" : "0 while no ray was inside", checked);
         finish(8'd1);
       end else begin
-        $display("slots busy: %0d of %0d %0s; %0d clocks from first ray to last hit", busy, loaded,
-                 (gaps || stalls) ? "with gaps and stalls" : "under full load",
-                 last_out - first_in + 1);
-        $display("PASS tb_traverse: 0 of %0d mismatched", checked);
-        finish(8'd0);
+        if (!told) begin
+          $display("slots busy: %0d of %0d %0s; %0d clocks from first ray to last hit", busy,
+                   loaded, (gaps || stalls) ? "with gaps and stalls" : "under full load",
+                   last_out - first_in + 1);
+        end
+        told <= 1'b1;
+        if (again) begin
+          start_again;
+        end else begin
+          $display("PASS tb_traverse: 0 of %0d mismatched", checked);
+          finish(8'd0);
+        end
       end
     end
   endtask
@@ -550,10 +609,15 @@ module relief_tb_traverse #(
       load_en <= 1'b0;
       out_ready <= ~stalls | lfsr[5];
       quiet <= taken ? 0 : quiet + 1;
-      if (idle && rays != checked) false_idle <= 1'b1;
-      if (accepted) note_ray;
-      if (taken && expected) take_result;
-      offer;
+      if (resets_left > 0 && until_reset == 0) begin
+        reset_inside;
+      end else begin
+        if (resets_left > 0) until_reset <= until_reset - 1;
+        if (idle && rays != checked) false_idle <= 1'b1;
+        if (accepted) note_ray;
+        if (taken && expected) take_result;
+        offer;
+      end
       // Under full load: from the first ray on, until the last one has been taken.
       if ((stim_left > 0 || in_valid) && (rays > 0 || accepted)) begin
         after <= after + 1;

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 use reliefrtl::catalogue::RaySet;
 use reliefrtl::config::{Config, LatencyConfig};
 use reliefrtl::interp::{Stream, Traffic, elaborate};
-use reliefrtl::ir::{Binding, Module, Names, Node, NodeId, Op};
+use reliefrtl::ir::{Module, Names, Node, NodeId, Op};
 use reliefrtl::project::{Scene, ray_sets};
 use reliefrtl::trace::{images, inputs, outputs};
 use reliefrtl::units::traversal::traverse;
@@ -61,7 +61,9 @@ fn neighbours(n: &Node) -> Vec<(&'static str, Node)> {
                 ("never", args(vec![*c, *b, *b])),
             ]
         }
-        (Op::Reg { reset: true, wrap }, _) => vec![("not reset", op(Op::Reg { reset: false, wrap: *wrap }))],
+        (Op::Reg { reset: true, wrap, unknown }, _) => {
+            vec![("not reset", op(Op::Reg { reset: false, wrap: *wrap, unknown: *unknown }))]
+        }
         _ => vec![],
     }
 }
