@@ -220,7 +220,7 @@ fn corners(d: &Design, rng: &mut ChaCha8Rng) -> Vec<RayInput> {
             if rng.random() { texels / side } else { -texels / side }
         };
         let (du, dv) = (travel(), travel());
-        let dv = if k % 2 == 0 { du.copysign(dv) } else { dv };
+        let dv = if k.is_multiple_of(2) { du.copysign(dv) } else { dv };
         encode_ray(d, [u, v, du, dv])
     };
     (0..48).map(&mut ray).collect()

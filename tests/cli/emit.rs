@@ -49,7 +49,7 @@ fn arithmetic_stands_alone_at_formats_that_no_map_fits() {
     let (code, text) = said(dir.path(), &[&["emit", "--unit", "fp_add"][..], &format].concat());
     assert_eq!(code, Some(0), "{text}");
     let emitted = std::fs::read_to_string(dir.path().join("out/rtl/relief_fp_add.v")).unwrap();
-    assert!(emitted.contains("EXP_W = 4") && emitted.contains("MAN_W = 3"), "{emitted}");
+    assert!(emitted.contains("EXP_W   = 4,") && emitted.contains("MAN_W   = 3,"), "{emitted}");
     assert_eq!(said(dir.path(), &[&["emit"][..], &format].concat()).0, Some(2));
     // All pairs of 8-bit operands, as files and replayed.
     assert_eq!(said(dir.path(), &[&["vectors", "--unit", "fp_add"][..], &format].concat()).0, Some(0));

@@ -143,7 +143,12 @@ fn camera_files() {
     let camera = Camera::from_toml("elevation = 40\nfov = 30.5\nwidth = 320\n", "c.toml").unwrap();
     assert_eq!(camera, Camera { elevation: 40.0, fov: 30.5, width: 320, ..Camera::default() });
     let refused = |text| sentence(Camera::from_toml(text, "c.toml"));
-    assert_eq!(refused("\nelevation = 0"), "elevation = 0 is too small: 0.1 to 90 are legal (c.toml, line 2)");
+    assert_eq!(refused("\nelevation = 0.05"), "elevation = 0.05 is too small: 0.1 to 90 are legal (c.toml, line 2)");
+    let level = refused("\nelevation = 0");
+    assert!(
+        level.contains("the camera stands above the plane, at an elevation of 0.1 to 90 (c.toml, line 2)"),
+        "{level}"
+    );
     assert_eq!(refused("elevaton = 10"), "unknown key elevaton (c.toml, line 1): did you mean elevation?");
     assert_eq!(refused("fov = nan"), "fov = NaN is not a number: 1 to 170 are legal (c.toml, line 1)");
     assert_eq!(refused("width = 1.5"), "width = 1.5 is not a whole number: 1 to 8192 are legal (c.toml, line 1)");

@@ -60,7 +60,7 @@ fn corners(m: &Module, most: usize) -> Vec<Binding> {
     // A stride without a factor in common with the sizes visits them all evenly.
     let stride = (0..)
         .map(|k| all * 618 / 1000 + k)
-        .find(|s| (1..=all).all(|p| p == 1 || s % p != 0 || all % p != 0))
+        .find(|s| (1..=all).all(|p| p == 1 || s % p != 0 || !all.is_multiple_of(p)))
         .unwrap_or(1);
     (0..all)
         .map(|k| pick(k * stride.max(1) % all))

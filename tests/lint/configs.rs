@@ -199,8 +199,10 @@ const SPREAD: &[&[&str]] = &[
     ],
 ];
 
-/// The default configuration with every unit that no traversal needs.
-pub const EXTRA: &[&str] = &["emit.units=fp_sqrt,fp_recip,fp_compare,fp_add3"];
+/// The default configuration with every unit that no traversal needs, dividers that small formats can have, and a memory that any number of levels
+/// elaborates in (banks are a generate loop, which Debian's Verilator does not unroll to the illegal count before it looks at the parameter's check).
+pub const EXTRA: &[&str] =
+    &["emit.units=fp_sqrt,fp_recip,fp_compare,fp_add3", "latency.div=2", "latency.sqrt=4", "latency.memory=1"];
 
 /// Arithmetic alone, at what no traversal can have: format, clocks of all units; every choice is crossed with them.
 const ALONE: &[(u32, u32, u32)] = &[
@@ -226,7 +228,8 @@ pub fn all() -> &'static [Emitted] {
     })
 }
 
-/// The default configuration with every unit that no traversal needs.
+/// The default configuration with every unit that no traversal needs, dividers that small formats can have, and a memory that any number of levels
+/// elaborates in (banks are a generate loop, which Debian's Verilator does not unroll to the illegal count before it looks at the parameter's check).
 pub fn extra() -> &'static Emitted {
     all().iter().find(|e| e.label == EXTRA.join(" ")).expect("the spread has it")
 }

@@ -149,7 +149,7 @@ fn check(c: &Config) {
         let at = format!("{loaded} of {words} words, {:?} {:?} {:?}", d.mode, d.datapath.kind, d.latency);
         assert!(!said.contains("UNKNOWN") && said.ends_with("end\n"), "{at}: {said}");
         assert_eq!(said.matches("reset").count() > 1, resets > 0, "{at}: {said}");
-        let mut seen = vec![false; RAYS];
+        let mut seen = [false; RAYS];
         for line in said.lines().filter(|l| l.starts_with("ray ")) {
             let w: Vec<&str> = line.split_whitespace().skip(1).collect();
             let tag = usize::from_str_radix(w[0], 2).unwrap_or_else(|_| panic!("{at}: {line}"));
