@@ -26,8 +26,10 @@ fn wrap(dir: &Path, m: &Module, taken: &[&str], body: &str) {
     std::fs::write(rtl.join(format!("{inner}.v")), text.replacen(&head, &format!("module {inner} "), 1)).unwrap();
     let terms = m.contract().into_iter().map(|t| (t.name.to_string(), t.literal()));
     let params = m.params.iter().map(|p| (p.name.clone(), p.default.to_string())).chain(terms);
+    let numbers = params.map(|(name, value)| (format!("parameter integer {name} = {value}"), name));
+    let files = m.files.iter().map(|f| (format!("parameter {} = \"\"", f.name), f.name.clone()));
     let (params, passed): (Vec<String>, Vec<String>) =
-        params.map(|(name, value)| (format!("parameter integer {name} = {value}"), format!(".{name}({name})"))).unzip();
+        numbers.chain(files).map(|(text, name)| (text, format!(".{name}({name})"))).unzip();
     let range = |w: &reliefrtl::ir::Expr| format!("[{}:0]", w.expanded() - 1);
     let port = |p: &reliefrtl::ir::Port| {
         let dir = if p.dir == Dir::In { "input" } else { "output" };

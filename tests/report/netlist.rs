@@ -1,7 +1,7 @@
 //! The netlists that the emitted scripts write replay the shipped vectors in Icarus, from unknown registers.
 //!
 //! Cells come from Yosys, without their initial values; those that it ships without behaviour from `tests/cells`. By default the first Yosys
-//! that is installed makes small netlists; `RELIEFRTL_NETLISTS=1` has both make those of the default format.
+//! that is installed makes small netlists; the ignored test has every Yosys make those of the default format.
 use super::flow::{yosys, yosyses};
 use super::synth::{reliefrtl, tools, without_tools};
 use rayon::prelude::*;
@@ -175,7 +175,7 @@ fn small_netlists_replay_the_vectors() {
     all(&whole.chain(TARGETS.iter().flat_map(|t| UNITS.map(|u| job(t, u)))).collect::<Vec<_>>());
 }
 
-/// Every target with both Yosys, the default format at levels 2 and 4, and the cross-check without block memories and multipliers.
+/// Every target with both Yosys, the default format at levels 2 and 4.
 #[test]
 #[ignore = "an hour of synthesis; part of sh tools/test.sh --full"]
 fn netlists_of_the_default_format_replay_the_vectors() {

@@ -29,7 +29,7 @@ const LIVE: &[(&str, usize)] = &[
     ("start_level", 0),
     ("height_address", 2),
     ("node_planes", 1),
-    ("plane_time", 71),
+    ("plane_time", 76),
     ("height_test", 41),
     ("predicted_hit", 68),
     ("node_crossing", 17),
