@@ -12,7 +12,7 @@ fn build_says_what_it_did() {
     let text = String::from_utf8_lossy(&out.stdout).into_owned();
     let t = reliefrtl::units::traversal::traverse(&reliefrtl::config::Config::default().design());
     let slots = format!("a loop of {} slots", t.slots);
-    for part in [slots.as_str(), "\n  traverse         0 of ", "oblique", "iverilog -g2005"] {
+    for part in [slots.as_str(), "\ntraverse         0 of ", "oblique", "iverilog -g2005"] {
         assert!(text.contains(part), "{part} is missing in:\n{text}");
     }
     for file in [

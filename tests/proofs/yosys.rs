@@ -35,7 +35,7 @@ fn every_proof_goes_through() {
     let text = ok(dir.path(), &[&["prove"], &SMALL[..]].concat());
     let names = ok(dir.path(), &["prove", "--list"]);
     let claimed: Vec<&str> = names.lines().skip(1).filter_map(|l| l.split_whitespace().next()).collect();
-    assert_eq!(claimed.len(), 14, "{names}");
+    assert_eq!(claimed.len(), 15, "{names}");
     for name in claimed {
         assert!(text.lines().any(|l| l.starts_with(&format!("{name} "))), "{name} is missing in\n{text}");
     }
@@ -150,13 +150,13 @@ const FIXED: [&str; 4] = ["--set", "datapath.kind=fixed", "--set", "mode.trim=al
 fn the_fixed_datapath_has_its_proofs() {
     let dir = tempfile::tempdir().unwrap();
     let names = ok(dir.path(), &[&["prove", "--list"], &FIXED[..]].concat());
-    assert_eq!(names.lines().count(), 1 + 13, "{names}");
+    assert_eq!(names.lines().count(), 1 + 14, "{names}");
     for name in ["fixed_plane_time", "fixed_predicted_hit", "fixed_chord_end"] {
         assert!(names.lines().any(|l| l.starts_with(&format!("{name} "))), "{name} is missing in\n{names}");
         ok(dir.path(), &[&["prove", "--unit", name], &FIXED[..], &SMALL[..]].concat());
     }
     let plain = ok(dir.path(), &["prove", "--list", "--set", "datapath.kind=fixed"]);
-    assert_eq!(plain.lines().count(), 1 + 12, "{plain}");
+    assert_eq!(plain.lines().count(), 1 + 13, "{plain}");
 }
 
 /// Unit, proof, and a change of one token: biases that are too small, and a border that is taken for passed.
