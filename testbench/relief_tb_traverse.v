@@ -186,7 +186,7 @@ module relief_tb_traverse #(
   task automatic skip_comments(input integer fd);
     integer c;
     begin
-      c = $fgetc(fd);
+      c = (fd != 0) ? $fgetc(fd) : -1;
       while (c == "/") begin
         while (c != 10 && c >= 0) c = $fgetc(fd);
         c = $fgetc(fd);
@@ -347,14 +347,13 @@ module relief_tb_traverse #(
   task automatic rewind_set;
     integer rows_in;
     integer rows_out;
-    integer bits;
     begin
       $fclose(stim_fd);
       $fclose(exp_fd);
       stim_fd = $fopen($sformatf("%0s/stimulus.hex", dir), "r");
       exp_fd = $fopen($sformatf("%0s/expected.hex", dir), "r");
-      read_head(stim_fd, rows_in, bits);
-      read_head(exp_fd, rows_out, bits);
+      read_head(stim_fd, rows_in, stim_bits);
+      read_head(exp_fd, rows_out, exp_bits);
       stim_left <= rows_in;
       exp_left <= rows_out;
       rays <= 0;
