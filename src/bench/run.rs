@@ -135,7 +135,7 @@ pub fn run_bench_on(
     }
     let build = start.elapsed();
     let start = Instant::now();
-    let out = process::output(command.args(&arguments)).map_err(|_| missing(sim))?;
+    let out = process::output(command.args(&arguments)).map_err(|e| not_started(sim, &e))?;
     let run = start.elapsed();
     for (key, place) in written {
         match std::fs::read(work.path().join(format!("{key}.txt"))) {
@@ -245,7 +245,7 @@ fn bench(top: &str, clocked: bool) -> Vec<String> {
 }
 
 fn finish(sim: Simulator, mut c: Command) -> Result<()> {
-    let out = process::output(&mut c).map_err(|_| missing(sim))?;
+    let out = process::output(&mut c).map_err(|e| not_started(sim, &e))?;
     if out.status.success() {
         return Ok(());
     }
@@ -253,7 +253,10 @@ fn finish(sim: Simulator, mut c: Command) -> Result<()> {
     Err(Error::ToolFailed(format!("{} could not build the bench: {}", sim.program(), first_lines(&text))))
 }
 
-fn missing(sim: Simulator) -> Error {
+fn not_started(sim: Simulator, why: &std::io::Error) -> Error {
+    if why.kind() != std::io::ErrorKind::NotFound {
+        return Error::ToolFailed(format!("{} could not be started: {why}", sim.program()));
+    }
     let package = match sim {
         Simulator::Icarus => "iverilog",
         Simulator::Verilator => "verilator",
