@@ -57,7 +57,7 @@ impl Simulator {
 }
 
 /// Builds `testbench/<prefix>tb_<unit>.v` of the emitted tree `dir` at `params`, runs it with `plusargs`, and reads its verdict. The plusarg
-/// `iterations=FILE` has the bench built with a look into the loop.
+/// `iterations=FILE` has the bench built with a look into the loop; `preloaded` is [`Paths::preloaded`].
 ///
 /// Paths are taken from the tree, as [`Paths`].
 ///
@@ -70,6 +70,7 @@ pub fn run_bench(sim: Simulator, dir: &Path, unit: &str, params: &Binding, plusa
             Some(("vectors", path)) => paths.vectors = Some(dir.join(path)),
             Some(("results", path)) => paths.results = Some(dir.join(path)),
             Some(("iterations", path)) => paths.iterations = Some(dir.join(path)),
+            _ if argument == "preloaded" => paths.preloaded = true,
             _ => others.push(argument.as_str()),
         }
     }
@@ -85,6 +86,8 @@ pub struct Paths {
     pub results: Option<PathBuf>,
     /// Where every iteration goes.
     pub iterations: Option<PathBuf>,
+    /// Whether the map of the vectors is in the memory at power-up (`MEM_INIT`), so that no word of it goes through the load port.
+    pub preloaded: bool,
 }
 
 /// As [`run_bench`], with paths of any bytes. The tools stand in a directory of ours and see names of ours only, whatever the tree, the vectors and
@@ -118,13 +121,14 @@ pub fn run_bench_on(
     arguments.extend(written.iter().map(|(key, _)| format!("+{key}={key}.txt")));
     let start = Instant::now();
     let define = paths.iterations.is_some().then_some("-DITERATIONS");
+    let map = (paths.preloaded && paths.vectors.is_some()).then_some("MEM_INIT=\"vectors/memory.hex\"");
     let many = has_many(&dir, unit, paths);
     let product = work.path().join(sim.product());
-    let more = format!("{define:?} {many}");
+    let more = format!("{define:?} {many} {map:?}");
     let kept = Build { sim, program: sim.program(), tree: &dir, top: &top, params, more, product };
     kept.once(|| match sim {
-        Simulator::Icarus => build_icarus(&top, params, define, work.path()),
-        Simulator::Verilator => build_verilator(&top, params, define, many, work.path()),
+        Simulator::Icarus => build_icarus(&top, params, (define, map), work.path()),
+        Simulator::Verilator => build_verilator(&top, params, (define, map), many, work.path()),
     })?;
     let mut command = match sim {
         Simulator::Icarus => process::command_in(work.path(), "vvp"),
@@ -187,10 +191,14 @@ pub(super) fn link(directory: &Path, name: &Path) -> Result<()> {
     linked.map_err(|e| Error::file("link to", directory, e))
 }
 
-fn build_icarus(top: &str, params: &Binding, define: Option<&str>, work: &Path) -> Result<()> {
+/// What a build is given besides parameters of numbers: a define, and the parameter that names a map.
+type Given<'a> = (Option<&'a str>, Option<&'a str>);
+
+fn build_icarus(top: &str, params: &Binding, (define, map): Given<'_>, work: &Path) -> Result<()> {
     let mut c = process::command_in(work, "iverilog");
     c.args(["-g2005", "-Wall", "-s", &format!("{top}_top"), "-o", "bench.vvp"]);
     c.args(params.iter().map(|(k, v)| format!("-P{top}_top.{k}={v}")));
+    c.args(map.map(|m| format!("-P{top}_top.{m}")));
     c.args(define).args(["-y", "rtl"]).args(bench(top, true));
     finish(Simulator::Icarus, c)
 }
@@ -208,7 +216,7 @@ fn has_many(dir: &Path, unit: &str, paths: &Paths) -> bool {
     std::fs::metadata(vectors.join("stimulus.hex")).is_ok_and(|m| m.len() > MANY)
 }
 
-fn build_verilator(top: &str, params: &Binding, define: Option<&str>, many: bool, work: &Path) -> Result<()> {
+fn build_verilator(top: &str, params: &Binding, (define, map): Given<'_>, many: bool, work: &Path) -> Result<()> {
     let mut c = process::command_in(work, Simulator::Verilator.program());
     c.args(["--cc", "--exe", "--build", "-O3", "-Wno-lint", "--prefix", "Vtb", "-j", "2", "--top-module"]);
     // Its makefile refuses a directory with a blank in its path, which make itself is never asked to write down.
@@ -216,7 +224,7 @@ fn build_verilator(top: &str, params: &Binding, define: Option<&str>, many: bool
     // One file for a quick build: each of several would read the library's headers again.
     let quick = ["--output-split", "0", "-MAKEFLAGS", "OPT_SLOW=-O0", "-MAKEFLAGS", "OPT_FAST=-O0"];
     c.args(if many { &["-MAKEFLAGS", "OPT_FAST=-O2"][..] } else { &quick });
-    c.args(params.iter().map(|(k, v)| format!("-G{k}={v}")));
+    c.args(params.iter().map(|(k, v)| format!("-G{k}={v}"))).args(map.map(|m| format!("-G{m}")));
     c.args(["-y", "rtl"]).args(bench(top, false)).arg("testbench/verilator_main.cpp");
     // Most of the time that a small bench takes goes into Verilator's own library, which is the same for all of them.
     if std::env::var_os("OBJCACHE").is_none() && in_path("ccache") {

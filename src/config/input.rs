@@ -324,11 +324,13 @@ pub struct VectorsConfig {
     pub arithmetic: u32,
     /// Rays of each view; 1 to 1000000.
     pub rays: u32,
+    /// Whether `traverse` also gets the rays that are planned to reach every refusal, limit, exponent and a spread of the texels.
+    pub planned: bool,
 }
 
 impl Default for VectorsConfig {
     fn default() -> Self {
-        Self { generator: Generator::Chacha8, seed: 1, arithmetic: 2000, rays: 300 }
+        Self { generator: Generator::Chacha8, seed: 1, arithmetic: 2000, rays: 300, planned: true }
     }
 }
 

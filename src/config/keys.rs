@@ -279,6 +279,11 @@ pub const KEYS: &[Key] = &[
     key("vectors.seed", "its seed", SEED),
     key("vectors.arithmetic", "vectors of each arithmetic unit", Legal::Whole(1, 1_000_000)),
     key("vectors.rays", "rays of each view", Legal::Whole(1, 1_000_000)),
+    key(
+        "vectors.planned",
+        "whether rays planned to reach every refusal, limit, exponent and a spread of the texels are traced, too",
+        Legal::Flag,
+    ),
     key("emit.prefix", "put before the name of every emitted module and file", Legal::Prefix),
     key(
         "emit.timescale",

@@ -3,7 +3,7 @@ use super::check::FURTHER;
 use crate::bench::{Further, Point, PointKind, cover};
 use crate::catalogue::units;
 use crate::config::Config;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::units::traversal::traverse;
 use crate::vectors::read_set;
 use serde::Deserialize;
@@ -54,6 +54,9 @@ struct Entry {
 /// # Errors
 /// As [`cover`]; a vector set that can't be read.
 pub fn coverage(c: &Config, dir: &Path) -> Result<Coverage> {
+    if !c.vectors.planned {
+        return Err(Error::input("coverage is that of the planned rays: it needs vectors.planned = true"));
+    }
     let d = c.design();
     let mut names: Vec<String> = units(&d).iter().map(|m| m.name.clone()).collect();
     names.push("traverse".into());

@@ -76,16 +76,17 @@ pub fn vectors(c: &Config, scene: &Scene) -> Result<Files> {
 }
 
 /// The vector sets of `traverse`, each with its directory: planned rays and those of the configured views at the configured parameter
-/// values; and rays that reach a step limit.
+/// values; and rays that reach a step limit. Without `vectors.planned` only those of the views.
 ///
 /// # Errors
 /// An illegal design.
 pub fn ray_sets(c: &Config, scene: &Scene) -> Result<Vec<(String, RaySet)>> {
     let (d, seed) = (c.design(), c.vectors.seed);
-    let planned = planned_rays(&d, &scene.pyramid, seed)?;
+    let planned = if c.vectors.planned { planned_rays(&d, &scene.pyramid, seed)? } else { Vec::new() };
     let rays = [&planned[..], &scene.sample(c)?];
     let mut sets = vec![("golden/traverse".into(), ray_set_at(&d, &Binding::new(), &scene.pyramid, rays, seed)?)];
-    for (name, set) in limit_sets(&d, &scene.pyramid, seed)? {
+    let limits = if c.vectors.planned { limit_sets(&d, &scene.pyramid, seed)? } else { Vec::new() };
+    for (name, set) in limits {
         sets.push((format!("golden/traverse/{name}"), set));
     }
     Ok(sets)

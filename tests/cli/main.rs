@@ -23,7 +23,16 @@ fn run(dir: &Path, args: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_reliefrtl")).args(args).current_dir(dir).output().unwrap()
 }
 
-const SMALL: [&str; 6] = ["--set", "vectors.arithmetic=100", "--set", "vectors.rays=20", "--set", "view.stride=16"];
+const SMALL: [&str; 8] = [
+    "--set",
+    "vectors.arithmetic=100",
+    "--set",
+    "vectors.rays=20",
+    "--set",
+    "vectors.planned=false",
+    "--set",
+    "view.stride=16",
+];
 
 /// Runs and returns exit code and both outputs.
 fn said(dir: &Path, args: &[&str]) -> (Option<i32>, String) {

@@ -112,6 +112,7 @@ fn faults_of_the_stream_are_told_apart() {
     }
     let mut c = Config::default();
     (c.vectors.arithmetic, c.vectors.rays) = (60, 10);
+    c.vectors.planned = false;
     let files = project(&c, &Scene::new(&c, None, false).unwrap()).unwrap().files;
     let over: Binding = [("LEVELS", 4), ("TAG_W", 12)].map(|(k, v)| (k.to_string(), v)).into();
     let d = design_at(&c.design(), &over);
@@ -203,6 +204,7 @@ fn rows_too_many_are_noticed() {
     }
     let mut c = Config::default();
     (c.vectors.arithmetic, c.vectors.rays, c.traverse.levels) = (60, 10, 4);
+    c.vectors.planned = false;
     let files = project(&c, &Scene::new(&c, None, false).unwrap()).unwrap().files;
     let mut runs = 0;
     for (unit, names) in [("fp_add", &["stimulus", "expected"][..]), ("traverse", &["stimulus", "expected", "memory"])]
@@ -236,6 +238,7 @@ fn an_empty_file_is_no_vectors() {
     }
     let mut c = Config::default();
     (c.vectors.arithmetic, c.vectors.rays, c.traverse.levels) = (60, 10, 4);
+    c.vectors.planned = false;
     let files = project(&c, &Scene::new(&c, None, false).unwrap()).unwrap().files;
     for (unit, name) in
         [("fp_add", "stimulus"), ("fp_add", "expected"), ("traverse", "stimulus"), ("traverse", "expected")]

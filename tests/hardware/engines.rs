@@ -24,8 +24,10 @@ fn write(dir: &Path, files: &Files) {
     }
 }
 
-fn tree() -> (Config, TempDir) {
+/// The default tree; of `traverse` with the rays of the views, and the planned ones.
+fn tree(planned: bool) -> (Config, TempDir) {
     let mut c = Config::default();
+    c.vectors.planned = planned;
     c.vectors.arithmetic = 600;
     c.vectors.rays = 60;
     let dir = tempfile::tempdir().unwrap();
@@ -34,7 +36,7 @@ fn tree() -> (Config, TempDir) {
 }
 
 fn all_units(sim: Simulator) {
-    let (c, dir) = tree();
+    let (c, dir) = tree(true);
     let done = check_tree(&c, dir.path(), Some(sim), &[], None, None, &|_| ()).unwrap();
     assert_eq!(done.len(), 24);
     assert!(done.iter().all(|x| x.rows > 0));
@@ -64,7 +66,7 @@ fn every_unit_in_verilator() {
 
 /// The same emitted text with other parameter values given to the simulator.
 fn reparameterized(sim: Simulator, units: &[&str]) {
-    let (c, dir) = tree();
+    let (c, dir) = tree(false);
     let d = c.design();
     let mut runs = 0;
     for name in units {
@@ -101,7 +103,7 @@ fn other_parameters_in_verilator() {
 
 /// `traverse` at other sizes: the emitted text stays, the simulator gets LEVELS and HEIGHT_W.
 fn traverse_at(sim: Simulator, sizes: &[(u32, u32)], plusargs: &[&str]) {
-    let (c, dir) = tree();
+    let (c, dir) = tree(false);
     for (levels, height) in sizes {
         let over = Binding::from([("LEVELS".into(), i64::from(*levels)), ("HEIGHT_W".into(), i64::from(*height))]);
         let d = design_at(&c.design(), &over);
@@ -133,9 +135,17 @@ fn traverse_at(sim: Simulator, sizes: &[(u32, u32)], plusargs: &[&str]) {
 #[test]
 fn traverse_at_2_to_12_levels_in_verilator() {
     if !skip() {
-        let sizes: Vec<(u32, u32)> =
-            (2..=10).map(|l| (l, if l % 2 == 0 { 8 } else { 16 })).chain([(2, 16), (12, 8), (12, 16)]).collect();
+        let sizes: Vec<(u32, u32)> = (2..=9).map(|l| (l, if l % 2 == 0 { 8 } else { 16 })).chain([(2, 16)]).collect();
         traverse_at(Simulator::Verilator, &sizes, &[]);
+        traverse_at(Simulator::Verilator, &[(10, 8), (12, 8), (12, 16)], &["preloaded"]);
+    }
+}
+
+#[test]
+#[ignore = "tens of millions of words through the load port; part of sh tools/test.sh --full"]
+fn the_largest_maps_go_through_the_load_port() {
+    if !skip() {
+        traverse_at(Simulator::Verilator, &[(10, 8), (12, 8), (12, 16)], &[]);
     }
 }
 
@@ -159,7 +169,7 @@ fn traffic_loses_and_repeats_nothing() {
 
 #[test]
 fn canaries_are_noticed() {
-    let (c, dir) = tree();
+    let (c, dir) = tree(false);
     let engines = if skip() { vec![None] } else { vec![None, Some(Simulator::Icarus), Some(Simulator::Verilator)] };
     for sim in engines {
         for (canary, code) in [(Canary::Flip, 1), (Canary::Drop, 6), (Canary::Extra, 7), (Canary::Empty, 5)] {
@@ -173,7 +183,7 @@ fn canaries_are_noticed() {
 
 #[test]
 fn a_missing_simulator_is_named() {
-    let dir: PathBuf = tree().1.keep();
+    let dir: PathBuf = tree(false).1.keep();
     let out = std::process::Command::new(env!("CARGO_BIN_EXE_reliefrtl"))
         .args(["check", "--engine", "verilator", "--unit", "fp_lt", "--dir"])
         .arg(&dir)

@@ -18,6 +18,7 @@ fn built(dir: &Path, program: &str, args: &[&str]) {
 fn tree(dir: &Path) -> String {
     let mut c = Config::default();
     (c.vectors.arithmetic, c.vectors.rays, c.traverse.levels) = (200, 5, 3);
+    c.vectors.planned = false;
     let prefix = c.emit.prefix.clone();
     let files = project(&c, &Scene::new(&c, None, false).unwrap()).unwrap().files;
     let put = |path: &str, text: &str| {

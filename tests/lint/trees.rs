@@ -52,7 +52,7 @@ fn elaborate(tool: Tool, dir: &Path, top: &str, files: &[&str]) -> Option<Said> 
             let script = format!("read_verilog -formal {}; hierarchy -check -top {top}", files.join(" "));
             c.args(["-p", &script]);
         }
-        Tool::Verible => panic!("Verible elaborates nothing"),
+        Tool::Verible | Tool::SlangInterfaces => panic!("{tool:?} elaborates nothing"),
     }
     Some(run(&mut c, dir))
 }

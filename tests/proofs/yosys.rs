@@ -27,7 +27,16 @@ fn ok(dir: &Path, args: &[&str]) -> String {
     text
 }
 
-const SMALL: [&str; 6] = ["--set", "vectors.arithmetic=10", "--set", "vectors.rays=2", "--set", "view.stride=64"];
+const SMALL: [&str; 8] = [
+    "--set",
+    "vectors.arithmetic=10",
+    "--set",
+    "vectors.rays=2",
+    "--set",
+    "vectors.planned=false",
+    "--set",
+    "view.stride=64",
+];
 
 #[test]
 fn every_proof_goes_through() {

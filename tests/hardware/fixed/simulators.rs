@@ -23,8 +23,10 @@ fn write(dir: &Path, files: &Files) {
     }
 }
 
-fn tree(f: u32, w: u32, mode: ModeConfig) -> (Config, TempDir) {
+/// With the planned rays of `traverse`, or those of the views alone.
+fn tree(f: u32, w: u32, mode: ModeConfig, planned: bool) -> (Config, TempDir) {
     let mut c = Config { datapath: design(f, w).datapath, mode, ..Config::default() };
+    c.vectors.planned = planned;
     c.vectors.arithmetic = 600;
     c.vectors.rays = 60;
     c.validate().unwrap();
@@ -34,8 +36,8 @@ fn tree(f: u32, w: u32, mode: ModeConfig) -> (Config, TempDir) {
 }
 
 fn all_units(sim: Simulator, formats: &[(u32, u32)], mode: ModeConfig, count: usize) {
-    for &(f, w) in formats {
-        let (c, dir) = tree(f, w, mode);
+    for (k, &(f, w)) in formats.iter().enumerate() {
+        let (c, dir) = tree(f, w, mode, k == 0);
         let done = check_tree(&c, dir.path(), Some(sim), &[], None, None, &|_| ()).unwrap();
         assert_eq!(done.len(), count);
         assert!(done.iter().all(|x| x.rows > 0));
@@ -69,7 +71,7 @@ fn every_unit_in_verilator() {
 
 /// `traverse` at other sizes: the emitted text stays, the simulator gets the parameters. f, w, levels, height bits.
 fn traverse_at(sim: Simulator, mode: ModeConfig, sizes: &[(u32, u32, u32, u32)], plusargs: &[&str]) {
-    let (c, dir) = tree(24, 24, mode);
+    let (c, dir) = tree(24, 24, mode, false);
     for (f, w, levels, height) in sizes {
         let values = [("FRACTION_W", f), ("RECIP_W", w), ("LEVELS", levels), ("HEIGHT_W", height)];
         let over: Binding = values.iter().map(|(k, v)| (k.to_string(), i64::from(**v))).collect();
@@ -94,10 +96,19 @@ fn traverse_at(sim: Simulator, mode: ModeConfig, sizes: &[(u32, u32, u32, u32)],
 #[test]
 fn traverse_at_2_to_12_levels_in_verilator() {
     if !skip() {
-        let sizes =
-            [(24, 24, 2, 16), (24, 24, 11, 8), (24, 18, 12, 16), (20, 18, 5, 16), (20, 18, 6, 8), (12, 10, 3, 8)];
-        let ends = [(12, 10, 12, 8), (28, 31, 7, 16), (8, 8, 8, 8)];
-        traverse_at(Simulator::Verilator, ModeConfig::default(), &[&sizes[..], &ends].concat(), &[]);
+        let sizes = [(24, 24, 2, 16), (20, 18, 5, 16), (20, 18, 6, 8), (12, 10, 3, 8), (28, 31, 7, 16), (8, 8, 8, 8)];
+        traverse_at(Simulator::Verilator, ModeConfig::default(), &sizes, &[]);
+        traverse_at(Simulator::Verilator, ModeConfig::default(), &LARGEST, &["preloaded"]);
+    }
+}
+
+const LARGEST: [(u32, u32, u32, u32); 3] = [(24, 24, 11, 8), (24, 18, 12, 16), (12, 10, 12, 8)];
+
+#[test]
+#[ignore = "tens of millions of words through the load port; part of sh tools/test.sh --full"]
+fn the_largest_maps_go_through_the_load_port() {
+    if !skip() {
+        traverse_at(Simulator::Verilator, ModeConfig::default(), &LARGEST, &[]);
     }
 }
 
