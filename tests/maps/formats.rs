@@ -1,5 +1,5 @@
 //! Every kind of file that is read, from known codes to the same codes.
-use super::make::{Tiff, dds, exr, png};
+use super::make::{Tiff, dds, png};
 use super::{keys, sentence};
 use image::{ExtendedColorType as Kind, ImageEncoder, ImageFormat};
 use png::{BitDepth, ColorType};
@@ -13,7 +13,7 @@ fn ramp(bits: u32) -> Vec<u64> {
 }
 
 /// The codes of a 4 x 4 map of at most 16 bits.
-fn codes(bytes: &[u8], name: &str, bits: u32, sets: &[&str]) -> Vec<u64> {
+pub fn codes(bytes: &[u8], name: &str, bits: u32, sets: &[&str]) -> Vec<u64> {
     let read = decode_codes(bytes, name, &keys(sets), 2, bits, false);
     read.unwrap_or_else(|e| panic!("{e}")).0.iter().map(|code| u64::from(*code)).collect()
 }
@@ -359,69 +359,6 @@ fn esri_grids() {
             told.contains(what) || (what == "16 heights" && told.contains("4 x 4 heights are announced in")),
             "{told}"
         );
-    }
-}
-
-#[test]
-fn exr_by_channel() {
-    let values: Vec<f32> = (0..16).map(|at| at as f32 / 15.0).collect();
-    let zero = [0.0f32; 16];
-    let grey = |file: &[u8], sets: &[&str]| {
-        let sets = [sets, &["map.range=0,1"]].concat();
-        codes(file, "m.exr", 4, &sets)
-    };
-    let ramp: Vec<u64> = (0..16).collect();
-    assert_eq!(grey(&exr(&[("Y", &values)], 4), &[]), ramp);
-    assert_eq!(grey(&exr(&[("depth", &values)], 4), &[]), ramp);
-    assert_eq!(grey(&exr(&[("R", &values), ("G", &values), ("B", &values)], 4), &[]), ramp);
-    let both = exr(&[("R", &zero), ("G", &zero), ("B", &zero), ("height", &values)], 4);
-    let told = sentence(decode_as(&both, "m.exr", &keys(&[])));
-    let asked = "m.exr: the file has the channels B, G, R, height, and which one holds the heights is not ours to guess: choose it with --set map.channel=height";
-    assert_eq!(told, asked);
-    assert_eq!(grey(&both, &["map.channel=height"]), ramp);
-    assert_eq!(grey(&both, &["map.channel=R"]), [0; 16]);
-    let told = sentence(decode_as(&both, "m.exr", &keys(&["map.channel=Z"])));
-    assert_eq!(told, "m.exr: there is no channel \"Z\" (map.channel): the file has B, G, R, height");
-}
-
-/// An OpenEXR of parts of 2 x 2 heights, each at its place in the display window.
-fn parts(list: &[(&str, &[f32], (i32, i32))], display: (usize, usize), encoding: exr::prelude::Encoding) -> Vec<u8> {
-    use exr::prelude::*;
-    let layer = |(name, values, place): &(&str, &[f32], (i32, i32))| {
-        let channel = AnyChannel::new("Y", FlatSamples::F32(values.to_vec()));
-        let named = LayerAttributes::named(*name).with_position(Vec2(place.0, place.1));
-        Layer::new((2, 2), named, encoding, AnyChannels::sort([channel].into_iter().collect()))
-    };
-    let window = IntegerBounds::new((0, 0), display);
-    let image = Image::from_layers(ImageAttributes::new(window), list.iter().map(layer).collect::<Vec<_>>());
-    let mut out = Cursor::new(Vec::new());
-    image.write().to_buffered(&mut out).unwrap();
-    out.into_inner()
-}
-
-#[test]
-fn exr_by_part_and_window() {
-    use exr::prelude::Encoding;
-    let (values, other) = ([0.25f32, 0.5, 0.75, 1.0], [0.0f32; 4]);
-    let read = |file: &[u8], sets: &[&str]| decode_as(file, "m.exr", &keys(sets));
-    for encoding in [Encoding::UNCOMPRESSED, Encoding::FAST_LOSSLESS, Encoding::SMALL_LOSSLESS] {
-        let two = parts(&[("mask", &other, (0, 0)), ("height", &values, (0, 0))], (2, 2), encoding);
-        let told = sentence(read(&two, &[]));
-        assert!(told.contains("the file has the parts 0 (mask), 1 (height), and which one"), "{told}");
-        for part in ["map.part=height", "map.part=1"] {
-            let (map, taken) = read(&two, &[part]).unwrap();
-            assert_eq!((map.samples, taken.part.as_deref()), (vec![0.25, 0.5, 0.75, 1.0], Some("1 (height)")));
-        }
-        assert!(sentence(read(&two, &["map.part=2"])).contains("there is no part \"2\" (map.part)"));
-        // The data window is a part of the display window, or reaches beyond it.
-        let small = parts(&[("height", &values, (1, 0))], (3, 3), encoding);
-        let told = sentence(read(&small, &[]));
-        let why = "5 of 9 texels have no data (not a number), the first is pixel (0, 0); the file has a data window of 2 x 2 at (1, 0) of a display window of 3 x 3";
-        assert!(told.contains(why), "{told}");
-        let (map, _) = read(&small, &["map.fill=0.125"]).unwrap();
-        assert_eq!(map.samples, [0.125, 0.25, 0.5, 0.125, 0.75, 1.0, 0.125, 0.125, 0.125]);
-        let large = parts(&[("height", &values, (-1, -1))], (1, 1), encoding);
-        assert_eq!(read(&large, &[]).unwrap().0.samples, [1.0]);
     }
 }
 

@@ -1,20 +1,20 @@
-//! Small files that announce much: a sentence and exit code 2, soon, and within a small address space.
+//! Small files that announce much: a sentence and exit code 2, within two seconds of processor time and a small address space.
 use super::make::{Tiff, dds, plain_exr, png};
 use std::path::Path;
 use std::process::{Command, Output};
 use std::time::{Duration, Instant};
 
-/// Runs with 4 GB of address space.
+/// Runs with 4 GB of address space and two seconds of processor time, behind which the system ends it.
 fn run(dir: &Path, args: &[&str]) -> Output {
     Command::new("sh")
-        .args(["-c", "ulimit -v 4000000; exec \"$0\" \"$@\"", env!("CARGO_BIN_EXE_reliefrtl")])
+        .args(["-c", "ulimit -v 4000000; ulimit -t 2; exec \"$0\" \"$@\"", env!("CARGO_BIN_EXE_reliefrtl")])
         .args(args)
         .current_dir(dir)
         .output()
         .unwrap()
 }
 
-/// Refused by name, in one sentence that has this in it. The bound is two seconds; a busy machine gets more.
+/// Refused by name, in one sentence that has this in it, without waiting for anything.
 fn refused(dir: &Path, args: &[&str], what: &str) {
     let start = Instant::now();
     let out = run(dir, args);
@@ -131,6 +131,57 @@ fn what_announces_much_is_refused_before_it_is_read() {
     );
     std::fs::write(dir.path().join("a.hgt"), [0; 98]).unwrap();
     refused(dir.path(), &[&["trace", "--map", "a.hgt"], &small[..], &size].concat(), "are not the 98 bytes");
+}
+
+/// Files at the limit, all of whose texels are announced and few there: what is there is read, and no more.
+#[test]
+fn what_announces_the_limit_is_read_as_far_as_it_goes() {
+    let dir = tempfile::tempdir().unwrap();
+    std::fs::write(dir.path().join("r.csv"), "u,v,du,dv\n0.5,0.5,0.1,0.1\n").unwrap();
+    let row = vec![9u8; 8192];
+    let mut grey = Vec::new();
+    let mut encoder = png::Encoder::new(&mut grey, 8192, 8192);
+    encoder.set_color(png::ColorType::Grayscale);
+    let mut writer = encoder.write_header().unwrap();
+    let mut stream = writer.stream_writer().unwrap();
+    (0..8192).for_each(|_| std::io::Write::write_all(&mut stream, &row).unwrap());
+    stream.finish().unwrap();
+    writer.finish().unwrap();
+    let pam = b"P7\nWIDTH 8192\nHEIGHT 8192\nDEPTH 1\nMAXVAL 255\nENDHDR\n";
+    let bmp = [
+        b"BM".as_slice(),
+        &[54, 0, 0, 0, 0, 0, 0, 0, 54, 0, 0, 0, 40, 0, 0, 0, 0, 32, 0, 0, 0, 32, 0, 0, 1, 0, 24, 0],
+        &[0; 24],
+    ]
+    .concat();
+    let tga = [&[0, 0, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 32, 0, 32, 24, 0][..], &[255, 1, 1, 1].repeat(200)].concat();
+    let files = [
+        ("a.png", grey[..grey.len() * 9 / 10].to_vec()),
+        ("a.pam", [&pam[..], &row].concat()),
+        ("a.asc", [b"ncols 8192\nnrows 8192\n".as_slice(), &b"0 ".repeat(8192)].concat()),
+        ("a.exr", plain_exr(8192)),
+        ("a.bmp", bmp),
+        ("a.tga", tga),
+    ];
+    for (name, file) in files {
+        std::fs::write(dir.path().join(name), &file).unwrap();
+        for more in [&["--resample"][..], &["--resample", "--set", "map.range=auto"]] {
+            let args = [
+                "trace",
+                "--map",
+                name,
+                "--set",
+                "traverse.levels=3",
+                "--rays",
+                "r.csv",
+                "--engine",
+                "golden",
+                "--out",
+                "h.csv",
+            ];
+            refused(dir.path(), &[&args[..], more].concat(), name);
+        }
+    }
 }
 
 #[test]

@@ -1,14 +1,17 @@
-//! OpenEXR by part and channel. What lies in the display window but not in the data window has no data.
+//! OpenEXR by part and channel, block after block. What lies in the display window but not in the data window has no data.
 use super::pick::Pick;
 use super::{Info, Opened, Rows, Samples, broken, filled, sized};
 use crate::config::MapConfig;
 use crate::error::{Error, Result};
 use crate::scene::source::Handle;
 use exr::block::UncompressedBlock;
-use exr::block::chunk::CompressedBlock;
+use exr::block::chunk::{Chunk, CompressedBlock};
+use exr::block::reader::{AllChunksReader, ChunksReader};
 use exr::meta::BlockDescription;
 use exr::meta::attribute::SampleType;
 use exr::meta::header::Header;
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 const KIND: &str = "OpenEXR";
 /// A block may be larger than the picture by this many bytes.
@@ -46,28 +49,14 @@ pub(super) fn open<'a>(handle: Handle<'a>, len: u64, map: &MapConfig) -> Result<
         note,
         ..Info::new(KIND, width, height, Samples::Float(if half { 16 } else { 32 }))
     };
-    let mut samples = filled(f64::NAN, width * height)?;
-    let mut seen = 0u64;
-    let mut chunks = reader.all_chunks(false).map_err(failed)?;
-    let meta = exr::block::reader::ChunksReader::meta_data(&chunks).clone();
-    for chunk in chunks.by_ref() {
-        let chunk = chunk.map_err(failed)?;
-        let finest = match &chunk.compressed_block {
-            CompressedBlock::Tile(tile) => tile.coordinates.is_largest_resolution_level(),
-            _ => true,
-        };
-        if chunk.layer_index != part || !finest {
-            continue;
-        }
-        let block = UncompressedBlock::decompress_chunk(chunk, &meta, false).map_err(failed)?;
-        seen += block.index.pixel_size.area() as u64;
-        let to = Window { left, top, width, height };
-        to.copy(&block, &kinds, &pick, &mut samples)?;
-    }
-    if seen != (columns * rows) as u64 {
-        return Err(broken(KIND, format!("{seen} of its {} pixels are there", columns * rows)));
-    }
-    Ok(Opened { info, rows: Box::new(Plane { samples, at: 0 }) })
+    let band = match header.blocks {
+        BlockDescription::ScanLines => header.compression.scan_lines_per_block(),
+        BlockDescription::Tiles(tiles) => tiles.tile_size.height(),
+    };
+    let window = Window { left, top, width, height, columns, rows, band: band.min(rows) };
+    let chunks = reader.all_chunks(false).map_err(failed)?;
+    let rows = Bands { chunks, part, window, kinds, pick, kept: BTreeMap::new(), at: 0 };
+    Ok(Opened { info, rows: Box::new(rows) })
 }
 
 /// The part that is asked for, and its name where there are several.
@@ -116,27 +105,134 @@ fn bounded(header: &Header, texels: u64, len: u64) -> Result<()> {
     Ok(())
 }
 
-/// Where the data window lies in the display window.
+/// Where the data window lies in the display window, and how its rows stand together in blocks.
 struct Window {
     left: i64,
     top: i64,
+    /// Of the display window.
     width: usize,
     height: usize,
+    /// Of the data window.
+    columns: usize,
+    rows: usize,
+    /// Rows of a block.
+    band: usize,
 }
 
 impl Window {
-    /// Copies the heights of a block to their places.
+    /// The row of the data window that a row of the display window shows.
+    fn data_row(&self, row: usize) -> Option<usize> {
+        inside(row as i64 - self.top, self.rows)
+    }
+
+    /// Whether a row of this band is in the display window.
+    fn shows(&self, band: usize) -> bool {
+        let first = self.top + (band * self.band) as i64;
+        first < self.height as i64 && first + self.band_rows(band) as i64 > 0
+    }
+
+    fn band_rows(&self, band: usize) -> usize {
+        self.band.min(self.rows - band * self.band)
+    }
+}
+
+fn inside(place: i64, side: usize) -> Option<usize> {
+    usize::try_from(place).ok().filter(|&place| place < side)
+}
+
+/// The heights of a row of blocks, as wide as the display window, as far as they have been read.
+struct Band {
+    samples: Vec<f64>,
+    /// Pixels of the data window that are there.
+    seen: usize,
+}
+
+/// Blocks as the file has them, one row of blocks after the other: a file in the usual order has one of them in memory, any other
+/// those that wait for their turn, and of all channels only the height.
+struct Bands<'a> {
+    chunks: AllChunksReader<Handle<'a>>,
+    part: usize,
+    window: Window,
+    kinds: Vec<SampleType>,
+    pick: Pick,
+    kept: BTreeMap<usize, Band>,
+    /// The row that is next.
+    at: usize,
+}
+
+impl Bands<'_> {
+    /// Reads blocks until this band is whole.
+    fn complete(&mut self, band: usize) -> Result<()> {
+        let whole = self.window.columns * self.window.band_rows(band);
+        while self.kept.get(&band).is_none_or(|kept| kept.seen < whole) {
+            let Some(chunk) = self.chunks.next() else {
+                let row = band * self.window.band;
+                return Err(broken(KIND, format!("the block of its row {row} is not there")));
+            };
+            self.take(chunk.map_err(|error| broken(KIND, error))?)?;
+        }
+        Ok(())
+    }
+
+    /// Keeps the heights of a block of the part, at its finest level.
+    fn take(&mut self, chunk: Chunk) -> Result<()> {
+        let finest = match &chunk.compressed_block {
+            CompressedBlock::Tile(tile) => tile.coordinates.is_largest_resolution_level(),
+            _ => true,
+        };
+        if chunk.layer_index != self.part || !finest {
+            return Ok(());
+        }
+        let failed = |error: exr::error::Error| broken(KIND, error);
+        let block = UncompressedBlock::decompress_chunk(chunk, self.chunks.meta_data(), false).map_err(failed)?;
+        let window = &self.window;
+        let band = block.index.pixel_position.y() / window.band;
+        // Of what is not shown and of what was taken already nothing is kept.
+        if !window.shows(band) || window.data_row(self.at).is_some_and(|row| band < row / window.band) {
+            return Ok(());
+        }
+        let kept = match self.kept.entry(band) {
+            Entry::Occupied(there) => there.into_mut(),
+            Entry::Vacant(place) => {
+                let samples = filled(f64::NAN, window.width * window.band_rows(band))?;
+                place.insert(Band { samples, seen: 0 })
+            }
+        };
+        kept.seen += block.index.pixel_size.area();
+        self.window.copy(&block, &self.kinds, &self.pick, &mut kept.samples)
+    }
+}
+
+impl Rows for Bands<'_> {
+    fn next(&mut self, row: &mut [f64]) -> Result<()> {
+        match self.window.data_row(self.at) {
+            None => row.fill(f64::NAN),
+            Some(from) => {
+                let band = from / self.window.band;
+                self.complete(band)?;
+                self.kept.retain(|&there, _| there >= band);
+                let start = (from - band * self.window.band) * row.len();
+                row.copy_from_slice(&self.kept[&band].samples[start..start + row.len()]);
+            }
+        }
+        self.at += 1;
+        Ok(())
+    }
+}
+
+impl Window {
+    /// Copies the heights of a block to their places in its band.
     fn copy(&self, block: &UncompressedBlock, kinds: &[SampleType], pick: &Pick, to: &mut [f64]) -> Result<()> {
         let (size, from) = (block.index.pixel_size, block.index.pixel_position);
         let bytes = |kind: &SampleType| if *kind == SampleType::F16 { 2 } else { 4 };
         let line: usize = kinds.iter().map(|kind| bytes(kind) * size.width()).sum();
         let mut pixel = vec![0.0; kinds.len()];
-        let inside = |place: i64, side: usize| usize::try_from(place).ok().filter(|&place| place < side);
         for y in 0..size.height() {
             let Some(row) = inside(self.top + (from.y() + y) as i64, self.height) else { continue };
             let Some(line) = block.data.get(y * line..(y + 1) * line) else {
                 return Err(broken(KIND, "a block ends early"));
             };
+            let place = (from.y() + y) % self.band * self.width;
             for x in 0..size.width() {
                 let Some(column) = inside(self.left + (from.x() + x) as i64, self.width) else { continue };
                 let mut start = 0;
@@ -146,7 +242,7 @@ impl Window {
                     }
                     start += bytes(kind) * size.width();
                 }
-                to[row * self.width + column] = pick.take(&pixel, column, row)?;
+                to[place + column] = pick.take(&pixel, column, row)?;
             }
         }
         Ok(())
@@ -160,19 +256,5 @@ fn sample(line: &[u8], at: usize, kind: SampleType) -> f64 {
         SampleType::F16 => super::packed::half(u16::from_ne_bytes([line[2 * at], line[2 * at + 1]])),
         SampleType::F32 => f64::from(f32::from_ne_bytes(four(at))),
         SampleType::U32 => f64::from(u32::from_ne_bytes(four(at))),
-    }
-}
-
-struct Plane {
-    samples: Vec<f64>,
-    at: usize,
-}
-
-impl Rows for Plane {
-    fn next(&mut self, row: &mut [f64]) -> Result<()> {
-        let from = self.at * row.len();
-        row.copy_from_slice(&self.samples[from..from + row.len()]);
-        self.at += 1;
-        Ok(())
     }
 }
