@@ -97,9 +97,44 @@ fn a_wrong_nibble_ends_verilator_with_a_status() {
     assert!(said.contains("exit code 1"), "{said}");
 }
 
-/// A core file as somebody would write it for FuseSoC, in Icarus.
-#[test]
-fn a_wrong_nibble_ends_fusesoc_with_a_status() {
+/// A core file as somebody would write it for FuseSoC, for Icarus and for Verilator.
+fn core(prefix: &str) -> String {
+    format!(
+        "CAPI=2:
+name: ::tree:0
+filesets:
+  bench:
+    file_type: verilogSource
+    files: [rtl/{prefix}fp_lt.v, testbench/{prefix}tb_fp_lt.v]
+  clock:
+    file_type: verilogSource
+    files: [testbench/{prefix}tb_fp_lt_top.v]
+  main:
+    file_type: cppSource
+    files: [testbench/verilator_main.cpp]
+targets:
+  icarus:
+    filesets: [bench, clock]
+    default_tool: icarus
+    toplevel: {prefix}tb_fp_lt_top
+    parameters: [vectors]
+  verilator:
+    filesets: [bench, main]
+    default_tool: verilator
+    tools:
+      verilator:
+        mode: cc
+        verilator_options: [-Wno-lint, -CFLAGS, -DVTOP=V{prefix}tb_fp_lt]
+        make_options: [OPT_FAST=-O0, OPT_SLOW=-O0, OPT_GLOBAL=-O0]
+    toplevel: {prefix}tb_fp_lt
+    parameters: [vectors]
+parameters:
+  vectors: {{datatype: str, paramtype: plusarg}}
+"
+    )
+}
+
+fn a_wrong_nibble_ends_fusesoc(target: &str) {
     let Some(tools) = std::env::var_os("RELIEFRTL_TOOLS").map(std::path::PathBuf::from) else {
         println!("skipped: RELIEFRTL_TOOLS is not set (sh tools/test.sh sets it)");
         return;
@@ -109,29 +144,15 @@ fn a_wrong_nibble_ends_fusesoc_with_a_status() {
     }
     let dir = tempfile::tempdir().unwrap();
     let prefix = tree(dir.path());
-    let core = format!(
-        "CAPI=2:
-name: ::tree:0
-filesets:
-  all:
-    file_type: verilogSource
-    files: [rtl/{prefix}fp_lt.v, testbench/{prefix}tb_fp_lt.v, testbench/{prefix}tb_fp_lt_top.v]
-targets:
-  sim:
-    filesets: [all]
-    default_tool: icarus
-    toplevel: {prefix}tb_fp_lt_top
-    parameters: [vectors]
-parameters:
-  vectors: {{datatype: str, paramtype: plusarg}}
-"
-    );
-    std::fs::write(dir.path().join("tree.core"), core).unwrap();
+    std::fs::write(dir.path().join("tree.core"), core(&prefix)).unwrap();
     let fusesoc = tools.join("bin/fusesoc").display().to_string();
     let status = |vectors: &str| {
         let place = dir.path().join(vectors).display().to_string();
-        let line = ["--cores-root", ".", "run", "--target=sim", "::tree:0", "--vectors", &place];
-        let out = run(dir.path(), &fusesoc, &line);
+        let target = format!("--target={target}");
+        let line = ["--cores-root", ".", "run", &target, "::tree:0", "--vectors", &place];
+        let mut c = Command::new(&fusesoc);
+        // As for Verilator elsewhere: it finds its own files by itself.
+        let out = c.env_remove("VERILATOR_ROOT").args(line).current_dir(dir.path()).output().unwrap();
         let said = String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
         (out.status.code(), said)
     };
@@ -139,4 +160,14 @@ parameters:
     assert!(good == Some(0) && said.contains("PASS"), "{said}");
     let (bad, said) = status("bad");
     assert!(bad.is_some_and(|c| c != 0) && said.contains("FAIL"), "{said}");
+}
+
+#[test]
+fn a_wrong_nibble_ends_fusesoc_with_a_status() {
+    a_wrong_nibble_ends_fusesoc("icarus");
+}
+
+#[test]
+fn a_wrong_nibble_ends_verilator_in_fusesoc_with_a_status() {
+    a_wrong_nibble_ends_fusesoc("verilator");
 }
