@@ -254,17 +254,33 @@ fn two_prefixes_elaborate_together() {
         let Some(said) = elaborate(tool, &dir, "both", &read) else { return };
         assert!(said.ok, "{}", said.problem("two prefixes"));
     }
-    // Yosys takes the proofs beside the modules; benches are no hardware.
+    // Yosys takes proofs, too; of benches it reads what they test and with which parameters.
     let proofs: Vec<String> = named(&both, "testbench/", ".v").into_iter().filter(|f| f.contains("_fv_")).collect();
-    rtl.extend(proofs.iter().cloned());
-    let Some(mut c) = Tool::Yosys.command() else { return };
-    let mut script = format!("read_verilog -formal {}\ndesign -save read\n", rtl.join(" "));
-    for top in proofs.iter().map(stem).chain(["a_traverse".into(), "b_traverse".into()]) {
+    rtl.extend(proofs.iter().chain(&benches).cloned());
+    let tops = proofs.iter().map(stem).chain(["a_tb_traverse_top", "b_tb_traverse_top", "both"].map(String::from));
+    let mut script = format!("read_verilog -formal {} both.v\ndesign -save read\n", rtl.join(" "));
+    for top in tops {
         script += &format!("design -load read\nhierarchy -check -top {top}\n");
     }
     std::fs::write(dir.join("both.ys"), script).expect("target is writable");
-    let said = run(c.arg("both.ys"), &dir);
-    assert!(said.ok, "{}", said.problem("two prefixes"));
+    for tool in [Tool::Yosys, Tool::YosysNew] {
+        let Some(mut c) = tool.command() else { return };
+        let said = run(c.arg("both.ys"), &dir);
+        assert!(said.ok, "{}", said.problem("two prefixes"));
+    }
+    // And a bench holds its unit to what it was written for there as well.
+    let swapped = both["testbench/a_tb_fp_add.v"].replace(".LATENCY(3)", ".LATENCY(9)");
+    assert_ne!(swapped, both["testbench/a_tb_fp_add.v"]);
+    std::fs::write(dir.join("testbench/a_tb_fp_add.v"), swapped).expect("target is writable");
+    let read = ["rtl/a_lzc.v", "rtl/a_fp_add.v", "testbench/a_tb_fp_add.v", "testbench/a_tb_fp_add_top.v"];
+    for tool in [Tool::Yosys, Tool::YosysNew] {
+        let Some(said) = elaborate(tool, &dir, "a_tb_fp_add_top", &read) else { return };
+        assert!(
+            !said.ok && said.text.contains("a_fp_add_has_LATENCY_3_not_the_one_asked_for"),
+            "{}",
+            said.problem("swapped")
+        );
+    }
 }
 
 /// The lists name files from where they stand themselves.

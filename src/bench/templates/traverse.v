@@ -146,6 +146,8 @@ module {{ prefix }}tb_traverse #(
     .idle(idle)
   );
 
+  // Yosys knows no files and no delays: to it a bench is what it tests, with its parameters.
+`ifndef YOSYS
   // Comments at the head of a file, as $readmemh knows them.
   task automatic skip_comments(input integer fd);
     integer c;
@@ -549,6 +551,7 @@ module {{ prefix }}tb_traverse #(
       $fwrite(it_fd, "%0d %h %h %h %h\n", tag_ray[dut.s{{ enters }}_tag[TagBits-1:0]],
               dut.s{{ enters }}_level, dut.s{{ enters }}_x, dut.s{{ enters }}_y, dut.s{{ enters }}_t);
   end
+`endif
 `endif
 endmodule
 `default_nettype wire

@@ -66,6 +66,8 @@ module {{ prefix }}tb_{{ unit }}{% if params %} #(
 {%- endfor %}
   );
 
+  // Yosys knows no files and no delays: to it a bench is what it tests, with its parameters.
+`ifndef YOSYS
   // The head of a file: a comment, then the number of rows and the bits of a row.
   task automatic read_head(input integer fd, output integer rows, output integer bits);
     integer c;
@@ -196,5 +198,6 @@ module {{ prefix }}tb_{{ unit }}{% if params %} #(
       if (ce) step;
     end
   end
+`endif
 endmodule
 `default_nettype wire
