@@ -30,6 +30,7 @@ use crate::error::{Error, Result, exit};
 use crate::files::STANDARD_OUTPUT;
 use args::Verb;
 use clap::{CommandFactory, Parser};
+use std::io::IsTerminal;
 
 /// Runs the command line; returns the exit code (0 ok, 1 mismatch, 2 usage or input, 3 tool missing, 4 tool failed,
 /// 5 nothing ran, 6 a result never came, 7 a result too many, 128 and the number of a signal that ended it).
@@ -42,7 +43,13 @@ pub fn main() -> i32 {
             if e.use_stderr() {
                 let _ = e.print();
             } else {
-                print!("{}", e.render().ansi());
+                let coloured =
+                    std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|no| no.is_empty());
+                if coloured {
+                    print!("{}", e.render().ansi());
+                } else {
+                    print!("{}", e.render());
+                }
                 print::flush();
             }
             return code;
