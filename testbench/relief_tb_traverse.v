@@ -182,6 +182,8 @@ module relief_tb_traverse #(
     .idle(idle)
   );
 
+  // Yosys knows no files and no delays: to it a bench is what it tests, with its parameters.
+`ifndef YOSYS
   // Comments at the head of a file, as $readmemh knows them.
   task automatic skip_comments(input integer fd);
     integer c;
@@ -668,6 +670,7 @@ module relief_tb_traverse #(
       $fwrite(it_fd, "%0d %h %h %h %h\n", tag_ray[dut.s1_tag[TagBits-1:0]],
               dut.s1_level, dut.s1_x, dut.s1_y, dut.s1_t);
   end
+`endif
 `endif
 endmodule
 `ifndef YOSYS
