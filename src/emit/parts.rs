@@ -27,7 +27,8 @@ const fn has(what: &'static str, most: u64, cells: &'static [&'static str]) -> R
     Resource { what, cells, most }
 }
 
-/// Lattice ECP5 family data sheet (FPGA-DS-02012), table 1.1.
+/// Lattice ECP5 family data sheet (FPGA-DS-02012), table 1.1; the same numbers as Lattice's mapper counts as available (`LUTS_avail`, `EBR_avail`) and
+/// nextpnr-ecp5 lists for `--85k` (`TRELLIS_COMB`, `DP16KD`, `MULT18X18D`).
 pub const ECP5: Part = Part {
     name: "ECP5-85 (LFE5U-85F)",
     word: "LFE5U-85F",
@@ -39,8 +40,8 @@ pub const ECP5: Part = Part {
     ],
 };
 
-/// The most of each that any part of the family has: look-up tables and memories of the HX8K, multipliers of the UP5K (iCE40 LP/HX and UltraPlus
-/// family data sheets, FPGA-DS-02029 and 02008).
+/// The most of each that any part of the family has: look-up tables and memories of the HX8K (iCE40 LP/HX family data sheet, FPGA-DS-02029, formerly
+/// DS1040, table 1-1), multipliers of the UP5K (iCE40 UltraPlus family data sheet, FPGA-DS-02008). No part has both.
 pub const ICE40: Part = Part {
     name: "the largest iCE40s (HX8K, UP5K)",
     word: "iCE40",
@@ -52,7 +53,7 @@ pub const ICE40: Part = Part {
     ],
 };
 
-/// Xilinx 7 series overview (DS180), the part that `vivado.tcl` takes by default. Half a block memory is counted as a whole one of its own kind.
+/// Xilinx 7 series overview (DS180) and CLB user guide (UG474, table 1-2): 33,650 slices of 4 look-up tables and 8 flip-flops. The part that `vivado.tcl` takes by default. Half a block memory is counted as a whole one of its own kind.
 pub const XC7A200T: Part = Part {
     name: "Artix-7 XC7A200T",
     word: "XC7A200T",
@@ -65,7 +66,7 @@ pub const XC7A200T: Part = Part {
     ],
 };
 
-/// Virtex-6 family overview (DS150): the largest of the LXT parts.
+/// Virtex-6 family overview (DS150): 118,560 slices of 4 look-up tables and 8 flip-flops, the largest LX part.
 pub const XC6VLX760: Part = Part {
     name: "Virtex-6 XC6VLX760",
     word: "XC6VLX760",
@@ -78,7 +79,8 @@ pub const XC6VLX760: Part = Part {
     ],
 };
 
-/// Gowin GW2A series data sheet (DS102), table 1-1.
+/// Gowin GW2A series data sheet (DS102), table of product resources: three flip-flops to four look-up tables, 140 memories of 18 kbit (2520 kbit).
+/// Of two multipliers of 18 bits four of 9 are made, of four one of 36 (DSP user guide, UG287): each kind is counted as if it were alone.
 pub const GW2A_55: Part = Part {
     name: "Gowin GW2A-55",
     word: "GW2A-55",
@@ -91,6 +93,8 @@ pub const GW2A_55: Part = Part {
             &["SP", "SPX9", "SDP", "SDPB", "SDPX9", "SDPX9B", "DP", "DPB", "DPX9", "DPX9B", "pROM*"],
         ),
         has("multipliers", 40, &["MULT18X18"]),
+        has("multipliers_of_9_bits", 80, &["MULT9X9"]),
+        has("multipliers_of_36_bits", 10, &["MULT36X36"]),
     ],
 };
 
@@ -129,6 +133,7 @@ mod tests {
         let cells = |n: u64| [("SB_RAM40_4K".to_string(), n), ("SB_RAM40_4KNR".to_string(), 1)].into();
         assert_eq!(ICE40.misfits(&cells(170)), ["171 of 32 block memories"]);
         assert!(ICE40.misfits(&cells(31)).is_empty());
+        assert_eq!(GW2A_55.misfits(&[("MULT36X36".to_string(), 11)].into()), ["11 of 10 multipliers of 36 bits"]);
     }
 
     #[test]

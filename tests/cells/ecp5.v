@@ -1,8 +1,8 @@
 // Cells of Lattice ECP5 that Yosys ships without behaviour, after Lattice's "ECP5 and ECP5-5G Memory User Guide" (FPGA-TN-02204) and "sysDSP
-// User Guide" (FPGA-TN-02205): what Yosys makes of the emitted text, and nothing else; other settings end the simulation. A memory without initial values starts unknown.
+// User Guide" (FPGA-TN-02205): what Yosys makes of the emitted text, and nothing else; other settings end the simulation. Compiled with block_memory.v.
 
 // 18 kbit with two ports. An address counts bits; a word of 9 bits or more has its parity bits on top of each 8, narrower words have none.
-// Of a word of 18 bits the lowest two address bits say which half is written.
+// Of a word of 18 bits the lowest two address bits say which half is written. While its reset is held, a port does not write.
 module DP16KD (
   input DIA17, DIA16, DIA15, DIA14, DIA13, DIA12, DIA11, DIA10, DIA9, DIA8, DIA7, DIA6, DIA5, DIA4, DIA3, DIA2, DIA1, DIA0,
   input ADA13, ADA12, ADA11, ADA10, ADA9, ADA8, ADA7, ADA6, ADA5, ADA4, ADA3, ADA2, ADA1, ADA0,
@@ -33,74 +33,48 @@ module DP16KD (
   parameter [319:0] INITVAL_34 = 0, INITVAL_35 = 0, INITVAL_36 = 0, INITVAL_37 = 0;
   parameter [319:0] INITVAL_38 = 0, INITVAL_39 = 0, INITVAL_3A = 0, INITVAL_3B = 0;
   parameter [319:0] INITVAL_3C = 0, INITVAL_3D = 0, INITVAL_3E = 0, INITVAL_3F = 0;
-  wire [64*320-1:0] init = {
-    INITVAL_3F, INITVAL_3E, INITVAL_3D, INITVAL_3C, INITVAL_3B, INITVAL_3A, INITVAL_39, INITVAL_38,
-    INITVAL_37, INITVAL_36, INITVAL_35, INITVAL_34, INITVAL_33, INITVAL_32, INITVAL_31, INITVAL_30,
-    INITVAL_2F, INITVAL_2E, INITVAL_2D, INITVAL_2C, INITVAL_2B, INITVAL_2A, INITVAL_29, INITVAL_28,
-    INITVAL_27, INITVAL_26, INITVAL_25, INITVAL_24, INITVAL_23, INITVAL_22, INITVAL_21, INITVAL_20,
-    INITVAL_1F, INITVAL_1E, INITVAL_1D, INITVAL_1C, INITVAL_1B, INITVAL_1A, INITVAL_19, INITVAL_18,
-    INITVAL_17, INITVAL_16, INITVAL_15, INITVAL_14, INITVAL_13, INITVAL_12, INITVAL_11, INITVAL_10,
-    INITVAL_0F, INITVAL_0E, INITVAL_0D, INITVAL_0C, INITVAL_0B, INITVAL_0A, INITVAL_09, INITVAL_08,
-    INITVAL_07, INITVAL_06, INITVAL_05, INITVAL_04, INITVAL_03, INITVAL_02, INITVAL_01, INITVAL_00
-  };
-  reg [8:0] mem [0:2047];
-  integer k;
-  initial begin
-    // Words of 18 bits, one in 20.
-    for (k = 0; k < 2048; k = k + 1) mem[k] = |init ? init[20*(k/2)+9*(k%2)+:9] : 9'bx;
-    if (REGMODE_A != "NOREG" || REGMODE_B != "NOREG" || CLKAMUX != "CLKA" || CLKBMUX != "CLKB"
-        || CSDECODE_A != "0b000" || CSDECODE_B != "0b000") begin
-      $display("DP16KD: a setting that has no model");
-      $finish;
-    end
+  initial if (REGMODE_A != "NOREG" || REGMODE_B != "NOREG" || CLKAMUX != "CLKA" || CLKBMUX != "CLKB" || RESETMODE != "SYNC"
+      || CSDECODE_A != "0b000" || CSDECODE_B != "0b000") begin
+    $display("DP16KD: a setting that has no model");
+    $finish;
   end
-  wire [17:0] dia = {DIA17, DIA16, DIA15, DIA14, DIA13, DIA12, DIA11, DIA10, DIA9, DIA8, DIA7, DIA6, DIA5, DIA4, DIA3, DIA2, DIA1, DIA0};
-  wire [17:0] dib = {DIB17, DIB16, DIB15, DIB14, DIB13, DIB12, DIB11, DIB10, DIB9, DIB8, DIB7, DIB6, DIB5, DIB4, DIB3, DIB2, DIB1, DIB0};
-  wire [13:0] ada = {ADA13, ADA12, ADA11, ADA10, ADA9, ADA8, ADA7, ADA6, ADA5, ADA4, ADA3, ADA2, ADA1, ADA0};
-  wire [13:0] adb = {ADB13, ADB12, ADB11, ADB10, ADB9, ADB8, ADB7, ADB6, ADB5, ADB4, ADB3, ADB2, ADB1, ADB0};
-  reg [17:0] doa = 0;
-  reg [17:0] dob = 0;
-  assign {DOA17, DOA16, DOA15, DOA14, DOA13, DOA12, DOA11, DOA10, DOA9, DOA8, DOA7, DOA6, DOA5, DOA4, DOA3, DOA2, DOA1, DOA0} = doa;
-  assign {DOB17, DOB16, DOB15, DOB14, DOB13, DOB12, DOB11, DOB10, DOB9, DOB8, DOB7, DOB6, DOB5, DOB4, DOB3, DOB2, DOB1, DOB0} = dob;
-
-  function [17:0] word(input integer width, input [13:0] at);
-    case (width)
-      1: word = mem[at[13:3]][at[2:0]];
-      2: word = mem[at[13:3]][2*at[2:1]+:2];
-      4: word = mem[at[13:3]][4*at[2]+:4];
-      9: word = mem[at[13:3]];
-      default: word = {mem[{at[13:4], 1'b1}], mem[{at[13:4], 1'b0}]};
-    endcase
+  // Words of 18 bits stand one in 20.
+  function [287:0] row(input [319:0] padded);
+    integer k;
+    for (k = 0; k < 16; k = k + 1) row[18*k+:18] = padded[20*k+:18];
   endfunction
-  task put(input integer width, input [13:0] at, input [17:0] data);
-    case (width)
-      1: mem[at[13:3]][at[2:0]] = data[0];
-      2: mem[at[13:3]][2*at[2:1]+:2] = data[1:0];
-      4: mem[at[13:3]][4*at[2]+:4] = data[3:0];
-      9: mem[at[13:3]] = data[8:0];
-      default: begin
-        if (at[0]) mem[{at[13:4], 1'b0}] = data[8:0];
-        if (at[1]) mem[{at[13:4], 1'b1}] = data[17:9];
-      end
-    endcase
-  endtask
-  // Both ports read before either writes: a port that reads what the other one writes sees the old word.
-  reg [17:0] old_a;
-  reg [17:0] old_b;
-  always @(posedge CLKA) if (CEA && {CSA2, CSA1, CSA0} == 0) begin
-    old_a = word(DATA_WIDTH_A, ada);
-    #0 if (WEA) put(DATA_WIDTH_A, ada, dia);
-    if (RSTA) doa <= 0;
-    else if (!WEA || WRITEMODE_A == "READBEFOREWRITE") doa <= old_a;
-    else if (WRITEMODE_A == "WRITETHROUGH") doa <= word(DATA_WIDTH_A, ada);
-  end
-  always @(posedge CLKB) if (CEB && {CSB2, CSB1, CSB0} == 0) begin
-    old_b = word(DATA_WIDTH_B, adb);
-    #0 if (WEB) put(DATA_WIDTH_B, adb, dib);
-    if (RSTB) dob <= 0;
-    else if (!WEB || WRITEMODE_B == "READBEFOREWRITE") dob <= old_b;
-    else if (WRITEMODE_B == "WRITETHROUGH") dob <= word(DATA_WIDTH_B, adb);
-  end
+  localparam [64*288-1:0] INITVALS = {
+    row(INITVAL_3F), row(INITVAL_3E), row(INITVAL_3D), row(INITVAL_3C), row(INITVAL_3B), row(INITVAL_3A),
+    row(INITVAL_39), row(INITVAL_38), row(INITVAL_37), row(INITVAL_36), row(INITVAL_35), row(INITVAL_34),
+    row(INITVAL_33), row(INITVAL_32), row(INITVAL_31), row(INITVAL_30), row(INITVAL_2F), row(INITVAL_2E),
+    row(INITVAL_2D), row(INITVAL_2C), row(INITVAL_2B), row(INITVAL_2A), row(INITVAL_29), row(INITVAL_28),
+    row(INITVAL_27), row(INITVAL_26), row(INITVAL_25), row(INITVAL_24), row(INITVAL_23), row(INITVAL_22),
+    row(INITVAL_21), row(INITVAL_20), row(INITVAL_1F), row(INITVAL_1E), row(INITVAL_1D), row(INITVAL_1C),
+    row(INITVAL_1B), row(INITVAL_1A), row(INITVAL_19), row(INITVAL_18), row(INITVAL_17), row(INITVAL_16),
+    row(INITVAL_15), row(INITVAL_14), row(INITVAL_13), row(INITVAL_12), row(INITVAL_11), row(INITVAL_10),
+    row(INITVAL_0F), row(INITVAL_0E), row(INITVAL_0D), row(INITVAL_0C), row(INITVAL_0B), row(INITVAL_0A),
+    row(INITVAL_09), row(INITVAL_08), row(INITVAL_07), row(INITVAL_06), row(INITVAL_05), row(INITVAL_04),
+    row(INITVAL_03), row(INITVAL_02), row(INITVAL_01), row(INITVAL_00)
+  };
+  function integer mode(input [8*15-1:0] name);
+    mode = name == "WRITETHROUGH" ? 1 : name == "READBEFOREWRITE" ? 2 : 0;
+  endfunction
+  wire [13:0] ada = {ADA13, ADA12, ADA11, ADA10, ADA9, ADA8, ADA7, ADA6, ADA5, ADA4, ADA3, ADA2, ADA1, ADA0};
+  wire [17:0] dia = {DIA17, DIA16, DIA15, DIA14, DIA13, DIA12, DIA11, DIA10, DIA9, DIA8, DIA7, DIA6, DIA5, DIA4, DIA3, DIA2, DIA1, DIA0};
+  wire [71:0] doa;
+  assign {DOA17, DOA16, DOA15, DOA14, DOA13, DOA12, DOA11, DOA10, DOA9, DOA8, DOA7, DOA6, DOA5, DOA4, DOA3, DOA2, DOA1, DOA0} = doa[17:0];
+  wire [13:0] adb = {ADB13, ADB12, ADB11, ADB10, ADB9, ADB8, ADB7, ADB6, ADB5, ADB4, ADB3, ADB2, ADB1, ADB0};
+  wire [17:0] dib = {DIB17, DIB16, DIB15, DIB14, DIB13, DIB12, DIB11, DIB10, DIB9, DIB8, DIB7, DIB6, DIB5, DIB4, DIB3, DIB2, DIB1, DIB0};
+  wire [71:0] dob;
+  assign {DOB17, DOB16, DOB15, DOB14, DOB13, DOB12, DOB11, DOB10, DOB9, DOB8, DOB7, DOB6, DOB5, DOB4, DOB3, DOB2, DOB1, DOB0} = dob[17:0];
+  block_memory #(
+    .WIDTH_A(DATA_WIDTH_A), .WIDTH_B(DATA_WIDTH_B), .MODE_A(mode(WRITEMODE_A)), .MODE_B(mode(WRITEMODE_B)), .INIT(INITVALS)
+  ) u_memory (
+    .clk_a(CLKA), .en_a(CEA && {CSA2, CSA1, CSA0} == 0 && !RSTA), .rst_a(RSTA),
+    .we_a(WEA ? {6'b0, DATA_WIDTH_A == 18 ? ada[1:0] : 2'b01} : 8'b0), .ad_a({1'b0, ada}), .di_a({54'b0, dia}), .do_a(doa),
+    .clk_b(CLKB), .en_b(CEB && {CSB2, CSB1, CSB0} == 0 && !RSTB), .rst_b(RSTB),
+    .we_b(WEB ? {6'b0, DATA_WIDTH_B == 18 ? adb[1:0] : 2'b01} : 8'b0), .ad_b({1'b0, adb}), .di_b({54'b0, dib}), .do_b(dob)
+  );
 endmodule
 
 // 18 x 18 bits, each side with a sign or without; its registers are not used.
