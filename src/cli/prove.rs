@@ -4,7 +4,7 @@ use super::output::{spinner, table};
 use crate::error::{Error, Result};
 use crate::files::Scratch;
 use crate::project::{Scene, project};
-use crate::proofs::{Proved, proofs, prove};
+use crate::proofs::{Proved, Tools, proofs, prove};
 use crate::units;
 
 /// Runs `prove`.
@@ -26,6 +26,7 @@ pub fn run(cli: &Cli, a: &ProveArgs) -> Result<()> {
         print!("{}", table(&["proof", "for every input"], &rows));
         return Ok(());
     }
+    let tools = Tools::find()?;
     let work = Scratch::new()?;
     let dir = match &a.dir {
         Some(dir) => dir.clone(),
@@ -39,7 +40,7 @@ pub fn run(cli: &Cli, a: &ProveArgs) -> Result<()> {
     let mut done: Vec<(Proved, &str)> = Vec::new();
     for (k, p) in list.iter().enumerate() {
         bar.set_message(format!("{} ({} of {})", p.name, k + 1, list.len()));
-        done.push((prove(&dir, p.name)?, p.claim));
+        done.push((prove(&tools, &dir, p.name)?, p.claim));
     }
     bar.finish_and_clear();
     if cli.json {

