@@ -39,54 +39,87 @@ pub struct Further {
     pub over: Binding,
 }
 
-/// Builds the benches of `units` under one top, with a bench of `traverse` more for each of `further`, runs all of them once, and returns how often each
-/// point of the emitted files was reached.
+/// Replays the vectors of `units`, of `traverse`, and of `traverse` once more for each of `further`, and returns how often each point of the emitted files
+/// was reached. A file that has vectors of its own is counted under those, the others inside of `traverse`.
 ///
 /// # Errors
 /// A missing tool, a failed build, benches that do not pass.
 pub fn cover(dir: &Path, units: &[String], further: &[Further]) -> Result<BTreeMap<Point, u64>> {
-    let work = Scratch::new()?;
     let dir = dir.canonicalize().map_err(|e| Error::file("find", dir, e))?;
-    for part in ["rtl", "testbench", "golden"] {
-        link(&dir.join(part), &work.path().join(part))?;
+    let bench = |unit: &str| emitted_name(&dir, "testbench", &format!("tb_{unit}"), ".v");
+    let whole = bench("traverse")?;
+    let prefix = whole.strip_suffix("tb_traverse").unwrap_or_default();
+    let mut alone = Program::default();
+    for unit in units {
+        alone.benches.push((bench(unit)?, Binding::new()));
     }
-    let benches = units.iter().map(|u| emitted_name(&dir, "testbench", &format!("tb_{u}"), ".v"));
-    let benches = benches.collect::<Result<Vec<_>>>()?;
-    let mut sources = Vec::new();
-    let mut tops: Vec<(String, Binding)> = benches.iter().map(|b| (b.clone(), Binding::new())).collect();
+    let mut out = alone.count(&dir, prefix)?;
+    let own: Vec<String> = units.iter().map(|u| format!("{prefix}{u}")).collect();
+    let mut traversals = Program { benches: vec![(whole.clone(), Binding::new())], sources: vec![], uncounted: own };
+    let path = dir.join(format!("testbench/{whole}.v"));
+    let text = std::fs::read_to_string(&path).map_err(|e| Error::file("read", path, e))?;
     for (k, f) in further.iter().enumerate() {
-        let bench = emitted_name(&dir, "testbench", "tb_traverse", ".v")?;
-        let path = dir.join(format!("testbench/{bench}.v"));
-        let text = std::fs::read_to_string(&path).map_err(|e| Error::file("read", path, e))?;
-        let name = format!("tb_further_{k}");
-        let text = text
-            .replace(&format!("module {bench} "), &format!("module {name} "))
-            .replace("\"golden/traverse\"", &format!("\"{}\"", f.place));
-        sources.push((format!("{name}.v"), text));
-        tops.push((name, f.over.clone()));
+        let name = format!("{whole}_{k}");
+        let text = text.replace(&format!("module {whole} "), &format!("module {name} "));
+        let text = text.replace("\"golden/traverse\"", &format!("\"{}\"", f.place));
+        traversals.sources.push((format!("{name}.v"), text));
+        traversals.benches.push((name, f.over.clone()));
     }
-    sources.push(("covered.v".into(), top(&tops)));
-    sources.push(("covered.vlt".into(), quiet(&sources)));
-    sources.push(("covered.cpp".into(), MAIN.into()));
-    for (name, text) in &sources {
-        crate::files::write_atomic(work.path().join(name), text.as_bytes())?;
+    for (point, count) in traversals.count(&dir, prefix)? {
+        *out.entry(point).or_insert(0) += count;
     }
-    let benches: Vec<String> = benches.iter().map(|b| format!("testbench/{b}.v")).collect();
-    let sources: Vec<String> = sources.into_iter().map(|s| s.0).collect();
-    let mut run = build_covered(work.path(), &benches, &sources)?;
-    let out = process::output(run.args(["+again", "coverage.dat"]));
-    let out = out.map_err(|_| Error::ToolFailed("the benches that count coverage can't be run".into()))?;
-    let counts = work.path().join("coverage.dat");
-    let text = String::from_utf8_lossy(&out.stdout);
-    let passed = text.lines().filter(|l| l.starts_with("PASS ")).count();
-    if !out.status.success() || passed != tops.len() {
-        let failed = text.lines().find(|l| l.starts_with("FAIL ")).unwrap_or("without a verdict");
-        let name = Simulator::Verilator.name();
-        return Err(Error::mismatch(format!("{passed} of {} benches pass in {name}: {failed}", tops.len())));
+    Ok(out)
+}
+
+/// Benches that are built into one program.
+#[derive(Default)]
+struct Program {
+    /// Names of the benches, with parameter values.
+    benches: Vec<(String, Binding)>,
+    /// Texts that the tree does not have, by name.
+    sources: Vec<(String, String)>,
+    /// Modules in whose files nothing is counted.
+    uncounted: Vec<String>,
+}
+
+impl Program {
+    fn count(mut self, dir: &Path, prefix: &str) -> Result<BTreeMap<Point, u64>> {
+        let work = Scratch::new()?;
+        for part in ["rtl", "testbench", "golden"] {
+            link(&dir.join(part), &work.path().join(part))?;
+        }
+        let written = |name: &str| self.sources.iter().any(|s| s.0 == format!("{name}.v"));
+        let shipped = self.benches.iter().filter(|b| !written(&b.0)).map(|b| format!("testbench/{}.v", b.0));
+        // Verilator takes orders for files that it reads later.
+        let mut files: Vec<String> = std::iter::once("covered.vlt".to_string()).chain(shipped).collect();
+        self.sources.push(("covered.v".into(), top(&self.benches)));
+        self.sources.push(("covered.vlt".into(), self.quiet(prefix)));
+        self.sources.push(("covered.cpp".into(), MAIN.into()));
+        for (name, text) in &self.sources {
+            crate::files::write_atomic(work.path().join(name), text.as_bytes())?;
+        }
+        files.extend(self.sources.iter().map(|s| s.0.clone()).filter(|name| !name.ends_with(".vlt")));
+        let mut run = build_covered(work.path(), &files)?;
+        let out = process::output(run.args(["+again", "coverage.dat"]));
+        let out = out.map_err(|_| Error::ToolFailed("the benches that count coverage can't be run".into()))?;
+        let text = String::from_utf8_lossy(&out.stdout);
+        let passed = text.lines().filter(|l| l.starts_with("PASS ")).count();
+        if !out.status.success() || passed != self.benches.len() {
+            let failed = text.lines().find(|l| l.starts_with("FAIL ")).unwrap_or("without a verdict");
+            let (name, all) = (Simulator::Verilator.name(), self.benches.len());
+            return Err(Error::mismatch(format!("{passed} of {all} benches pass in {name}: {failed}")));
+        }
+        let counts = work.path().join("coverage.dat");
+        let text = std::fs::read(&counts).map_err(|e| Error::file("read", &counts, e))?;
+        points(&String::from_utf8_lossy(&text), prefix)
     }
-    let text = std::fs::read(&counts).map_err(|e| Error::file("read", &counts, e))?;
-    let prefix = tops[0].0.split("tb_").next().unwrap_or_default();
-    points(&String::from_utf8_lossy(&text), prefix)
+
+    /// Verilator's orders: benches and what is counted elsewhere are not counted.
+    fn quiet(&self, prefix: &str) -> String {
+        let benches = [format!("*{prefix}tb_*.v"), "*covered.v".into()];
+        let files = benches.into_iter().chain(self.uncounted.iter().map(|m| format!("*/{m}.v")));
+        files.fold("`verilator_config\n".to_string(), |out, f| out + &format!("coverage_off -file \"{f}\"\n"))
+    }
 }
 
 /// The top above all benches.
@@ -107,12 +140,6 @@ fn top(benches: &[(String, Binding)]) -> String {
     }
     let codes: Vec<String> = (0..n).map(|k| format!("code_{k}")).collect();
     out + &format!("  assign done = &all;\n  assign exit_code = {};\nendmodule\n", codes.join(" | "))
-}
-
-/// Verilator's orders: benches are not counted.
-fn quiet(sources: &[(String, String)]) -> String {
-    let files = sources.iter().map(|s| s.0.as_str()).chain(["tb_*.v"]);
-    files.fold("`verilator_config\n".to_string(), |out, f| out + &format!("coverage_off -file \"*{f}\"\n"))
 }
 
 /// Clocks all benches until they are done; the last argument says where the counts go.
@@ -152,7 +179,11 @@ fn points(text: &str, prefix: &str) -> Result<BTreeMap<Point, u64>> {
             Some("v_branch") => PointKind::Branch,
             _ => continue,
         };
-        let file = Path::new(field("f")).file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let path = Path::new(field("f"));
+        if !path.starts_with("rtl") {
+            continue;
+        }
+        let file = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         // Newer versions count both directions apart.
         let name = field("o").split(':').next().unwrap_or_default().to_string();
         let number = field("l").parse().map_err(|_| bad(line))?;

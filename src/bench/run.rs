@@ -233,13 +233,13 @@ fn build_verilator(top: &str, params: &Binding, (define, map): Given<'_>, many: 
     finish(Simulator::Verilator, c)
 }
 
-/// Builds benches of a tree and `sources`, all by their names below `work`, into one program that counts coverage; quickly, as it runs once.
-pub(super) fn build_covered(work: &Path, benches: &[String], sources: &[String]) -> Result<Command> {
+/// Builds `files` below `work` into one program that counts coverage; quickly, as it runs once.
+pub(super) fn build_covered(work: &Path, files: &[String]) -> Result<Command> {
     let mut c = process::command_in(work, Simulator::Verilator.program());
     c.args(["--cc", "--exe", "--build", "-O3", "-Wno-lint", "--prefix", "Vtb", "-j", "2", "--top-module", "covered"]);
     c.args(["--coverage-line", "--coverage-toggle", "--Mdir", "obj", "-MAKEFLAGS", "CURDIR=."]);
     c.args(["-MAKEFLAGS", "OPT_SLOW=-O0", "-MAKEFLAGS", "OPT_FAST=-O0", "-MAKEFLAGS", "OPT_GLOBAL=-O0"]);
-    c.args(["-y", "rtl"]).args(sources).args(benches);
+    c.args(["-y", "rtl"]).args(files);
     finish(Simulator::Verilator, c)?;
     Ok(process::command_in(work, work.join("obj/Vtb")))
 }

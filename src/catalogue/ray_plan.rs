@@ -24,8 +24,8 @@ pub fn planned_rays(d: &Design, pyramid: &Pyramid, seed: u64) -> Result<Vec<RayI
     let unlimited = Design { traverse: TraverseConfig { step_limit: LONGEST, ..d.traverse }, ..*d };
     let tracer = Tracer::new(&unlimited)?;
     let mut rays = texel_rays(&tracer, pyramid, &mut rng);
-    let mut others = refused(d);
-    others.extend(still(d));
+    let refused = refused(d);
+    let mut others = still(d);
     others.extend(sweep(d));
     others.extend([longest(d), start_levels(d), corners(d, &mut rng), anywhere(d, &mut rng)].concat());
     let words = (d.traverse.levels + 1).next_power_of_two();
@@ -34,7 +34,14 @@ pub fn planned_rays(d: &Design, pyramid: &Pyramid, seed: u64) -> Result<Vec<RayI
         others.iter_mut().skip(1).step_by(2).zip(0..).for_each(|(r, k)| r.lod = k % words);
     }
     others.retain(|r| tracer.trace(pyramid, r).steps < LONGEST);
-    rays.extend(others);
+    // What is refused comes between rays that hit walls and go far: it takes their slots, and must keep nothing of them.
+    let gap = others.len().div_ceil(refused.len()).max(1);
+    let mut refused = refused.into_iter();
+    for others in others.chunks(gap) {
+        rays.extend(others);
+        rays.extend(refused.next());
+    }
+    rays.extend(refused);
     Ok(rays)
 }
 

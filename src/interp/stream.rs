@@ -14,21 +14,21 @@ pub struct Traffic {
     pub gaps: u8,
     /// Chance, in 256ths, that a result is not taken in a clock.
     pub stalls: u8,
-    /// Resets of one clock while items are on their way; what is lost is sent again. Before the first one, for [`FLOOD`] clocks, no result is
-    /// taken, so that every stage is full.
+    /// Resets of one clock while items are on their way; what is lost is sent again. Twice before the first one, for [`FLOOD`] clocks, no result is
+    /// taken, so that every stage is full: what is inside comes out after the first flood, and is lost in a reset after the second.
     pub resets: u32,
     /// Seed of all (ChaCha8).
     pub seed: u64,
 }
 
 impl Traffic {
-    /// Everything at once: half of the items held back, half of the results not taken, a flood, and resets in between.
+    /// Everything at once: half of the items held back, half of the results not taken, floods, and resets in between.
     pub const fn rough(seed: u64) -> Self {
         Self { gaps: 128, stalls: 128, resets: 12, seed }
     }
 }
 
-/// Clocks of the flood before the first reset.
+/// Clocks of a flood, and between the two before the first reset.
 pub const FLOOD: u64 = 200;
 /// Clocks between two resets, at most.
 const BETWEEN_RESETS: u64 = 200;
@@ -134,10 +134,10 @@ impl Stream {
         let [ir, ov, ot, busy] = ["in_ready", "out_valid", "out_tag", "slot_busy"].map(|n| self.net.output(n));
         let mut seen = [(); 3].map(|()| vec![0u64; lanes]);
         sim.fill(or, 1);
-        let (mut resets, mut reset_at) = (traffic.resets, FLOOD);
+        let (mut resets, mut reset_at) = (traffic.resets, 3 * FLOOD);
         while left > 0 {
             let reset = resets > 0 && run.cycles == reset_at;
-            let flood = traffic.resets > 0 && run.cycles < FLOOD;
+            let flood = traffic.resets > 0 && matches!(run.cycles / FLOOD, 0 | 2);
             if traffic.resets > 0 {
                 sim.fill(rst, u64::from(reset));
             }

@@ -58,8 +58,7 @@ pub fn coverage(c: &Config, dir: &Path) -> Result<Coverage> {
         return Err(Error::input("coverage is that of the planned rays: it needs vectors.planned = true"));
     }
     let d = c.design();
-    let mut names: Vec<String> = units(&d).iter().map(|m| m.name.clone()).collect();
-    names.push("traverse".into());
+    let names: Vec<String> = units(&d).iter().map(|m| m.name.clone()).collect();
     let m = traverse(&d).module;
     let further = |name: &&str| -> Result<Further> {
         let place = format!("golden/traverse/{name}");

@@ -1,4 +1,5 @@
 //! Figures: the report, fitted designs, rates over scenes, areas and clocks.
+mod coverage;
 mod fit;
 mod flow;
 mod netlist;

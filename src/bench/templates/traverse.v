@@ -3,7 +3,8 @@
 //   +gaps          rays are held back at random      +stalls    results are taken at random
 //   +flood         fills the pipeline with rays, resets it for one clock, and only then runs the set
 //   +reset         resets of one clock while rays are on their way; the set starts again after each
-//   +again         the set, and once it has passed, the set again with gaps, stalls, flood and reset
+//   +again         the set, and once it has passed, the set again with gaps, stalls, flood, reset, and
+//                  a hold: no result is taken until every stage is full, and none may be lost
 //   +patience=N    clocks without a result after which a ray counts as lost (default: four times
 //                  what the longest ray sent so far may take)
 // The parameter MEM_INIT names a file that fills the memory at power-up; memory.hex isn't loaded then.
@@ -64,6 +65,7 @@ module {{ prefix }}tb_traverse #(
   integer exp_left;
   integer flood_left;
   integer flood_rows;
+  integer hold_left;
   integer rays;
   integer checked;
   integer wrong;
@@ -192,6 +194,7 @@ module {{ prefix }}tb_traverse #(
     exp_left = 0;
     flood_left = 0;
     flood_rows = 0;
+    hold_left = 0;
     rays = 0;
     checked = 0;
     wrong = 0;
@@ -356,6 +359,7 @@ module {{ prefix }}tb_traverse #(
       gaps <= 1'b1;
       stalls <= 1'b1;
       flood_left <= Flood;
+      hold_left <= Flood;
       resets_left <= Resets;
       until_reset <= 100;
       rewind_set;
@@ -433,7 +437,7 @@ module {{ prefix }}tb_traverse #(
         // A ray that goes round until its limit keeps its tag; the others go on.
         for (b = 0; b < Tags; b = b + 1) if (tag_used[low]) low = low + 1'b1;
 {%- endif %}
-        if (stim_left > 0 && !tag_used[low] && !(gaps && lfsr[9])) begin
+        if (stim_left > 0 && !tag_used[low] && !(gaps && lfsr[9] && hold_left == 0)) begin
           send_ray(low);
           stim_left <= stim_left - 1;
         end else begin
@@ -489,12 +493,13 @@ module {{ prefix }}tb_traverse #(
     begin
       rst <= 1'b0;
       load_en <= 1'b0;
-      out_ready <= ~stalls | lfsr[5];
+      out_ready <= (~stalls | lfsr[5]) && hold_left == 0;
+      if (hold_left > 0) hold_left <= hold_left - 1;
       quiet <= taken ? 0 : quiet + 1;
       if (resets_left > 0 && until_reset == 0) begin
         reset_inside;
       end else begin
-        if (resets_left > 0) until_reset <= until_reset - 1;
+        if (resets_left > 0 && hold_left == 0) until_reset <= until_reset - 1;
         if (idle && rays != checked) false_idle <= 1'b1;
         if (accepted) note_ray;
         if (taken && expected) take_result;

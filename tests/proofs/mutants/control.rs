@@ -192,6 +192,7 @@ fn judge(handshake: u32) {
     let lives = |m: &Module| {
         passes(m, &sets[0], 128, Traffic::default(), depth)
             && sets[1..].iter().all(|s| passes(m, s, 128, Traffic::default(), depth))
+            && sets[1..].iter().all(|s| passes(m, s, 16, Traffic::rough(7), depth))
             && passes(m, &sets[0], 16, Traffic::rough(3), depth)
             && passes(m, &sets[0], 4, Traffic { resets: 60, ..Traffic::rough(5) }, depth)
     };
