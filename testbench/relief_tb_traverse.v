@@ -4,7 +4,8 @@
 //   +gaps          rays are held back at random      +stalls    results are taken at random
 //   +flood         fills the pipeline with rays, resets it for one clock, and only then runs the set
 //   +reset         resets of one clock while rays are on their way; the set starts again after each
-//   +again         the set, and once it has passed, the set again with gaps, stalls, flood and reset
+//   +again         the set, and once it has passed, the set again with gaps, stalls, flood, reset, and
+//                  a hold: no result is taken until every stage is full, and none may be lost
 //   +patience=N    clocks without a result after which a ray counts as lost (default: four times
 //                  what the longest ray sent so far may take)
 // The parameter MEM_INIT names a file that fills the memory at power-up; memory.hex isn't loaded then.
@@ -76,6 +77,7 @@ module relief_tb_traverse #(
   integer exp_left;
   integer flood_left;
   integer flood_rows;
+  integer hold_left;
   integer rays;
   integer checked;
   integer wrong;
@@ -228,6 +230,7 @@ module relief_tb_traverse #(
     exp_left = 0;
     flood_left = 0;
     flood_rows = 0;
+    hold_left = 0;
     rays = 0;
     checked = 0;
     wrong = 0;
@@ -400,6 +403,7 @@ module relief_tb_traverse #(
       gaps <= 1'b1;
       stalls <= 1'b1;
       flood_left <= Flood;
+      hold_left <= Flood;
       resets_left <= Resets;
       until_reset <= 100;
       rewind_set;
@@ -552,7 +556,7 @@ module relief_tb_traverse #(
       // A tag that a reset met is not used at once: a result that comes all the same is told apart.
       low = (accepted || rst) ? next_tag + 1'b1 : next_tag;
       if (accepted || !in_valid || rst) begin
-        if (stim_left > 0 && !tag_used[low] && !(gaps && lfsr[9])) begin
+        if (stim_left > 0 && !tag_used[low] && !(gaps && lfsr[9] && hold_left == 0)) begin
           send_ray(low);
           stim_left <= stim_left - 1;
         end else begin
@@ -608,12 +612,13 @@ module relief_tb_traverse #(
     begin
       rst <= 1'b0;
       load_en <= 1'b0;
-      out_ready <= ~stalls | lfsr[5];
+      out_ready <= (~stalls | lfsr[5]) && hold_left == 0;
+      if (hold_left > 0) hold_left <= hold_left - 1;
       quiet <= taken ? 0 : quiet + 1;
       if (resets_left > 0 && until_reset == 0) begin
         reset_inside;
       end else begin
-        if (resets_left > 0) until_reset <= until_reset - 1;
+        if (resets_left > 0 && hold_left == 0) until_reset <= until_reset - 1;
         if (idle && rays != checked) false_idle <= 1'b1;
         if (accepted) note_ray;
         if (taken && expected) take_result;
