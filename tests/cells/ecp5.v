@@ -33,9 +33,14 @@ module DP16KD (
   parameter [319:0] INITVAL_34 = 0, INITVAL_35 = 0, INITVAL_36 = 0, INITVAL_37 = 0;
   parameter [319:0] INITVAL_38 = 0, INITVAL_39 = 0, INITVAL_3A = 0, INITVAL_3B = 0;
   parameter [319:0] INITVAL_3C = 0, INITVAL_3D = 0, INITVAL_3E = 0, INITVAL_3F = 0;
-  initial if (REGMODE_A != "NOREG" || REGMODE_B != "NOREG" || CLKAMUX != "CLKA" || CLKBMUX != "CLKB" || RESETMODE != "SYNC"
+  initial if (REGMODE_A != "NOREG" || REGMODE_B != "NOREG" || CLKAMUX != "CLKA" || CLKBMUX != "CLKB"
       || CSDECODE_A != "0b000" || CSDECODE_B != "0b000") begin
     $display("DP16KD: a setting that has no model");
+    $finish;
+  end
+  // Yosys gives a port without a reset any mode of it.
+  always @(RSTA or RSTB) if (RESETMODE != "SYNC" && (RSTA !== 0 || RSTB !== 0)) begin
+    $display("DP16KD: a reset that has no model");
     $finish;
   end
   // Words of 18 bits stand one in 20.

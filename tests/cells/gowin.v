@@ -49,8 +49,12 @@ module SDPB (
   parameter integer BIT_WIDTH_0 = 32, BIT_WIDTH_1 = 32;
   parameter [2:0] BLK_SEL = 0, BLK_SEL_0 = 0, BLK_SEL_1 = 0;
   `INITS(256)
-  initial if (READ_MODE != 0 || RESET_MODE != "SYNC") begin
+  initial if (READ_MODE != 0) begin
     $display("SDP: a setting that has no model");
+    $finish;
+  end
+  always @(RESETB) if (RESET_MODE != "SYNC" && (RESETB !== 0)) begin
+    $display("SDP: a reset that has no model");
     $finish;
   end
 `ifdef OLD_NAMES
@@ -89,8 +93,12 @@ module SDPX9B (
   parameter integer BIT_WIDTH_0 = 36, BIT_WIDTH_1 = 36;
   parameter [2:0] BLK_SEL = 0, BLK_SEL_0 = 0, BLK_SEL_1 = 0;
   `INITS(288)
-  initial if (READ_MODE != 0 || RESET_MODE != "SYNC") begin
+  initial if (READ_MODE != 0) begin
     $display("SDPX9: a setting that has no model");
+    $finish;
+  end
+  always @(RESETB) if (RESET_MODE != "SYNC" && (RESETB !== 0)) begin
+    $display("SDPX9: a reset that has no model");
     $finish;
   end
 `ifdef OLD_NAMES
@@ -128,8 +136,12 @@ module DPB (
   parameter integer BIT_WIDTH_0 = 16, BIT_WIDTH_1 = 16, WRITE_MODE0 = 0, WRITE_MODE1 = 0;
   parameter [2:0] BLK_SEL = 0, BLK_SEL_0 = 0, BLK_SEL_1 = 0;
   `INITS(256)
-  initial if (READ_MODE0 != 0 || READ_MODE1 != 0 || RESET_MODE != "SYNC") begin
+  initial if (READ_MODE0 != 0 || READ_MODE1 != 0) begin
     $display("DP: a setting that has no model");
+    $finish;
+  end
+  always @(RESETA or RESETB) if (RESET_MODE != "SYNC" && (RESETA !== 0 || RESETB !== 0)) begin
+    $display("DP: a reset that has no model");
     $finish;
   end
 `ifdef OLD_NAMES
@@ -167,8 +179,12 @@ module DPX9B (
   parameter integer BIT_WIDTH_0 = 18, BIT_WIDTH_1 = 18, WRITE_MODE0 = 0, WRITE_MODE1 = 0;
   parameter [2:0] BLK_SEL = 0, BLK_SEL_0 = 0, BLK_SEL_1 = 0;
   `INITS(288)
-  initial if (READ_MODE0 != 0 || READ_MODE1 != 0 || RESET_MODE != "SYNC") begin
+  initial if (READ_MODE0 != 0 || READ_MODE1 != 0) begin
     $display("DPX9: a setting that has no model");
+    $finish;
+  end
+  always @(RESETA or RESETB) if (RESET_MODE != "SYNC" && (RESETA !== 0 || RESETB !== 0)) begin
+    $display("DPX9: a reset that has no model");
     $finish;
   end
 `ifdef OLD_NAMES

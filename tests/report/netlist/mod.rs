@@ -6,7 +6,6 @@ mod cells;
 mod replay;
 mod stored;
 
-use super::flow::yosyses;
 use super::synth::without_tools;
 use rayon::prelude::*;
 use replay::{Job, TARGETS, UNITS, replay};
@@ -76,17 +75,35 @@ fn netlists_replay_as_the_stored_results_say() {
             wrong.push(format!("{}: {} of {} mismatched", seen.name(), seen.mismatched, seen.rows));
         }
     }
-    assert!(yosyses().len() == 2 && wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
+
+/// What was never replayed: minutes each, and not yet done.
+const NEVER: [&str; 13] = [
+    "traverse of gowin by the first Yosys",
+    "traverse of xilinx by the first Yosys",
+    "traverse of ice40 by the first Yosys",
+    "traverse of ecp5 by the first Yosys, no memories and multipliers",
+    "traverse of gowin by the first Yosys, no memories and multipliers",
+    "traverse of xilinx by the first Yosys, no memories and multipliers",
+    "traverse of ice40 by the first Yosys, no memories and multipliers",
+    "traverse of generic by the newest Yosys",
+    "traverse of liberty by the newest Yosys",
+    "traverse of ecp5 by the newest Yosys",
+    "traverse of gowin by the newest Yosys",
+    "traverse of xilinx by the newest Yosys",
+    "traverse of ice40 by the newest Yosys",
+];
 
 /// A result of another text, script or model is no result.
 #[test]
 fn stored_results_are_of_the_text_that_is_emitted_now() {
     let kept = stored::read();
     let mut wrong = Vec::new();
+    let mut missing = Vec::new();
     for job in plan() {
         match kept.iter().find(|e| e.is_of(&job)) {
-            None => {}
+            None => missing.push(job.name()),
             Some(e) if e.mismatched != 0 || e.rows < 50 => {
                 wrong.push(format!("{}: {} of {} mismatched", e.name(), e.mismatched, e.rows));
             }
@@ -100,6 +117,8 @@ fn stored_results_are_of_the_text_that_is_emitted_now() {
             }
         }
     }
+    assert_eq!(missing, NEVER, "what was never replayed");
+    assert_eq!(kept.len() + missing.len(), plan().len(), "results that nobody asks for");
     assert!(
         wrong.is_empty(),
         "{}\nRELIEFRTL_REFRESH=1 cargo test --release --test report netlists_replay -- --ignored measures them again",

@@ -5,7 +5,6 @@ use super::stored::{Entry, digests};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::LazyLock;
 
 /// A target: its script, and what its netlists are simulated with.
 pub struct Target {
@@ -35,12 +34,13 @@ pub const TARGETS: [Target; 6] = [
         multipliers: &["MULT18X18D"],
     },
     Target {
-        name: "ice40",
-        cells: "ice40/cells_sim.v",
-        models: &[],
-        unmapped: &[("synth_ice40 -dsp", ["synth_ice40 -nobram"; 2])],
-        memories: &["SB_RAM40"],
-        multipliers: &["SB_MAC16"],
+        name: "gowin",
+        cells: "gowin/cells_sim.v",
+        models: &["block_memory.v", "gowin.v"],
+        // The first Yosys knows no multipliers of Gowin.
+        unmapped: &[("synth_gowin", ["synth_gowin -nobram", "synth_gowin -nobram -nodsp"])],
+        memories: &["SDP", "SDPX9", "DP", "DPX9", "SP", "pROM"],
+        multipliers: &["MULT"],
     },
     Target {
         name: "xilinx",
@@ -51,13 +51,12 @@ pub const TARGETS: [Target; 6] = [
         multipliers: &["DSP48"],
     },
     Target {
-        name: "gowin",
-        cells: "gowin/cells_sim.v",
-        models: &["block_memory.v", "gowin.v"],
-        // The first Yosys knows no multipliers of Gowin.
-        unmapped: &[("synth_gowin", ["synth_gowin -nobram", "synth_gowin -nobram -nodsp"])],
-        memories: &["SDP", "SDPX9", "DP", "DPX9", "SP", "pROM"],
-        multipliers: &["MULT"],
+        name: "ice40",
+        cells: "ice40/cells_sim.v",
+        models: &[],
+        unmapped: &[("synth_ice40 -dsp", ["synth_ice40 -nobram"; 2])],
+        memories: &["SB_RAM40"],
+        multipliers: &["SB_MAC16"],
     },
 ];
 pub const UNITS: [&str; 4] = ["fp_add", "fp_lt", "fp_mul", "fp_div"];
@@ -82,19 +81,22 @@ pub struct Job {
     pub mapped: bool,
 }
 
-/// The versions of both Yosys.
-static VERSIONS: LazyLock<[String; 2]> = LazyLock::new(|| {
-    yosyses().map(|program| {
-        let out = Command::new(program).arg("-V").output().expect("Yosys is installed: sh tools/test.sh --tools");
-        let said = String::from_utf8_lossy(&out.stdout).into_owned();
-        said.split_whitespace().nth(1).expect("a version").to_owned()
-    })
-});
+/// What a netlist is called.
+pub fn called(unit: &str, target: &str, newest: bool, mapped: bool) -> String {
+    let yosys = if newest { "the newest" } else { "the first" };
+    let hard = if mapped { "" } else { ", no memories and multipliers" };
+    format!("{unit} of {target} by {yosys} Yosys{hard}")
+}
+
+fn version(program: &Path) -> String {
+    let out = Command::new(program).arg("-V").output().expect("Yosys is installed: sh tools/test.sh --tools");
+    let said = String::from_utf8_lossy(&out.stdout).into_owned();
+    said.split_whitespace().nth(1).expect("a version").to_owned()
+}
 
 impl Job {
     pub fn name(&self) -> String {
-        let hard = if self.mapped { "" } else { ", no memories and multipliers" };
-        format!("{} of {} by Yosys {}{hard}", self.unit, self.target.name, VERSIONS[usize::from(self.newest)])
+        called(self.unit, self.target.name, self.newest, self.mapped)
     }
     /// The script of a tree: as it was emitted, or without block memories and multipliers.
     pub fn script(&self, tree: &Path) -> String {
@@ -281,7 +283,8 @@ pub fn replay(job: &Job) -> Entry {
     assert_eq!(run.status.success() && last.starts_with("PASS"), mismatched == 0, "{}: {said}", job.name());
     Entry {
         target: target.name.into(),
-        yosys: VERSIONS[usize::from(job.newest)].clone(),
+        newest: job.newest,
+        yosys: version(program),
         unit: (*unit).into(),
         mapped: job.mapped,
         rows,

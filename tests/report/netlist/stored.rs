@@ -1,5 +1,5 @@
 //! `data/netlists.json`: what was replayed of which text, an entry a line.
-use super::replay::{Job, emitted, models};
+use super::replay::{Job, called, emitted, models};
 use serde::{Deserialize, Serialize};
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
@@ -20,7 +20,9 @@ pub struct Digests {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Entry {
     pub target: String,
-    /// The version of Yosys.
+    /// Whether by the newest Yosys that is installed, not the first.
+    pub newest: bool,
+    /// Its version.
     pub yosys: String,
     pub unit: String,
     /// Whether there may be block memories and multipliers.
@@ -36,11 +38,11 @@ pub struct Entry {
 
 impl Entry {
     pub fn is_of(&self, job: &Job) -> bool {
-        self.name() == job.name()
+        let asked = (job.target.name, job.unit, job.newest, job.mapped);
+        (self.target.as_str(), self.unit.as_str(), self.newest, self.mapped) == asked
     }
     pub fn name(&self) -> String {
-        let hard = if self.mapped { "" } else { ", no memories and multipliers" };
-        format!("{} of {} by Yosys {}{hard}", self.unit, self.target, self.yosys)
+        called(&self.unit, &self.target, self.newest, self.mapped)
     }
 }
 
