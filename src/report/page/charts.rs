@@ -36,16 +36,17 @@ pub enum Plot {
     Placed,
 }
 
-/// The stair of points that no other is below and left of.
-fn frontier(mut at: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
-    at.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+/// The stair of points (cost, drawn error, measured error) that no other is cheaper and more often right than. None wrong is better than any,
+/// even if it is drawn higher, at its bound.
+fn frontier(mut at: Vec<(f64, f64, f64)>) -> Vec<(f64, f64)> {
+    at.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.2.total_cmp(&b.2)));
     let mut least = f64::INFINITY;
     at.retain(|p| {
-        let better = p.1 < least;
-        least = least.min(p.1);
+        let better = p.2 < least;
+        least = least.min(p.2);
         better
     });
-    at
+    at.into_iter().map(|(x, y, _)| (x, y)).collect()
 }
 
 /// Cost against an error, a dot a design.
@@ -71,7 +72,11 @@ pub fn pareto(plan: &Plan, dots: &[Dot<'_>], plot: Plot) -> String {
     }
     let named = &plan.headlines;
     let at: Vec<(f64, f64)> = dots.iter().zip(costs).map(|(d, cost)| (cost, error(&d.pool).0)).collect();
-    let edge = frontier(at.clone());
+    let measured = |d: &&Dot<'_>| match error(&d.pool) {
+        (_, true) => 0.0,
+        (error, false) => error,
+    };
+    let edge = frontier(at.iter().zip(&dots).map(|(&(x, y), d)| (x, y, measured(d))).collect());
     let plain = |x, y| Mark { x, y, hollow: false, tip: String::new(), label: String::new() };
     // What costs less is not as good: the frontier is a stair.
     let mut stair = Vec::new();
@@ -247,4 +252,16 @@ pub fn histogram(dot: &Dot<'_>) -> String {
         bars,
     };
     chart.svg()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::frontier;
+
+    #[test]
+    fn none_wrong_is_better_than_one_below_its_bound() {
+        let (few, one, none) = ((5.0, 0.027, 0.0), (6.0, 0.009, 0.009), (4.0, 0.2, 0.2));
+        assert_eq!(frontier(vec![one, few, none]), [(4.0, 0.2), (5.0, 0.027)]);
+        assert_eq!(frontier(vec![one, none]), [(4.0, 0.2), (6.0, 0.009)]);
+    }
 }

@@ -160,7 +160,8 @@ pub fn dots<'a>(plan: &'a Plan, cells: &'a [Cell]) -> Vec<Dot<'a>> {
         let beaten = |a: &(f64, f64)| rivals.iter().any(|b| b.0 <= a.0 && b.1 <= a.1 && (b.0 < a.0 || b.1 < a.1));
         at.iter().zip(&out).map(|(a, d)| d.comparable() && !beaten(a)).collect()
     };
-    let (rate, uv) = (front(&|d| d.pool.rate_or_bound().0), front(&Dot::uv_p99));
+    // None wrong is better than any, whatever its bound is.
+    let (rate, uv) = (front(&|d| d.pool.rate()), front(&Dot::uv_p99));
     for (d, (rate, uv)) in out.iter_mut().zip(rate.into_iter().zip(uv)) {
         (d.front_rate, d.front_uv) = (rate, uv);
     }

@@ -66,6 +66,8 @@ pub struct Chart {
 const LEFT: f64 = 58.0;
 const TOP: f64 = 22.0;
 const BOTTOM: f64 = 44.0;
+/// Width of a character of a label, on average and not too small.
+const CHARACTER: f64 = 6.5;
 
 impl Scale {
     /// Part of the axis, 0 to 1.
@@ -164,19 +166,19 @@ type Taken = Vec<[f64; 4]>;
 
 /// A free place for a label near (x, y), and whether it needs a line to its point.
 fn free(taken: &Taken, x: f64, y: f64, text: &str, room: &[f64; 4]) -> (f64, f64, bool) {
-    let width = 6.1 * text.chars().count() as f64;
+    let width = CHARACTER * text.chars().count() as f64;
     let mut best = (x + 9.0, y, false);
     let mut least = f64::INFINITY;
-    for (away, left) in (0..20).flat_map(|k| [(k, false), (k, true)]) {
+    // Beside its point; a long one above or below it, as far to the right as there is room.
+    let beside = [(x + 9.0, 0.0), (x - 9.0 - width, 15.0), ((x + 9.0).min(room[2] - width).max(room[0]), 25.0)];
+    for (away, (at, aside)) in (0..20).flat_map(|k| beside.map(|place| (k, place))) {
         for side in [1.0, -1.0] {
             let dy = f64::from(away) * 6.5 * side;
-            let at = if left { x - 9.0 - width } else { x + 9.0 };
             let this = [at, y + dy - 6.0, at + width, y + dy + 6.0];
             let inside = this[0] >= room[0] && this[2] <= room[2] && this[1] >= room[1] && this[3] <= room[3];
             let hits =
                 taken.iter().filter(|t| t[0] < this[2] && this[0] < t[2] && t[1] < this[3] && this[1] < t[3]).count();
-            let cost =
-                hits as f64 * 40.0 + dy.abs() + if left { 15.0 } else { 0.0 } + if inside { 0.0 } else { 1000.0 };
+            let cost = hits as f64 * 40.0 + dy.abs() + aside + if inside { 0.0 } else { 1000.0 };
             if cost < least {
                 (least, best) = (cost, (at, y + dy, dy.abs() > 7.0));
             }
@@ -239,6 +241,11 @@ impl Chart {
         for line in self.lines.iter().filter(|l| l.joined && l.marks.len() > 1) {
             let way: Vec<String> = line.marks.iter().map(|m| format!("{:.1} {:.1}", px(m.x), py(m.y))).collect();
             let _ = write!(s, "<path class=\"line k{}\" d=\"M{}\"/>", line.kind, way.join("L"));
+            // A line without marks is a stair: labels stand beside its steps.
+            taken.extend(line.marks.windows(2).filter(|_| !line.marked).map(|two| {
+                let ([x, to_x], [y, to_y]) = ([px(two[0].x), px(two[1].x)], [py(two[0].y), py(two[1].y)]);
+                [x.min(to_x) - 1.0, y.min(to_y) - 1.0, x.max(to_x) + 1.0, y.max(to_y) + 1.0]
+            }));
         }
         for line in self.lines.iter().filter(|l| l.marked) {
             for m in &line.marks {
@@ -266,15 +273,30 @@ impl Chart {
         let room = [LEFT + 2.0, TOP - 4.0, width - 2.0, TOP + h - 2.0];
         for (x, y, kind, text) in labels {
             let (lx, ly, far) = free(&taken, x, y, text, &room);
-            let text_width = 6.1 * text.chars().count() as f64;
+            let text_width = CHARACTER * text.chars().count() as f64;
             taken.push([lx, ly - 6.0, lx + text_width, ly + 6.0]);
             if far {
-                let end = if lx > x { lx - 2.0 } else { lx + text_width + 2.0 };
+                let end = if lx > x { lx - 2.0 } else { x.min(lx + text_width + 2.0) };
                 let _ = write!(s, "<path class=\"leader\" d=\"M{x:.1} {y:.1}L{end:.1} {ly:.1}\"/>");
             }
             let _ =
                 write!(s, "<text class=\"label t{kind}\" x=\"{lx:.1}\" y=\"{:.1}\">{}</text>", ly + 3.8, escape(text));
         }
         s + "</svg>"
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{CHARACTER, free};
+
+    #[test]
+    fn a_long_label_stays_in_the_picture() {
+        let room = [60.0, 18.0, 618.0, 384.0];
+        for (x, chars) in [(100.0, 20), (300.0, 50), (360.0, 60), (600.0, 30)] {
+            let text = "x".repeat(chars);
+            let (at, _, _) = free(&vec![[x - 5.0, 95.0, x + 5.0, 105.0]], x, 100.0, &text, &room);
+            assert!(at >= room[0] && at + CHARACTER * chars as f64 <= room[2], "{at} for {chars} characters at {x}");
+        }
     }
 }
