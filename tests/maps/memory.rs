@@ -1,6 +1,6 @@
 //! How much memory is asked for: counted by the allocator of this test program, thread by thread.
-use super::keys;
 use super::make::{Tiff, exr, png};
+use super::{keys, sentence};
 use reliefrtl::scene::decode_codes;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -70,5 +70,21 @@ fn a_texel_that_is_kept_costs_at_most_24_bytes() {
     for (name, file) in files.iter().filter(|f| ["strips.tif", "m.png", "m.r16"].contains(&f.0)) {
         let (_, bytes) = peak(|| decode_codes(file, name, &keys(&[]), 6, 8, true).unwrap());
         assert!(bytes <= 24 * 64 * 64 + (1 << 19), "{name}: {bytes} bytes for 64 x 64 texels");
+    }
+}
+
+/// Headers of an uncompressed BMP and of a TGA in run lengths, of 8192 x 8192 pixels.
+#[test]
+fn a_header_alone_takes_no_memory() {
+    let bmp = [
+        b"BM".as_slice(),
+        &[54, 0, 0, 0, 0, 0, 0, 0, 54, 0, 0, 0, 40, 0, 0, 0, 0, 32, 0, 0, 0, 32, 0, 0, 1, 0, 24, 0],
+        &[0; 24],
+    ];
+    let tga = [&[0, 0, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 32, 0, 32, 24, 0][..], &[255, 1, 1, 1]];
+    for (name, file) in [("a.bmp", bmp.concat()), ("a.tga", tga.concat())] {
+        let (told, bytes) = peak(|| sentence(decode_codes(&file, name, &keys(&[]), 3, 8, true)));
+        assert!(told.contains(&format!("8192 x 8192 pixels are announced in {} bytes", file.len())), "{told}");
+        assert!(bytes < 1 << 16, "{bytes} bytes for {name}");
     }
 }

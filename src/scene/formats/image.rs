@@ -41,6 +41,15 @@ pub(super) fn open<'a>(
     if size != (width * height * usize::from(colour.bytes_per_pixel())) as u64 {
         return Err(broken(kind, "its size is not what its header says"));
     }
+    // Run lengths pack at most 255 pixels of a BMP into two bytes, and 128 of a TGA.
+    let per_byte = match format {
+        ImageFormat::Bmp => 128,
+        ImageFormat::Tga => 64,
+        _ => u64::MAX,
+    };
+    if (width * height) as u64 / per_byte > source.len() {
+        return Err(broken(kind, format!("{width} x {height} pixels are announced in {} bytes", source.len())));
+    }
     let mut bytes = filled(0, size as usize)?;
     decoder.read_image(&mut bytes).map_err(failed)?;
     let info = Info { channel: pick.label(), ..Info::new(kind, width, height, samples) };
