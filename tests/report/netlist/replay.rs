@@ -55,7 +55,7 @@ pub const TARGETS: [Target; 6] = [
         cells: "ice40/cells_sim.v",
         models: &[],
         unmapped: &[("synth_ice40 -dsp", ["synth_ice40 -nobram"; 2])],
-        memories: &["SB_RAM40"],
+        memories: &["SB_RAM40_4K"],
         multipliers: &["SB_MAC16"],
     },
 ];
