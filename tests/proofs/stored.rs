@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 /// Options of a design, and its proofs.
 type Design = (&'static [&'static str], &'static [&'static str]);
 const LONG: [Design; 5] = [
-    (&["--set", "latency.handshake=0"], &["traverse"]),
+    (&["--profile", "published"], &["traverse"]),
     (&["--set", "latency.handshake=2", "--set", "datapath.kind=published"], &["traverse"]),
     (&["--set", "latency.handshake=3"], &["traverse"]),
     (&["--profile", "fast"], &["traverse"]),
@@ -48,7 +48,9 @@ fn digest(options: &[&str], proof: &str) -> String {
     {
         hash.update(path.as_bytes());
         let code = text.lines().map(|l| l.split("//").next().unwrap_or_default().trim_end());
-        code.filter(|l| !l.is_empty()).for_each(|l| drop(hash.update(l.as_bytes()).update(b"\n")));
+        for line in code.filter(|l| !l.is_empty()) {
+            hash.update(line.as_bytes()).update(b"\n");
+        }
     }
     hash.finalize().to_hex()[..32].to_string()
 }
