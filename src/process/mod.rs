@@ -71,15 +71,15 @@ pub fn command_in(dir: &Path, program: impl AsRef<OsStr>) -> Command {
     command
 }
 
-#[cfg(all(test, target_os = "linux"))]
+#[cfg(test)]
 mod tests {
-    use std::io::Write;
-    use std::os::unix::fs::PermissionsExt;
-    use std::time::Duration;
-
     /// A program is waited for while somebody has it open for writing, and started then.
+    #[cfg(target_os = "linux")]
     #[test]
     fn a_busy_program_is_started_when_it_is_written() {
+        use std::io::Write;
+        use std::os::unix::fs::PermissionsExt;
+        use std::time::Duration;
         let dir = tempfile::tempdir().unwrap();
         let program = dir.path().join("program");
         let mut file = std::fs::File::create(&program).unwrap();

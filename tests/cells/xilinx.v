@@ -1,6 +1,6 @@
-// Block memories of Xilinx 7 series with one port that writes (B) and one that reads (A) (RAM_MODE "SDP"), after "7 Series FPGAs Memory Resources"
-// (UG473): what Yosys makes of the emitted text, and nothing else; other settings end the simulation. Compiled with block_memory.v. An address
-// counts bits; a reset of the output needs the enable.
+// Block memories of Xilinx 7 series after "7 Series FPGAs Memory Resources" (UG473), with one port that writes (B) and one that reads (A) (RAM_MODE
+// "SDP"), or two ports that do both at one width each ("TDP"): what Yosys makes of the emitted text, and nothing else; other settings end the
+// simulation. Compiled with block_memory.v. An address counts bits; a reset of the output needs the enable.
 
 module RAMB18E1 (
   input CLKARDCLK, CLKBWRCLK, ENARDEN, ENBWREN, REGCEAREGCE, REGCEB, RSTRAMARSTRAM, RSTRAMB, RSTREGARSTREG, RSTREGB,
@@ -27,7 +27,11 @@ module RAMB18E1 (
   parameter [255:0] INIT_30 = 0, INIT_31 = 0, INIT_32 = 0, INIT_33 = 0, INIT_34 = 0, INIT_35 = 0, INIT_36 = 0, INIT_37 = 0;
   parameter [255:0] INIT_38 = 0, INIT_39 = 0, INIT_3A = 0, INIT_3B = 0, INIT_3C = 0, INIT_3D = 0, INIT_3E = 0, INIT_3F = 0;
   parameter [255:0] INITP_00 = 0, INITP_01 = 0, INITP_02 = 0, INITP_03 = 0, INITP_04 = 0, INITP_05 = 0, INITP_06 = 0, INITP_07 = 0;
-  initial if (RAM_MODE != "SDP" || DOA_REG != 0 || IS_CLKARDCLK_INVERTED != 0 || IS_CLKBWRCLK_INVERTED != 0 || RAM_EXTENSION_A != "NONE") begin
+  localparam TDP = RAM_MODE == "TDP";
+  // A port of two widths, or one that is too wide for one of two ports.
+  localparam UNFIT_A = READ_WIDTH_A > 18 || WRITE_WIDTH_A > 18 || READ_WIDTH_A != WRITE_WIDTH_A && READ_WIDTH_A != 0 && WRITE_WIDTH_A != 0;
+  localparam UNFIT_B = READ_WIDTH_B > 18 || WRITE_WIDTH_B > 18 || READ_WIDTH_B != WRITE_WIDTH_B && READ_WIDTH_B != 0 && WRITE_WIDTH_B != 0;
+  initial if ((TDP ? UNFIT_A || UNFIT_B || DOB_REG != 0 : RAM_MODE != "SDP") || DOA_REG != 0 || IS_CLKARDCLK_INVERTED != 0 || IS_CLKBWRCLK_INVERTED != 0 || RAM_EXTENSION_A != "NONE") begin
     $display("RAMB18E1: a setting that has no model");
     $finish;
   end
@@ -60,25 +64,33 @@ module RAMB18E1 (
   endfunction
   // A write of the whole width takes its upper half from the data of port B, a narrower one everything.
   wire [35:0] data = WRITE_WIDTH_B == 36 ? word({DIBDI, DIADI}, {DIPBDIP, DIPADIP}) : word({16'b0, DIBDI}, {2'b0, DIPBDIP});
+  wire [35:0] data_a = word({16'b0, DIADI}, {2'b0, DIPADIP});
   wire [71:0] out;
+  wire [71:0] out_b;
   genvar g;
   generate
     for (g = 0; g < 2; g = g + 1) begin : gen_byte
       assign DOADO[8*g+:8] = out[9*g+:8];
       assign DOPADOP[g] = out[9*g+8];
-      assign DOBDO[8*g+:8] = out[9*(2+g)+:8];
-      assign DOPBDOP[g] = out[9*(2+g)+8];
+      assign DOBDO[8*g+:8] = TDP ? out_b[9*g+:8] : out[9*(2+g)+:8];
+      assign DOPBDOP[g] = TDP ? out_b[9*g+8] : out[9*(2+g)+8];
     end
   endgenerate
+  localparam integer ONE_A = READ_WIDTH_A != 0 ? READ_WIDTH_A : WRITE_WIDTH_A != 0 ? WRITE_WIDTH_A : 9;
+  localparam integer ONE_B = READ_WIDTH_B != 0 ? READ_WIDTH_B : WRITE_WIDTH_B != 0 ? WRITE_WIDTH_B : 9;
+  localparam integer MODE_A = WRITE_MODE_A == "READ_FIRST" ? 2 : WRITE_MODE_A == "WRITE_FIRST" ? 1 : 0;
+  localparam integer MODE_B = WRITE_MODE_B == "READ_FIRST" ? 2 : WRITE_MODE_B == "WRITE_FIRST" ? 1 : 0;
   // Of the modes of writing only READ_FIRST promises the old word to who reads it at the same time.
   block_memory #(
-    .BYTES(2048), .WIDTH_A(READ_WIDTH_A), .WIDTH_B(WRITE_WIDTH_B), .OLD(WRITE_MODE_B == "READ_FIRST"), .INIT(ROWS),
-    .START({INIT_B, INIT_A}), .CLEARED({SRVAL_B, SRVAL_A})
+    .BYTES(2048), .WIDTH_A(TDP ? ONE_A : READ_WIDTH_A), .WIDTH_B(TDP ? ONE_B : WRITE_WIDTH_B), .INIT(ROWS),
+    .OLD(TDP ? (WRITE_WIDTH_A == 0 || MODE_A == 2) && (WRITE_WIDTH_B == 0 || MODE_B == 2) : WRITE_MODE_B == "READ_FIRST"),
+    .MODE_A(TDP ? MODE_A : 0), .MODE_B(TDP ? MODE_B : 0), .START(TDP ? INIT_A : {INIT_B, INIT_A}), .START_B(INIT_B),
+    .CLEARED(TDP ? SRVAL_A : {SRVAL_B, SRVAL_A}), .CLEARED_B(SRVAL_B)
   ) u_memory (
     .clk_a(CLKARDCLK), .en_a(ENARDEN ^ IS_ENARDEN_INVERTED), .rst_a((ENARDEN ^ IS_ENARDEN_INVERTED) && (RSTRAMARSTRAM ^ IS_RSTRAMARSTRAM_INVERTED)),
-    .we_a(8'b0), .ad_a({1'b0, ADDRARDADDR[13:0]}), .di_a(72'b0), .do_a(out),
-    .clk_b(CLKBWRCLK), .en_b(ENBWREN ^ IS_ENBWREN_INVERTED), .rst_b(1'b0), .we_b({4'b0, WEBWE}),
-    .ad_b({1'b0, ADDRBWRADDR[13:0]}), .di_b({36'b0, data}), .do_b()
+    .we_a(TDP && WRITE_WIDTH_A != 0 ? WEA : 8'b0), .ad_a({1'b0, ADDRARDADDR[13:0]}), .di_a(data_a), .do_a(out),
+    .clk_b(CLKBWRCLK), .en_b(ENBWREN ^ IS_ENBWREN_INVERTED), .rst_b(TDP && (ENBWREN ^ IS_ENBWREN_INVERTED) && (RSTRAMB ^ IS_RSTRAMB_INVERTED)), .we_b(!TDP ? WEBWE : WRITE_WIDTH_B != 0 ? WEBWE[1:0] : 8'b0),
+    .ad_b({1'b0, ADDRBWRADDR[13:0]}), .di_b({36'b0, data}), .do_b(out_b)
   );
 endmodule
 
@@ -116,7 +128,11 @@ module RAMB36E1 (
   parameter [255:0] INIT_78 = 0, INIT_79 = 0, INIT_7A = 0, INIT_7B = 0, INIT_7C = 0, INIT_7D = 0, INIT_7E = 0, INIT_7F = 0;
   parameter [255:0] INITP_00 = 0, INITP_01 = 0, INITP_02 = 0, INITP_03 = 0, INITP_04 = 0, INITP_05 = 0, INITP_06 = 0, INITP_07 = 0;
   parameter [255:0] INITP_08 = 0, INITP_09 = 0, INITP_0A = 0, INITP_0B = 0, INITP_0C = 0, INITP_0D = 0, INITP_0E = 0, INITP_0F = 0;
-  initial if (RAM_MODE != "SDP" || DOA_REG != 0 || IS_CLKARDCLK_INVERTED != 0 || IS_CLKBWRCLK_INVERTED != 0 || RAM_EXTENSION_A != "NONE") begin
+  localparam TDP = RAM_MODE == "TDP";
+  // A port of two widths, or one that is too wide for one of two ports.
+  localparam UNFIT_A = READ_WIDTH_A > 36 || WRITE_WIDTH_A > 36 || READ_WIDTH_A != WRITE_WIDTH_A && READ_WIDTH_A != 0 && WRITE_WIDTH_A != 0;
+  localparam UNFIT_B = READ_WIDTH_B > 36 || WRITE_WIDTH_B > 36 || READ_WIDTH_B != WRITE_WIDTH_B && READ_WIDTH_B != 0 && WRITE_WIDTH_B != 0;
+  initial if ((TDP ? UNFIT_A || UNFIT_B || DOB_REG != 0 : RAM_MODE != "SDP") || DOA_REG != 0 || IS_CLKARDCLK_INVERTED != 0 || IS_CLKBWRCLK_INVERTED != 0 || RAM_EXTENSION_A != "NONE") begin
     $display("RAMB36E1: a setting that has no model");
     $finish;
   end
@@ -165,24 +181,32 @@ module RAMB36E1 (
   endfunction
   // A write of the whole width takes its upper half from the data of port B, a narrower one everything.
   wire [71:0] data = WRITE_WIDTH_B == 72 ? word({DIBDI, DIADI}, {DIPBDIP, DIPADIP}) : word({32'b0, DIBDI}, {4'b0, DIPBDIP});
+  wire [71:0] data_a = word({32'b0, DIADI}, {4'b0, DIPADIP});
   wire [71:0] out;
+  wire [71:0] out_b;
   genvar g;
   generate
     for (g = 0; g < 4; g = g + 1) begin : gen_byte
       assign DOADO[8*g+:8] = out[9*g+:8];
       assign DOPADOP[g] = out[9*g+8];
-      assign DOBDO[8*g+:8] = out[9*(4+g)+:8];
-      assign DOPBDOP[g] = out[9*(4+g)+8];
+      assign DOBDO[8*g+:8] = TDP ? out_b[9*g+:8] : out[9*(4+g)+:8];
+      assign DOPBDOP[g] = TDP ? out_b[9*g+8] : out[9*(4+g)+8];
     end
   endgenerate
+  localparam integer ONE_A = READ_WIDTH_A != 0 ? READ_WIDTH_A : WRITE_WIDTH_A != 0 ? WRITE_WIDTH_A : 9;
+  localparam integer ONE_B = READ_WIDTH_B != 0 ? READ_WIDTH_B : WRITE_WIDTH_B != 0 ? WRITE_WIDTH_B : 9;
+  localparam integer MODE_A = WRITE_MODE_A == "READ_FIRST" ? 2 : WRITE_MODE_A == "WRITE_FIRST" ? 1 : 0;
+  localparam integer MODE_B = WRITE_MODE_B == "READ_FIRST" ? 2 : WRITE_MODE_B == "WRITE_FIRST" ? 1 : 0;
   // Of the modes of writing only READ_FIRST promises the old word to who reads it at the same time.
   block_memory #(
-    .BYTES(4096), .WIDTH_A(READ_WIDTH_A), .WIDTH_B(WRITE_WIDTH_B), .OLD(WRITE_MODE_B == "READ_FIRST"), .INIT(ROWS),
-    .START({INIT_B, INIT_A}), .CLEARED({SRVAL_B, SRVAL_A})
+    .BYTES(4096), .WIDTH_A(TDP ? ONE_A : READ_WIDTH_A), .WIDTH_B(TDP ? ONE_B : WRITE_WIDTH_B), .INIT(ROWS),
+    .OLD(TDP ? (WRITE_WIDTH_A == 0 || MODE_A == 2) && (WRITE_WIDTH_B == 0 || MODE_B == 2) : WRITE_MODE_B == "READ_FIRST"),
+    .MODE_A(TDP ? MODE_A : 0), .MODE_B(TDP ? MODE_B : 0), .START(TDP ? INIT_A : {INIT_B, INIT_A}), .START_B(INIT_B),
+    .CLEARED(TDP ? SRVAL_A : {SRVAL_B, SRVAL_A}), .CLEARED_B(SRVAL_B)
   ) u_memory (
     .clk_a(CLKARDCLK), .en_a(ENARDEN ^ IS_ENARDEN_INVERTED), .rst_a((ENARDEN ^ IS_ENARDEN_INVERTED) && (RSTRAMARSTRAM ^ IS_RSTRAMARSTRAM_INVERTED)),
-    .we_a(8'b0), .ad_a({ADDRARDADDR[14:0]}), .di_a(72'b0), .do_a(out),
-    .clk_b(CLKBWRCLK), .en_b(ENBWREN ^ IS_ENBWREN_INVERTED), .rst_b(1'b0), .we_b({WEBWE}),
-    .ad_b({ADDRBWRADDR[14:0]}), .di_b({data}), .do_b()
+    .we_a(TDP && WRITE_WIDTH_A != 0 ? WEA : 8'b0), .ad_a({ADDRARDADDR[14:0]}), .di_a(data_a), .do_a(out),
+    .clk_b(CLKBWRCLK), .en_b(ENBWREN ^ IS_ENBWREN_INVERTED), .rst_b(TDP && (ENBWREN ^ IS_ENBWREN_INVERTED) && (RSTRAMB ^ IS_RSTRAMB_INVERTED)), .we_b(!TDP ? WEBWE : WRITE_WIDTH_B != 0 ? WEBWE[3:0] : 8'b0),
+    .ad_b({ADDRBWRADDR[14:0]}), .di_b({data}), .do_b(out_b)
   );
 endmodule

@@ -176,6 +176,70 @@ fn xilinx(large: bool, [read, write]: [usize; 2], old: bool) -> Memory {
     }
 }
 
+/// Two ports that read and write, each at one width: `WE` has a bit a byte, and a port that is not written at has none of them set.
+fn xilinx_dual(large: bool, widths: [usize; 2], modes: [Mode; 2]) -> Memory {
+    let half = if large { 4 } else { 2 };
+    let list = |v: &str, lowest: usize, bits: usize| {
+        let parts = (0..half).rev().map(|k| format!("{v}[{}:{}]", 9 * k + lowest + bits - 1, 9 * k + lowest));
+        format!("{{{}}}", parts.collect::<Vec<_>>().join(", "))
+    };
+    let port = |p: &str, letter: &str| {
+        let (din, dout) = (format!("di_{p}"), format!("do_{p}"));
+        format!(
+            ".DI{letter}DI({}), .DIP{letter}DIP({}), .DO{letter}DO({}), .DOP{letter}DOP({})",
+            list(&din, 0, 8),
+            list(&din, 8, 1),
+            list(&dout, 0, 8),
+            list(&dout, 8, 1)
+        )
+    };
+    let address = if large { ["{1'b1, ad_a}", "{1'b1, ad_b}"] } else { ["ad_a[13:0]", "ad_b[13:0]"] };
+    let word = |m: Mode| match m {
+        Mode::Hold => "NO_CHANGE",
+        Mode::New => "WRITE_FIRST",
+        Mode::Old => "READ_FIRST",
+    };
+    let [a, b] = widths;
+    let reset: u128 = if large { 0x9_2345_A7C3 } else { 0x2_A7C3 };
+    Memory {
+        cell: if large { "RAMB36E1" } else { "RAMB18E1" },
+        file: "xilinx.v",
+        set: "UNUSED",
+        byte: 9,
+        bytes: if large { 4096 } else { 2048 },
+        reads: [Some(a), Some(b)],
+        writes: [Some(a), Some(b)],
+        old: modes == [Mode::Old; 2],
+        modes,
+        shared: false,
+        reset: Reset::Enabled(reset),
+        parameters: format!(
+            r#".RAM_MODE("TDP"), .READ_WIDTH_A({a}), .WRITE_WIDTH_A({a}), .READ_WIDTH_B({b}), .WRITE_WIDTH_B({b}), .WRITE_MODE_A("{}"), .WRITE_MODE_B("{}"), .SRVAL_A({h}'h{reset:x}), .SRVAL_B({h}'h{reset:x})"#,
+            word(modes[0]),
+            word(modes[1]),
+            h = 9 * half
+        ),
+        pins: format!(
+            "{}, {}, .CLKARDCLK(clk), .CLKBWRCLK(clk), .ENARDEN(en_a && sel_a), .ENBWREN(en_b && sel_b), .RSTRAMARSTRAM(rst_a), .RSTRAMB(rst_b), .REGCEAREGCE(1'b1), .REGCEB(1'b1), .RSTREGARSTREG(1'b0), .RSTREGB(1'b0), .WEA({}), .WEBWE({}), .ADDRARDADDR({}), .ADDRBWRADDR({})",
+            port("a", "A"),
+            port("b", "B"),
+            enables("a", a, half),
+            enables("b", b, half),
+            address[0],
+            address[1]
+        ),
+        missing: ", .DOB_REG(1)",
+    }
+}
+
+/// One enable a byte; a word of a byte or less is written by all of them alike.
+fn enables(port: &str, width: usize, half: usize) -> String {
+    match width {
+        0..=9 => format!("{{{half}{{wr_{port}}}}}"),
+        _ => format!("be_{port}[{}:0] & {{{half}{{wr_{port}}}}}", half - 1),
+    }
+}
+
 pub fn memories() -> Vec<Memory> {
     use Mode::{Hold, New, Old};
     let mut all = vec![
@@ -190,6 +254,10 @@ pub fn memories() -> Vec<Memory> {
         xilinx(true, [72, 72], true),
         xilinx(true, [72, 18], false),
         xilinx(true, [4, 72], false),
+        xilinx_dual(false, [18, 9], [Old, Old]),
+        xilinx_dual(false, [2, 18], [New, Hold]),
+        xilinx_dual(true, [36, 36], [Hold, Old]),
+        xilinx_dual(true, [1, 18], [Old, New]),
     ];
     for old_names in [false, true] {
         all.push(gowin_sdp(false, old_names, [32, 16]));
