@@ -15,9 +15,7 @@ module block_memory #(
   parameter integer OLD = 0,
   parameter [BYTE*BYTES-1:0] INIT = 0,
   parameter [71:0] START = 0,
-  parameter [71:0] START_B = START,
-  parameter [71:0] CLEARED = 0,
-  parameter [71:0] CLEARED_B = CLEARED
+  parameter [71:0] CLEARED = 0
 ) (
   input clk_a, en_a, rst_a,
   input [7:0] we_a,
@@ -41,7 +39,7 @@ module block_memory #(
       mem[i] = row[BYTE*(i%32)+:BYTE];
     end
     do_a = START;
-    do_b = START_B;
+    do_b = START;
   end
 
   // Bytes of a word, and the first of them.
@@ -106,7 +104,7 @@ module block_memory #(
       busy_b = we_b & ~(8'hff << BYTES_B);
     end
     #0;
-    if (rst_b) do_b <= CLEARED_B;
+    if (rst_b) do_b <= CLEARED;
     else if (we_b == 0 || MODE_B == 2) do_b <= safe(old_b, BYTES_B, at_b, at_a, busy_a);
     else if (MODE_B == 1) do_b <= safe(word(WIDTH_B, BYTES_B, at_b, bit_b), BYTES_B, at_b, at_a, busy_a);
     #1 busy_b = 0;

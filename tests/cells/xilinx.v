@@ -28,9 +28,9 @@ module RAMB18E1 (
   parameter [255:0] INIT_38 = 0, INIT_39 = 0, INIT_3A = 0, INIT_3B = 0, INIT_3C = 0, INIT_3D = 0, INIT_3E = 0, INIT_3F = 0;
   parameter [255:0] INITP_00 = 0, INITP_01 = 0, INITP_02 = 0, INITP_03 = 0, INITP_04 = 0, INITP_05 = 0, INITP_06 = 0, INITP_07 = 0;
   localparam TDP = RAM_MODE == "TDP";
-  // A port of two widths, or one that is too wide for one of two ports.
+  // A port of two widths, or one that is too wide for one of two ports; outputs that start or are reset differently.
   localparam UNFIT_A = READ_WIDTH_A > 18 || WRITE_WIDTH_A > 18 || READ_WIDTH_A != WRITE_WIDTH_A && READ_WIDTH_A != 0 && WRITE_WIDTH_A != 0;
-  localparam UNFIT_B = READ_WIDTH_B > 18 || WRITE_WIDTH_B > 18 || READ_WIDTH_B != WRITE_WIDTH_B && READ_WIDTH_B != 0 && WRITE_WIDTH_B != 0;
+  localparam UNFIT_B = READ_WIDTH_B > 18 || WRITE_WIDTH_B > 18 || READ_WIDTH_B != WRITE_WIDTH_B && READ_WIDTH_B != 0 && WRITE_WIDTH_B != 0 || READ_WIDTH_A != 0 && READ_WIDTH_B != 0 && (INIT_A != INIT_B || SRVAL_A != SRVAL_B);
   initial if ((TDP ? UNFIT_A || UNFIT_B || DOB_REG != 0 : RAM_MODE != "SDP") || DOA_REG != 0 || IS_CLKARDCLK_INVERTED != 0 || IS_CLKBWRCLK_INVERTED != 0 || RAM_EXTENSION_A != "NONE") begin
     $display("RAMB18E1: a setting that has no model");
     $finish;
@@ -84,8 +84,8 @@ module RAMB18E1 (
   block_memory #(
     .BYTES(2048), .WIDTH_A(TDP ? ONE_A : READ_WIDTH_A), .WIDTH_B(TDP ? ONE_B : WRITE_WIDTH_B), .INIT(ROWS),
     .OLD(TDP ? (WRITE_WIDTH_A == 0 || MODE_A == 2) && (WRITE_WIDTH_B == 0 || MODE_B == 2) : WRITE_MODE_B == "READ_FIRST"),
-    .MODE_A(TDP ? MODE_A : 0), .MODE_B(TDP ? MODE_B : 0), .START(TDP ? INIT_A : {INIT_B, INIT_A}), .START_B(INIT_B),
-    .CLEARED(TDP ? SRVAL_A : {SRVAL_B, SRVAL_A}), .CLEARED_B(SRVAL_B)
+    .MODE_A(TDP ? MODE_A : 0), .MODE_B(TDP ? MODE_B : 0), .START(TDP ? (READ_WIDTH_A != 0 ? INIT_A : INIT_B) : {INIT_B, INIT_A}),
+    .CLEARED(TDP ? (READ_WIDTH_A != 0 ? SRVAL_A : SRVAL_B) : {SRVAL_B, SRVAL_A})
   ) u_memory (
     .clk_a(CLKARDCLK), .en_a(ENARDEN ^ IS_ENARDEN_INVERTED), .rst_a((ENARDEN ^ IS_ENARDEN_INVERTED) && (RSTRAMARSTRAM ^ IS_RSTRAMARSTRAM_INVERTED)),
     .we_a(TDP && WRITE_WIDTH_A != 0 ? WEA : 8'b0), .ad_a({1'b0, ADDRARDADDR[13:0]}), .di_a(data_a), .do_a(out),
@@ -129,9 +129,9 @@ module RAMB36E1 (
   parameter [255:0] INITP_00 = 0, INITP_01 = 0, INITP_02 = 0, INITP_03 = 0, INITP_04 = 0, INITP_05 = 0, INITP_06 = 0, INITP_07 = 0;
   parameter [255:0] INITP_08 = 0, INITP_09 = 0, INITP_0A = 0, INITP_0B = 0, INITP_0C = 0, INITP_0D = 0, INITP_0E = 0, INITP_0F = 0;
   localparam TDP = RAM_MODE == "TDP";
-  // A port of two widths, or one that is too wide for one of two ports.
+  // A port of two widths, or one that is too wide for one of two ports; outputs that start or are reset differently.
   localparam UNFIT_A = READ_WIDTH_A > 36 || WRITE_WIDTH_A > 36 || READ_WIDTH_A != WRITE_WIDTH_A && READ_WIDTH_A != 0 && WRITE_WIDTH_A != 0;
-  localparam UNFIT_B = READ_WIDTH_B > 36 || WRITE_WIDTH_B > 36 || READ_WIDTH_B != WRITE_WIDTH_B && READ_WIDTH_B != 0 && WRITE_WIDTH_B != 0;
+  localparam UNFIT_B = READ_WIDTH_B > 36 || WRITE_WIDTH_B > 36 || READ_WIDTH_B != WRITE_WIDTH_B && READ_WIDTH_B != 0 && WRITE_WIDTH_B != 0 || READ_WIDTH_A != 0 && READ_WIDTH_B != 0 && (INIT_A != INIT_B || SRVAL_A != SRVAL_B);
   initial if ((TDP ? UNFIT_A || UNFIT_B || DOB_REG != 0 : RAM_MODE != "SDP") || DOA_REG != 0 || IS_CLKARDCLK_INVERTED != 0 || IS_CLKBWRCLK_INVERTED != 0 || RAM_EXTENSION_A != "NONE") begin
     $display("RAMB36E1: a setting that has no model");
     $finish;
@@ -201,8 +201,8 @@ module RAMB36E1 (
   block_memory #(
     .BYTES(4096), .WIDTH_A(TDP ? ONE_A : READ_WIDTH_A), .WIDTH_B(TDP ? ONE_B : WRITE_WIDTH_B), .INIT(ROWS),
     .OLD(TDP ? (WRITE_WIDTH_A == 0 || MODE_A == 2) && (WRITE_WIDTH_B == 0 || MODE_B == 2) : WRITE_MODE_B == "READ_FIRST"),
-    .MODE_A(TDP ? MODE_A : 0), .MODE_B(TDP ? MODE_B : 0), .START(TDP ? INIT_A : {INIT_B, INIT_A}), .START_B(INIT_B),
-    .CLEARED(TDP ? SRVAL_A : {SRVAL_B, SRVAL_A}), .CLEARED_B(SRVAL_B)
+    .MODE_A(TDP ? MODE_A : 0), .MODE_B(TDP ? MODE_B : 0), .START(TDP ? (READ_WIDTH_A != 0 ? INIT_A : INIT_B) : {INIT_B, INIT_A}),
+    .CLEARED(TDP ? (READ_WIDTH_A != 0 ? SRVAL_A : SRVAL_B) : {SRVAL_B, SRVAL_A})
   ) u_memory (
     .clk_a(CLKARDCLK), .en_a(ENARDEN ^ IS_ENARDEN_INVERTED), .rst_a((ENARDEN ^ IS_ENARDEN_INVERTED) && (RSTRAMARSTRAM ^ IS_RSTRAMARSTRAM_INVERTED)),
     .we_a(TDP && WRITE_WIDTH_A != 0 ? WEA : 8'b0), .ad_a({ADDRARDADDR[14:0]}), .di_a(data_a), .do_a(out),

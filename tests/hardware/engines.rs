@@ -186,7 +186,7 @@ fn canaries_are_noticed() {
 fn a_missing_simulator_is_named() {
     let dir: PathBuf = tree(false).1.keep();
     let out = std::process::Command::new(env!("CARGO_BIN_EXE_reliefrtl"))
-        .args(["check", "--engine", "verilator", "--unit", "fp_lt", "--dir"])
+        .args(["check", "--set", "traverse.levels=4", "--engine", "verilator", "--unit", "fp_lt", "--dir"])
         .arg(&dir)
         .env("VERILATOR", "no-such-program")
         .output()
