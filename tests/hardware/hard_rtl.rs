@@ -2,7 +2,7 @@
 use rayon::prelude::*;
 use reliefrtl::bench::{Simulator, bench_files, run_bench};
 use reliefrtl::catalogue::ray_set;
-use reliefrtl::config::{Config, Design, LevelUp, ModeConfig, TraverseConfig};
+use reliefrtl::config::{Config, Design, LevelUp, ModeConfig, Profile, TraverseConfig};
 use reliefrtl::golden::{Pyramid, RayHit, RayInput, Tracer, encode_ray};
 use reliefrtl::interp::Traffic;
 use reliefrtl::ir::Binding;
@@ -16,9 +16,11 @@ use std::collections::HashMap;
 
 const SEED: u64 = 1;
 
+/// With few registers: what a ray takes in the interpreter and in Icarus grows with the slots of the loop, and the hits don't depend on them.
 fn config(sets: &[&str]) -> Config {
     let mut c = Config::default();
     sets.iter().for_each(|set| c.apply_set(set).unwrap());
+    c.latency = Profile::Published.latency(c.datapath.kind);
     c.validate().unwrap();
     c
 }

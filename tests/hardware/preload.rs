@@ -7,7 +7,13 @@ use std::process::Command;
 /// A tree whose images of the map stand in another place than the bench would look for them.
 fn tree(dir: &Path, sets: &[&str]) -> String {
     let mut c = Config::default();
-    let few = ["traverse.levels=4", "vectors.rays=30", "vectors.planned=false", "traverse.step_limit=500"];
+    let few = [
+        "traverse.levels=4",
+        "vectors.rays=10",
+        "vectors.planned=false",
+        "vectors.arithmetic=20",
+        "traverse.step_limit=500",
+    ];
     few.iter().chain(sets).for_each(|set| c.apply_set(set).unwrap());
     c.validate().unwrap();
     let files = project(&c, &Scene::new(&c, None, false).unwrap()).unwrap().files;

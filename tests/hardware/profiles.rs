@@ -46,7 +46,7 @@ fn the_deepest_pipeline_is_the_same_in_the_simulators() {
     for (mode, levels, engines) in [
         (
             &["--set", "mode.trim=always", "--set", "mode.lod=true"][..],
-            "traverse.levels=8",
+            "traverse.levels=6",
             &["icarus", "verilator"][..],
         ),
         (&["--set", "mode.bilinear=true"], "traverse.levels=2", &["icarus"]),

@@ -5,16 +5,21 @@ mod units;
 
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use reliefrtl::config::{DatapathConfig, DatapathKind, Design};
+use reliefrtl::config::{DatapathConfig, DatapathKind, Design, Profile};
 use reliefrtl::golden::{Pyramid, RayInput, encode_ray};
 
 /// Formats that are tried everywhere: fraction bits, reciprocal bits.
 const FORMATS: [(u32, u32); 3] = [(24, 24), (20, 18), (12, 10)];
 
-/// The default design in fixed point.
+/// The default design in fixed point, with the registers of the published pipeline: what a ray takes in the interpreter grows with the slots of
+/// the loop.
 fn design(fraction_bits: u32, reciprocal_bits: u32) -> Design {
     let kind = DatapathKind::Fixed;
-    Design { datapath: DatapathConfig { kind, fraction_bits, reciprocal_bits, nudge_bits: 0 }, ..Design::default() }
+    Design {
+        datapath: DatapathConfig { kind, fraction_bits, reciprocal_bits, nudge_bits: 0 },
+        latency: Profile::Published.latency(kind),
+        ..Design::default()
+    }
 }
 
 /// A map of random heights, flat and spiky in places, and `count` rays: along axes, through corners, far, steep, and refused.
