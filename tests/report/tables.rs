@@ -24,6 +24,18 @@ fn each_figure_is_of_the_text_that_is_emitted_now() {
     assert!(said.contains(&format!("{measured} figures are of the text that is emitted now, 0 are not")), "{said}");
 }
 
+/// The clocks of the default tree were measured on the text that is committed: the digest of the top module covers those of all below it, which it
+/// passes to them as VARIANT.
+#[test]
+fn the_default_tree_was_placed_as_it_stands() {
+    let read = |file: &str| std::fs::read_to_string(root().join(file)).unwrap();
+    let manifest: serde_json::Value = serde_json::from_str(&read("manifest.json")).unwrap();
+    let modules = manifest["modules"].as_array().unwrap();
+    let top = modules.iter().find(|m| m["name"] == "relief_traverse").expect("the default tree has a traversal");
+    let said = format!("whose digest in `manifest.json` is `{}`", top["blake3"].as_str().unwrap());
+    assert!(read("docs/clocks.md").contains(&said), "docs/clocks.md: place the tree again, sh flow/ecp5.sh 1");
+}
+
 /// A figure of another text is found, and the call that measures it again is named.
 #[test]
 fn a_figure_of_another_text_is_found() {
