@@ -19,7 +19,7 @@ pub(super) fn wait_if_stopping() {
 
 #[cfg(unix)]
 mod unix {
-    use super::super::watchdog;
+    use super::super::watchdog::{self, Announced};
     use super::{Command, Duration, Ordering, STOPPING};
     use nix::errno::Errno;
     use nix::sys::signal::{Signal, killpg};
@@ -39,42 +39,52 @@ mod unix {
         GROUPS.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Gives the program a group of its own and, on Linux, has it asked to end when the thread ends that starts it.
-    pub fn confine(command: &mut Command) {
-        command.process_group(0);
-        #[cfg(target_os = "linux")]
-        {
+    /// A program that is being started or runs: known to the watchdog until it is dropped, and to [`stop`] once it runs.
+    pub struct Live {
+        announced: Announced,
+        leader: Option<i32>,
+    }
+
+    impl Live {
+        /// Gives the program that the command will start a group of its own, which the watchdog hears of from the program itself and, on Linux,
+        /// has it asked to end when the thread ends that starts it.
+        pub fn confine(command: &mut Command) -> Self {
+            command.process_group(0);
+            let announced = Announced::new();
+            #[cfg(target_os = "linux")]
             let parent = std::process::id();
-            // SAFETY: between fork and exec only prctl, getppid and raise run, which are async-signal-safe; nothing is allocated.
+            // SAFETY: between fork and exec only write, getpid, prctl, getppid and raise run, which are async-signal-safe; nothing is allocated.
             unsafe {
                 command.pre_exec(move || {
-                    nix::sys::prctl::set_pdeathsig(Signal::SIGTERM)?;
-                    // The parent may have ended before it was asked for.
-                    if nix::unistd::getppid().as_raw() as u32 != parent {
-                        nix::sys::signal::raise(Signal::SIGKILL)?;
+                    announced.is_here();
+                    #[cfg(target_os = "linux")]
+                    {
+                        nix::sys::prctl::set_pdeathsig(Signal::SIGTERM)?;
+                        // The parent may have ended before it was asked for.
+                        if nix::unistd::getppid().as_raw() as u32 != parent {
+                            nix::sys::signal::raise(Signal::SIGKILL)?;
+                        }
                     }
                     Ok(())
                 });
             }
+            Self { announced, leader: None }
         }
-    }
 
-    /// A running program's group, known to [`stop`] and to the watchdog until it is dropped.
-    pub struct Live(i32);
-
-    impl Live {
-        pub fn new(leader: u32) -> Self {
+        /// The program runs.
+        pub fn runs(&mut self, leader: u32) {
             let leader = leader.cast_signed();
             groups().insert(leader);
-            watchdog::tell(leader);
-            Self(leader)
+            self.leader = Some(leader);
         }
     }
 
     impl Drop for Live {
         fn drop(&mut self) {
-            groups().remove(&self.0);
-            watchdog::tell(-self.0);
+            if let Some(leader) = self.leader {
+                groups().remove(&leader);
+            }
+            self.announced.has_ended();
         }
     }
 
@@ -101,7 +111,7 @@ mod unix {
 }
 
 #[cfg(unix)]
-pub(super) use unix::{Live, confine};
+pub(super) use unix::Live;
 #[cfg(unix)]
 pub use unix::{end, stop};
 
@@ -109,14 +119,14 @@ pub use unix::{end, stop};
 mod other {
     use super::{Command, Ordering, STOPPING};
 
-    pub fn confine(_: &mut Command) {}
-
     pub struct Live;
 
     impl Live {
-        pub fn new(_: u32) -> Self {
+        pub fn confine(_: &mut Command) -> Self {
             Self
         }
+
+        pub fn runs(&mut self, _: u32) {}
     }
 
     /// Marks the process as ending: [`super::super::output`] no longer returns.
@@ -129,6 +139,6 @@ mod other {
 }
 
 #[cfg(not(unix))]
-pub(super) use other::{Live, confine};
+pub(super) use other::Live;
 #[cfg(not(unix))]
 pub use other::{end, stop};

@@ -22,10 +22,10 @@ const BUSY_WAIT: Duration = Duration::from_millis(20);
 /// As [`Command::spawn`]: the program is not there, say.
 pub fn output(command: &mut Command) -> io::Result<Output> {
     command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
-    group::confine(command);
     group::wait_if_stopping();
+    let mut live = group::Live::confine(command);
     let child = spawn(command)?;
-    let live = group::Live::new(child.id());
+    live.runs(child.id());
     let out = child.wait_with_output();
     drop(live);
     // What a killed program said is nobody's result: the signal's handler ends this process.

@@ -3,40 +3,78 @@
 use nix::libc;
 use nix::sys::wait::waitpid;
 use nix::unistd::{ForkResult, Pid, fork};
-use std::fs::File;
-use std::io::Write;
 use std::os::fd::{AsRawFd, OwnedFd, RawFd};
+use std::sync::atomic::{AtomicI32, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 /// Groups that the watchdog can hold; more than programs ever run at a time.
 const ROOM: usize = 1024;
 /// Milliseconds between the request to end and SIGKILL.
 const GRACE: i64 = 500;
+/// In place of a start's number: the process ends by itself.
+const DISMISSED: i32 = 0;
+
+/// A message: the number of a start, and the group that it made; 0 when that has ended or never came to be. The pipe takes each message whole.
+const MESSAGE: usize = 8;
+
+fn message(start: i32, group: i32) -> [u8; MESSAGE] {
+    let mut bytes = [0; MESSAGE];
+    bytes[..4].copy_from_slice(&start.to_ne_bytes());
+    bytes[4..].copy_from_slice(&group.to_ne_bytes());
+    bytes
+}
 
 struct Watchdog {
-    /// Messages: 4 bytes each, a group that runs, or the negative of one that has ended.
-    pipe: File,
+    /// Takes messages. It stays open as long as the process lives, so that a child that is being started can't write to anything else.
+    pipe: OwnedFd,
     pid: Pid,
 }
 
-/// None before the first program, and after [`dismiss`].
+/// None before the first program, or where no watchdog can be started: then nothing watches.
 static WATCHDOG: Mutex<Option<Watchdog>> = Mutex::new(None);
+static STARTS: AtomicI32 = AtomicI32::new(1);
 
-/// Tells of a group that runs, or (negative) has ended. Where no watchdog can be started, nothing watches.
-pub fn tell(group: i32) {
-    let mut dog = WATCHDOG.lock().unwrap_or_else(PoisonError::into_inner);
-    if dog.is_none() && group > 0 {
-        *dog = start();
+/// One start of a program, which the program itself announces before it becomes that program: were it left to this process, one that is killed
+/// between the two would leave it running.
+#[derive(Clone, Copy)]
+pub struct Announced {
+    start: i32,
+    pipe: Option<RawFd>,
+}
+
+impl Announced {
+    /// Has the watchdog running.
+    pub fn new() -> Self {
+        let mut dog = WATCHDOG.lock().unwrap_or_else(PoisonError::into_inner);
+        if dog.is_none() {
+            *dog = start();
+        }
+        Self { start: STARTS.fetch_add(1, Ordering::Relaxed), pipe: dog.as_ref().map(|d| d.pipe.as_raw_fd()) }
     }
-    if let Some(dog) = &mut *dog {
-        let _ = dog.pipe.write_all(&group.to_ne_bytes());
+
+    /// To be called between fork and exec: this process leads the group. Makes one system call.
+    pub fn is_here(self) {
+        self.send(nix::unistd::getpid().as_raw());
+    }
+
+    /// The group is gone, or was never made.
+    pub fn has_ended(self) {
+        self.send(0);
+    }
+
+    fn send(self, group: i32) {
+        let Some(pipe) = self.pipe else { return };
+        let bytes = message(self.start, group);
+        // SAFETY: the descriptor is never closed; write is async-signal-safe and reads `bytes` only.
+        unsafe { libc::write(pipe, bytes.as_ptr().cast(), bytes.len()) };
     }
 }
 
-/// Ends the watchdog and waits for that.
+/// Ends the watchdog, which ends what still runs, and waits for that.
 pub fn dismiss() {
-    if let Some(dog) = WATCHDOG.lock().unwrap_or_else(PoisonError::into_inner).take() {
-        drop(dog.pipe);
+    let dog = WATCHDOG.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(dog) = &*dog {
+        Announced { start: DISMISSED, pipe: Some(dog.pipe.as_raw_fd()) }.has_ended();
         let _ = waitpid(dog.pid, None);
     }
 }
@@ -47,7 +85,7 @@ fn start() -> Option<Watchdog> {
     // SAFETY: the child runs `watch` and nothing else, which makes system calls only and never returns; it takes no lock and allocates nothing.
     match unsafe { fork() }.ok()? {
         ForkResult::Child => watch(from),
-        ForkResult::Parent { child } => Some(Watchdog { pipe: File::from(write), pid: child }),
+        ForkResult::Parent { child } => Some(Watchdog { pipe: write, pid: child }),
     }
 }
 
@@ -67,7 +105,8 @@ fn pipe() -> nix::Result<(OwnedFd, OwnedFd)> {
 
 /// The watchdog itself.
 fn watch(from: RawFd) -> ! {
-    let mut groups = [0i32; ROOM];
+    // Of each group that runs: the number of its start, and the group.
+    let mut groups = [(0i32, 0i32); ROOM];
     // SAFETY: system calls on the process itself, on its own descriptors and on buffers of its own stack.
     unsafe {
         // A signal from the terminal is for the process that is watched.
@@ -88,24 +127,26 @@ fn watch(from: RawFd) -> ! {
             }
         }
         loop {
-            let mut word = [0u8; 4];
-            let n = libc::read(0, word.as_mut_ptr().cast(), word.len());
+            let mut bytes = [0u8; MESSAGE];
+            let n = libc::read(0, bytes.as_mut_ptr().cast(), MESSAGE);
             if n < 0 && std::io::Error::last_os_error().kind() == std::io::ErrorKind::Interrupted {
                 continue;
             }
-            if n != 4 {
+            let start = i32::from_ne_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]);
+            if n != MESSAGE as isize || start == DISMISSED {
                 break;
             }
-            let group = i32::from_ne_bytes(word);
-            let (old, new) = if group > 0 { (0, group) } else { (-group, 0) };
-            if let Some(place) = groups.iter_mut().find(|g| **g == old) {
-                *place = new;
+            let group = i32::from_ne_bytes([bytes[4], bytes[5], bytes[6], bytes[7]]);
+            // A start that is tried again announces itself again.
+            let known = groups.iter().position(|g| g.0 == start).or_else(|| groups.iter().position(|g| g.0 == 0));
+            if let Some(place) = known {
+                groups[place] = if group > 0 { (start, group) } else { (0, 0) };
             }
         }
         let all = |signal| {
-            let running = groups.iter().filter(|g| **g > 0);
+            let running = groups.iter().filter(|g| g.1 > 0);
             running.fold(false, |_, g| {
-                libc::kill(-g, signal);
+                libc::kill(-g.1, signal);
                 true
             })
         };

@@ -77,6 +77,14 @@ impl Place {
         path
     }
 
+    /// One whose first act is to kill whoever started it; a child in its own group never ends.
+    fn killer(&self) -> PathBuf {
+        let path = self.dir.path().join("killer");
+        fs::write(&path, "#!/bin/sh\nsleep 1000 &\nkill -9 $PPID\nsleep 1000\n").unwrap();
+        fs::set_permissions(&path, fs::Permissions::from_mode(0o755)).unwrap();
+        path
+    }
+
     /// Waits until the sleeper runs, with its child, in another directory than those that are `left` of a run before.
     fn sleeps(&self, left: &[String]) {
         until("the simulator starts", || {
@@ -87,7 +95,15 @@ impl Place {
     }
 
     fn nothing_runs(&self, when: &str) {
-        until(&format!("{when}: no program is left, but {:?}", marked(&self.mark)), || marked(&self.mark).is_empty());
+        let start = Instant::now();
+        while !marked(&self.mark).is_empty() {
+            assert!(
+                start.elapsed() < Duration::from_secs(60),
+                "{when}: after a minute there are {:?}",
+                marked(&self.mark)
+            );
+            std::thread::sleep(Duration::from_millis(5));
+        }
     }
 }
 
@@ -131,6 +147,17 @@ fn killed_it_takes_its_simulators_along_and_the_next_run_cleans_up() {
         kill("-INT", &living);
         assert_eq!(living.wait().unwrap().code(), Some(130));
         assert_eq!(hidden(&place.tmp()), [""; 0]);
+    }
+}
+
+/// Killed before it has heard that the program runs: nobody else can say what to end.
+#[test]
+fn killed_while_it_starts_a_program_it_takes_that_along() {
+    for _ in 0..20 {
+        let place = Place::new();
+        let killed = place.command(&CHECK).env("VERILATOR", place.killer()).status().unwrap();
+        assert_eq!(killed.signal(), Some(9));
+        place.nothing_runs("SIGKILL by the program");
     }
 }
 
