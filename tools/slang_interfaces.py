@@ -8,6 +8,7 @@ Every DIR is the output of `reliefrtl emit`. Prints one JSON object a file of DI
 the modules of the file and all else is that of the first.
 """
 
+import functools
 import json
 import pathlib
 import sys
@@ -15,9 +16,10 @@ import sys
 from pyslang import syntax
 
 
-def interface(path):
-    """Name, parameters and ports of the module in a file, as they are written."""
-    tree = syntax.SyntaxTree.fromFile(str(path))
+@functools.cache
+def interface(text):
+    """Name, parameters and ports of the first module of a text, as they are written. Many directories hold the same text."""
+    tree = syntax.SyntaxTree.fromText(text)
     root = tree.root
     members = root.members if root.kind == syntax.SyntaxKind.CompilationUnit else [root]
     modules = [m for m in members if m.kind == syntax.SyntaxKind.ModuleDeclaration]
@@ -41,7 +43,7 @@ def main():
     """One line a file."""
     for directory in sys.argv[1:]:
         for file in (pathlib.Path(directory) / "rtl/filelist.f").read_text().split():
-            print(json.dumps({"dir": directory, "file": file, **interface(pathlib.Path(directory) / file)}))
+            print(json.dumps({"dir": directory, "file": file, **interface((pathlib.Path(directory) / file).read_text())}))
     return 0
 
 

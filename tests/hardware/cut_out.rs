@@ -120,7 +120,8 @@ fn cuts(sim: Simulator, handshake: u32, which: &[usize]) {
 #[test]
 fn icarus_notices_what_is_cut_out() {
     cuts(Simulator::Icarus, 0, &[0, 1, 2, 3, 4, 5, 6, 7, 8]);
-    cuts(Simulator::Icarus, 1, &[0, 1, 2, 3, 4, 5, 6, 7]);
+    // What these cut, registered handshakes have in another text.
+    cuts(Simulator::Icarus, 1, &[0, 3, 5, 6, 7]);
 }
 
 #[test]

@@ -23,8 +23,13 @@ fn each_profile_traces_the_same_rays_on_each_datapath() {
             let kind = format!("datapath.kind={kind}");
             let chosen: Vec<&str> = profile.into_iter().flat_map(|p| ["--profile", p]).collect();
             // The published datapath has rays that never end by themselves.
-            let few =
-                ["vectors.rays=100", "vectors.planned=false", "vectors.arithmetic=100", "traverse.step_limit=500"];
+            let few = [
+                "traverse.levels=6",
+                "vectors.rays=100",
+                "vectors.planned=false",
+                "vectors.arithmetic=100",
+                "traverse.step_limit=500",
+            ];
             let few: Vec<&str> = few.into_iter().flat_map(|s| ["--set", s]).collect();
             let said = ok(dir.path(), &[&["build", "--out", "out", "--set", &kind][..], &few, &chosen].concat());
             assert!(said.contains("traverse         0 of 300 mismatched"), "{said}");

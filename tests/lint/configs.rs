@@ -34,7 +34,8 @@ impl Emitted {
     }
 }
 
-/// Every level-up rule, every other mode, both ends of the sizes, combinational and deep units, other formats, a prefix.
+/// Every level-up rule, every other mode, both ends of the sizes, combinational and deep units, other formats, a prefix. Of the largest maps one has
+/// its memory in banks, which are thousands there and take a tool half a minute.
 const SPREAD: &[&[&str]] = &[
     &[],
     &["mode.level_up=none"],
@@ -110,6 +111,7 @@ const SPREAD: &[&[&str]] = &[
         "format.exp=8",
         "format.man=23",
         "traverse.levels=12",
+        "latency.memory=1",
         "emit.prefix=pdm_",
     ],
     &[
@@ -137,6 +139,7 @@ const SPREAD: &[&[&str]] = &[
         "datapath.fraction_bits=28",
         "datapath.reciprocal_bits=31",
         "traverse.levels=12",
+        "latency.memory=1",
         "latency.add=0",
         "latency.mul=0",
     ],
@@ -159,6 +162,7 @@ const SPREAD: &[&[&str]] = &[
         "format.exp=8",
         "format.man=23",
         "traverse.levels=12",
+        "latency.memory=1",
         "latency.add=0",
         "latency.mul=0",
         "latency.div=0",
@@ -177,7 +181,13 @@ const SPREAD: &[&[&str]] = &[
     ],
     &["datapath.kind=fixed"],
     &["datapath.kind=fixed", "datapath.fraction_bits=20", "datapath.reciprocal_bits=18", "mode.start_level=false"],
-    &["datapath.kind=fixed", "datapath.fraction_bits=12", "datapath.reciprocal_bits=10", "traverse.levels=12"],
+    &[
+        "datapath.kind=fixed",
+        "datapath.fraction_bits=12",
+        "datapath.reciprocal_bits=10",
+        "traverse.levels=12",
+        "latency.memory=1",
+    ],
     &["datapath.kind=fixed", "datapath.fraction_bits=28", "datapath.reciprocal_bits=31", "traverse.height_bits=16"],
     &[
         "datapath.kind=fixed",
