@@ -142,8 +142,8 @@ fn in_simulator(sim: Simulator, sets: &[&str]) {
     }
     let c = config(&[&["traverse.levels=6"][..], sets].concat());
     let mut given = cases(&c, 20, 6);
-    given.iter_mut().for_each(|g| leave_short(g, 1));
-    let given: Vec<&Given> = given.iter().filter(|g| g.design.traverse == c.traverse).collect();
+    given.iter_mut().for_each(|g| leave_short(g, 0));
+    let given: Vec<&Given> = given.iter().filter(|g| g.design.traverse == c.traverse && !g.rays.is_empty()).collect();
     assert!(given.len() >= 25, "{} cases", given.len());
     let p = hardware(&c).unwrap();
     let depth = p.traverse.setup + p.traverse.slots + p.traverse.finish;
@@ -166,7 +166,7 @@ fn in_simulator(sim: Simulator, sets: &[&str]) {
         })
         .sum();
     assert_eq!(checked, given.iter().map(|g| g.rays.len()).sum::<usize>());
-    assert!(checked > 18 * given.len(), "{checked} rays");
+    assert!(checked > 15 * given.len(), "{checked} rays");
 }
 
 #[test]
