@@ -74,6 +74,39 @@ python_packages() {
     echo "$PIP_PACKAGES" >"$pins"
 }
 
+# The programs of the tests: those that take longest first, then whatever else stands in tests/.
+programs() {
+    echo hardware lint proofs
+    for main in tests/*/main.rs; do
+        name=$(basename "$(dirname "$main")")
+        case $name in hardware | lint | proofs) ;; *) echo "$name" ;; esac
+    done
+}
+
+# Runs test programs two at a time, so that no core waits for the last test of one; each says what it has to say when it is done.
+# Options come after a "--", as cargo takes them.
+side_by_side() {
+    cargo test --release --no-run || return
+    cargo test --release --no-fail-fast --lib --bins "$@" || return
+    cargo test --release --doc || return
+    cores=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
+    RUST_TEST_THREADS="${RUST_TEST_THREADS:-$(((cores + 1) / 2))}"
+    export RUST_TEST_THREADS
+    programs | tr ' ' '\n' | xargs -P 2 -I NAME sh tools/test.sh --program NAME "$@"
+}
+
+# One test program, by its name.
+if [ "${1:-}" = --program ]; then
+    name=$2
+    shift 2
+    said=target/tmp/said-$name.txt
+    mkdir -p target/tmp
+    code=0
+    cargo test --release --no-fail-fast --test "$name" "$@" >"$said" 2>&1 || code=$?
+    cat "$said"
+    exit "$code"
+fi
+
 step "Debian packages" apt_packages
 step "Python packages" python_packages
 [ "${1:-}" != --tools ] || exit 0
@@ -98,8 +131,8 @@ if [ "${1:-}" = --full ]; then
     export RELIEFRTL_PARTS="${RELIEFRTL_PARTS:-1}"                # of the large tables of corners: all
     export RELIEFRTL_LEVEL="${RELIEFRTL_LEVEL:-2}"                # the large tables in the interpreter at five formats
     export RELIEFRTL_DIVIDENDS="${RELIEFRTL_DIVIDENDS:-65536}"    # every dividend of the divider by table
-    step "cargo test, full budget" cargo test --release --no-fail-fast -- --include-ignored
+    step "cargo test, full budget" side_by_side -- --include-ignored
 else
-    step "cargo test" cargo test --release --no-fail-fast
+    step "cargo test" side_by_side
 fi
 echo "tools/test.sh: format, clippy and tests passed"

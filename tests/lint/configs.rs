@@ -34,8 +34,8 @@ impl Emitted {
     }
 }
 
-/// Every level-up rule, every other mode, both ends of the sizes, combinational and deep units, other formats, a prefix. Of the largest maps one has
-/// its memory in banks, which are thousands there and take a tool half a minute.
+/// Every level-up rule, every other mode, both ends of the sizes, combinational and deep units, other formats, a prefix. The largest maps have
+/// their memory in one piece: of banks there would be thousands, which take a tool half a minute.
 const SPREAD: &[&[&str]] = &[
     &[],
     &["mode.level_up=none"],
@@ -79,7 +79,8 @@ const SPREAD: &[&[&str]] = &[
     &["format.exp=5", "format.man=10", "traverse.levels=4", "traverse.tile_bits=2"],
     &["format.exp=8", "format.man=23"],
     &["traverse.levels=2"],
-    &["traverse.levels=12"],
+    &["traverse.levels=12", "latency.memory=1"],
+    &["traverse.levels=10"],
     &["traverse.height_bits=16"],
     &["traverse.tile_bits=1", "traverse.frac_bits=1", "traverse.tag_bits=1", "traverse.step_limit=1"],
     &["mode.trim=descent"],
