@@ -125,6 +125,9 @@ module relief_tb_div_rows #(
           if (wrong < 10)
             $display("vector %0d, rem_out: expected %h, got %h",
                      checked, word[W:0], out_rem_out);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=div_rows row=%0d port=rem_out exp=%h got=%h",
+                     checked, word[W:0], out_rem_out);
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
@@ -132,6 +135,9 @@ module relief_tb_div_rows #(
         if (out_quot !== word[ROWS-1:0]) begin
           if (wrong < 10)
             $display("vector %0d, quot: expected %h, got %h",
+                     checked, word[ROWS-1:0], out_quot);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=div_rows row=%0d port=quot exp=%h got=%h",
                      checked, word[ROWS-1:0], out_quot);
           row_wrong = 1'b1;
         end
@@ -174,9 +180,11 @@ module relief_tb_div_rows #(
                    "stimulus.hex or expected.hex", dir);
           exit_code <= 8'd2;
         end else if (wrong > 0) begin
+          $display("@done unit=div_rows checked=%0d wrong=%0d", checked, wrong);
           $display("FAIL tb_div_rows: %0d of %0d mismatched", wrong, checked);
           exit_code <= 8'd1;
         end else begin
+          $display("@done unit=div_rows checked=%0d wrong=0", checked);
           $display("PASS tb_div_rows: 0 of %0d mismatched", checked);
         end
       end

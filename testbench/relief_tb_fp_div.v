@@ -126,6 +126,9 @@ module relief_tb_fp_div #(
           if (wrong < 10)
             $display("vector %0d, result: expected %h, got %h",
                      checked, word[EXP_W+MAN_W:0], out_result);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=fp_div row=%0d port=result exp=%h got=%h",
+                     checked, word[EXP_W+MAN_W:0], out_result);
           row_wrong = 1'b1;
         end
         checked <= checked + 1;
@@ -167,9 +170,11 @@ module relief_tb_fp_div #(
                    "stimulus.hex or expected.hex", dir);
           exit_code <= 8'd2;
         end else if (wrong > 0) begin
+          $display("@done unit=fp_div checked=%0d wrong=%0d", checked, wrong);
           $display("FAIL tb_fp_div: %0d of %0d mismatched", wrong, checked);
           exit_code <= 8'd1;
         end else begin
+          $display("@done unit=fp_div checked=%0d wrong=0", checked);
           $display("PASS tb_fp_div: 0 of %0d mismatched", checked);
         end
       end

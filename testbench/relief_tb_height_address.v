@@ -126,6 +126,9 @@ module relief_tb_height_address #(
           if (wrong < 10)
             $display("vector %0d, address: expected %h, got %h",
                      checked, word[2*LEVELS:0], out_address);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=height_address row=%0d port=address exp=%h got=%h",
+                     checked, word[2*LEVELS:0], out_address);
           row_wrong = 1'b1;
         end
         checked <= checked + 1;
@@ -170,9 +173,11 @@ module relief_tb_height_address #(
                    "stimulus.hex or expected.hex", dir);
           exit_code <= 8'd2;
         end else if (wrong > 0) begin
+          $display("@done unit=height_address checked=%0d wrong=%0d", checked, wrong);
           $display("FAIL tb_height_address: %0d of %0d mismatched", wrong, checked);
           exit_code <= 8'd1;
         end else begin
+          $display("@done unit=height_address checked=%0d wrong=0", checked);
           $display("PASS tb_height_address: 0 of %0d mismatched", checked);
         end
       end

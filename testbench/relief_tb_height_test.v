@@ -131,6 +131,9 @@ module relief_tb_height_test #(
           if (wrong < 10)
             $display("vector %0d, m: expected %h, got %h",
                      checked, word[EXP_W+MAN_W:0], out_m);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=height_test row=%0d port=m exp=%h got=%h",
+                     checked, word[EXP_W+MAN_W:0], out_m);
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
@@ -138,6 +141,9 @@ module relief_tb_height_test #(
         if (out_below !== word[0]) begin
           if (wrong < 10)
             $display("vector %0d, below: expected %h, got %h",
+                     checked, word[0], out_below);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=height_test row=%0d port=below exp=%h got=%h",
                      checked, word[0], out_below);
           row_wrong = 1'b1;
         end
@@ -180,9 +186,11 @@ module relief_tb_height_test #(
                    "stimulus.hex or expected.hex", dir);
           exit_code <= 8'd2;
         end else if (wrong > 0) begin
+          $display("@done unit=height_test checked=%0d wrong=%0d", checked, wrong);
           $display("FAIL tb_height_test: %0d of %0d mismatched", wrong, checked);
           exit_code <= 8'd1;
         end else begin
+          $display("@done unit=height_test checked=%0d wrong=0", checked);
           $display("PASS tb_height_test: 0 of %0d mismatched", checked);
         end
       end

@@ -138,6 +138,9 @@ module relief_tb_hit_position #(
           if (wrong < 10)
             $display("vector %0d, fraction: expected %h, got %h",
                      checked, word[FRAC_W-1:0], out_fraction);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=hit_position row=%0d port=fraction exp=%h got=%h",
+                     checked, word[FRAC_W-1:0], out_fraction);
           row_wrong = 1'b1;
         end
         checked <= checked + 1;
@@ -185,9 +188,11 @@ module relief_tb_hit_position #(
                    "stimulus.hex or expected.hex", dir);
           exit_code <= 8'd2;
         end else if (wrong > 0) begin
+          $display("@done unit=hit_position checked=%0d wrong=%0d", checked, wrong);
           $display("FAIL tb_hit_position: %0d of %0d mismatched", wrong, checked);
           exit_code <= 8'd1;
         end else begin
+          $display("@done unit=hit_position checked=%0d wrong=0", checked);
           $display("PASS tb_hit_position: 0 of %0d mismatched", checked);
         end
       end

@@ -120,6 +120,9 @@ module relief_tb_interleave #(
           if (wrong < 10)
             $display("vector %0d, result: expected %h, got %h",
                      checked, word[2*W-1:0], out_result);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=interleave row=%0d port=result exp=%h got=%h",
+                     checked, word[2*W-1:0], out_result);
           row_wrong = 1'b1;
         end
         checked <= checked + 1;
@@ -161,9 +164,11 @@ module relief_tb_interleave #(
                    "stimulus.hex or expected.hex", dir);
           exit_code <= 8'd2;
         end else if (wrong > 0) begin
+          $display("@done unit=interleave checked=%0d wrong=%0d", checked, wrong);
           $display("FAIL tb_interleave: %0d of %0d mismatched", wrong, checked);
           exit_code <= 8'd1;
         end else begin
+          $display("@done unit=interleave checked=%0d wrong=0", checked);
           $display("PASS tb_interleave: 0 of %0d mismatched", checked);
         end
       end

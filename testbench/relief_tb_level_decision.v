@@ -187,6 +187,9 @@ module relief_tb_level_decision #(
           if (wrong < 10)
             $display("vector %0d, hit: expected %h, got %h",
                      checked, word[0], out_hit);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=level_decision row=%0d port=hit exp=%h got=%h",
+                     checked, word[0], out_hit);
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
@@ -194,6 +197,9 @@ module relief_tb_level_decision #(
         if (out_crosses !== word[0]) begin
           if (wrong < 10)
             $display("vector %0d, crosses: expected %h, got %h",
+                     checked, word[0], out_crosses);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=level_decision row=%0d port=crosses exp=%h got=%h",
                      checked, word[0], out_crosses);
           row_wrong = 1'b1;
         end
@@ -203,6 +209,9 @@ module relief_tb_level_decision #(
           if (wrong < 10)
             $display("vector %0d, level_next: expected %h, got %h",
                      checked, word[$clog2(LEVELS+1)-1:0], out_level_next);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=level_decision row=%0d port=level_next exp=%h got=%h",
+                     checked, word[$clog2(LEVELS+1)-1:0], out_level_next);
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
@@ -210,6 +219,9 @@ module relief_tb_level_decision #(
         if (out_x_next !== word[IDX_W-1:0]) begin
           if (wrong < 10)
             $display("vector %0d, x_next: expected %h, got %h",
+                     checked, word[IDX_W-1:0], out_x_next);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=level_decision row=%0d port=x_next exp=%h got=%h",
                      checked, word[IDX_W-1:0], out_x_next);
           row_wrong = 1'b1;
         end
@@ -219,6 +231,9 @@ module relief_tb_level_decision #(
           if (wrong < 10)
             $display("vector %0d, y_next: expected %h, got %h",
                      checked, word[IDX_W-1:0], out_y_next);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=level_decision row=%0d port=y_next exp=%h got=%h",
+                     checked, word[IDX_W-1:0], out_y_next);
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
@@ -226,6 +241,9 @@ module relief_tb_level_decision #(
         if (out_t_out !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, t_out: expected %h, got %h",
+                     checked, word[EXP_W+MAN_W:0], out_t_out);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=level_decision row=%0d port=t_out exp=%h got=%h",
                      checked, word[EXP_W+MAN_W:0], out_t_out);
           row_wrong = 1'b1;
         end
@@ -301,9 +319,11 @@ module relief_tb_level_decision #(
                    "stimulus.hex or expected.hex", dir);
           exit_code <= 8'd2;
         end else if (wrong > 0) begin
+          $display("@done unit=level_decision checked=%0d wrong=%0d", checked, wrong);
           $display("FAIL tb_level_decision: %0d of %0d mismatched", wrong, checked);
           exit_code <= 8'd1;
         end else begin
+          $display("@done unit=level_decision checked=%0d wrong=0", checked);
           $display("PASS tb_level_decision: 0 of %0d mismatched", checked);
         end
       end

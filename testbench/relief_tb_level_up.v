@@ -140,6 +140,9 @@ module relief_tb_level_up #(
           if (wrong < 10)
             $display("vector %0d, up: expected %h, got %h",
                      checked, word[0], out_up);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=level_up row=%0d port=up exp=%h got=%h",
+                     checked, word[0], out_up);
           row_wrong = 1'b1;
         end
         checked <= checked + 1;
@@ -193,9 +196,11 @@ module relief_tb_level_up #(
                    "stimulus.hex or expected.hex", dir);
           exit_code <= 8'd2;
         end else if (wrong > 0) begin
+          $display("@done unit=level_up checked=%0d wrong=%0d", checked, wrong);
           $display("FAIL tb_level_up: %0d of %0d mismatched", wrong, checked);
           exit_code <= 8'd1;
         end else begin
+          $display("@done unit=level_up checked=%0d wrong=0", checked);
           $display("PASS tb_level_up: 0 of %0d mismatched", checked);
         end
       end

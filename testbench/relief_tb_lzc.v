@@ -116,6 +116,9 @@ module relief_tb_lzc #(
           if (wrong < 10)
             $display("vector %0d, count: expected %h, got %h",
                      checked, word[$clog2(W+1)-1:0], out_count);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=lzc row=%0d port=count exp=%h got=%h",
+                     checked, word[$clog2(W+1)-1:0], out_count);
           row_wrong = 1'b1;
         end
         checked <= checked + 1;
@@ -154,9 +157,11 @@ module relief_tb_lzc #(
                    "stimulus.hex or expected.hex", dir);
           exit_code <= 8'd2;
         end else if (wrong > 0) begin
+          $display("@done unit=lzc checked=%0d wrong=%0d", checked, wrong);
           $display("FAIL tb_lzc: %0d of %0d mismatched", wrong, checked);
           exit_code <= 8'd1;
         end else begin
+          $display("@done unit=lzc checked=%0d wrong=0", checked);
           $display("PASS tb_lzc: 0 of %0d mismatched", checked);
         end
       end

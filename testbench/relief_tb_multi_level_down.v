@@ -154,6 +154,9 @@ module relief_tb_multi_level_down #(
           if (wrong < 10)
             $display("vector %0d, level_down: expected %h, got %h",
                      checked, word[$clog2(LEVELS+1)-1:0], out_level_down);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=multi_level_down row=%0d port=level_down exp=%h got=%h",
+                     checked, word[$clog2(LEVELS+1)-1:0], out_level_down);
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
@@ -162,6 +165,9 @@ module relief_tb_multi_level_down #(
           if (wrong < 10)
             $display("vector %0d, x_down: expected %h, got %h",
                      checked, word[IDX_W-1:0], out_x_down);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=multi_level_down row=%0d port=x_down exp=%h got=%h",
+                     checked, word[IDX_W-1:0], out_x_down);
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
@@ -169,6 +175,9 @@ module relief_tb_multi_level_down #(
         if (out_y_down !== word[IDX_W-1:0]) begin
           if (wrong < 10)
             $display("vector %0d, y_down: expected %h, got %h",
+                     checked, word[IDX_W-1:0], out_y_down);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=multi_level_down row=%0d port=y_down exp=%h got=%h",
                      checked, word[IDX_W-1:0], out_y_down);
           row_wrong = 1'b1;
         end
@@ -229,9 +238,11 @@ module relief_tb_multi_level_down #(
                    "stimulus.hex or expected.hex", dir);
           exit_code <= 8'd2;
         end else if (wrong > 0) begin
+          $display("@done unit=multi_level_down checked=%0d wrong=%0d", checked, wrong);
           $display("FAIL tb_multi_level_down: %0d of %0d mismatched", wrong, checked);
           exit_code <= 8'd1;
         end else begin
+          $display("@done unit=multi_level_down checked=%0d wrong=0", checked);
           $display("PASS tb_multi_level_down: 0 of %0d mismatched", checked);
         end
       end

@@ -140,6 +140,9 @@ module relief_tb_node_crossing #(
           if (wrong < 10)
             $display("vector %0d, is_inside: expected %h, got %h",
                      checked, word[0], out_is_inside);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=node_crossing row=%0d port=is_inside exp=%h got=%h",
+                     checked, word[0], out_is_inside);
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
@@ -148,6 +151,9 @@ module relief_tb_node_crossing #(
           if (wrong < 10)
             $display("vector %0d, x_first: expected %h, got %h",
                      checked, word[0], out_x_first);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=node_crossing row=%0d port=x_first exp=%h got=%h",
+                     checked, word[0], out_x_first);
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
@@ -155,6 +161,9 @@ module relief_tb_node_crossing #(
         if (out_t_next !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, t_next: expected %h, got %h",
+                     checked, word[EXP_W+MAN_W:0], out_t_next);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=node_crossing row=%0d port=t_next exp=%h got=%h",
                      checked, word[EXP_W+MAN_W:0], out_t_next);
           row_wrong = 1'b1;
         end
@@ -203,9 +212,11 @@ module relief_tb_node_crossing #(
                    "stimulus.hex or expected.hex", dir);
           exit_code <= 8'd2;
         end else if (wrong > 0) begin
+          $display("@done unit=node_crossing checked=%0d wrong=%0d", checked, wrong);
           $display("FAIL tb_node_crossing: %0d of %0d mismatched", wrong, checked);
           exit_code <= 8'd1;
         end else begin
+          $display("@done unit=node_crossing checked=%0d wrong=0", checked);
           $display("PASS tb_node_crossing: 0 of %0d mismatched", checked);
         end
       end

@@ -140,6 +140,9 @@ module relief_tb_node_planes #(
           if (wrong < 10)
             $display("vector %0d, low: expected %h, got %h",
                      checked, word[IDX_W-1:0], out_low);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=node_planes row=%0d port=low exp=%h got=%h",
+                     checked, word[IDX_W-1:0], out_low);
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
@@ -147,6 +150,9 @@ module relief_tb_node_planes #(
         if (out_high !== word[IDX_W-1:0]) begin
           if (wrong < 10)
             $display("vector %0d, high: expected %h, got %h",
+                     checked, word[IDX_W-1:0], out_high);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=node_planes row=%0d port=high exp=%h got=%h",
                      checked, word[IDX_W-1:0], out_high);
           row_wrong = 1'b1;
         end
@@ -156,6 +162,9 @@ module relief_tb_node_planes #(
           if (wrong < 10)
             $display("vector %0d, plane: expected %h, got %h",
                      checked, word[IDX_W-1:0], out_plane);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=node_planes row=%0d port=plane exp=%h got=%h",
+                     checked, word[IDX_W-1:0], out_plane);
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
@@ -164,6 +173,9 @@ module relief_tb_node_planes #(
           if (wrong < 10)
             $display("vector %0d, beyond: expected %h, got %h",
                      checked, word[IDX_W-1:0], out_beyond);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=node_planes row=%0d port=beyond exp=%h got=%h",
+                     checked, word[IDX_W-1:0], out_beyond);
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
@@ -171,6 +183,9 @@ module relief_tb_node_planes #(
         if (out_even !== word[0]) begin
           if (wrong < 10)
             $display("vector %0d, even: expected %h, got %h",
+                     checked, word[0], out_even);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=node_planes row=%0d port=even exp=%h got=%h",
                      checked, word[0], out_even);
           row_wrong = 1'b1;
         end
@@ -216,9 +231,11 @@ module relief_tb_node_planes #(
                    "stimulus.hex or expected.hex", dir);
           exit_code <= 8'd2;
         end else if (wrong > 0) begin
+          $display("@done unit=node_planes checked=%0d wrong=%0d", checked, wrong);
           $display("FAIL tb_node_planes: %0d of %0d mismatched", wrong, checked);
           exit_code <= 8'd1;
         end else begin
+          $display("@done unit=node_planes checked=%0d wrong=0", checked);
           $display("PASS tb_node_planes: 0 of %0d mismatched", checked);
         end
       end

@@ -136,6 +136,9 @@ module relief_tb_plane_time #(
           if (wrong < 10)
             $display("vector %0d, t: expected %h, got %h",
                      checked, word[EXP_W+MAN_W:0], out_t);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=plane_time row=%0d port=t exp=%h got=%h",
+                     checked, word[EXP_W+MAN_W:0], out_t);
           row_wrong = 1'b1;
         end
         checked <= checked + 1;
@@ -183,9 +186,11 @@ module relief_tb_plane_time #(
                    "stimulus.hex or expected.hex", dir);
           exit_code <= 8'd2;
         end else if (wrong > 0) begin
+          $display("@done unit=plane_time checked=%0d wrong=%0d", checked, wrong);
           $display("FAIL tb_plane_time: %0d of %0d mismatched", wrong, checked);
           exit_code <= 8'd1;
         end else begin
+          $display("@done unit=plane_time checked=%0d wrong=0", checked);
           $display("PASS tb_plane_time: 0 of %0d mismatched", checked);
         end
       end

@@ -132,6 +132,9 @@ module relief_tb_predicted_hit #(
           if (wrong < 10)
             $display("vector %0d, e: expected %h, got %h",
                      checked, word[IDX_W-1:0], out_e);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=predicted_hit row=%0d port=e exp=%h got=%h",
+                     checked, word[IDX_W-1:0], out_e);
           row_wrong = 1'b1;
         end
         checked <= checked + 1;
@@ -176,9 +179,11 @@ module relief_tb_predicted_hit #(
                    "stimulus.hex or expected.hex", dir);
           exit_code <= 8'd2;
         end else if (wrong > 0) begin
+          $display("@done unit=predicted_hit checked=%0d wrong=%0d", checked, wrong);
           $display("FAIL tb_predicted_hit: %0d of %0d mismatched", wrong, checked);
           exit_code <= 8'd1;
         end else begin
+          $display("@done unit=predicted_hit checked=%0d wrong=0", checked);
           $display("PASS tb_predicted_hit: 0 of %0d mismatched", checked);
         end
       end

@@ -185,6 +185,9 @@ module relief_tb_ray_setup #(
           if (wrong < 10)
             $display("vector %0d, ok: expected %h, got %h",
                      checked, word[0], out_ok);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=ray_setup row=%0d port=ok exp=%h got=%h",
+                     checked, word[0], out_ok);
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
@@ -192,6 +195,9 @@ module relief_tb_ray_setup #(
         if (out_level !== word[$clog2(LEVELS+1)-1:0]) begin
           if (wrong < 10)
             $display("vector %0d, level: expected %h, got %h",
+                     checked, word[$clog2(LEVELS+1)-1:0], out_level);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=ray_setup row=%0d port=level exp=%h got=%h",
                      checked, word[$clog2(LEVELS+1)-1:0], out_level);
           row_wrong = 1'b1;
         end
@@ -201,6 +207,9 @@ module relief_tb_ray_setup #(
           if (wrong < 10)
             $display("vector %0d, p_x: expected %h, got %h",
                      checked, word[EXP_W+MAN_W:0], out_p_x);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=ray_setup row=%0d port=p_x exp=%h got=%h",
+                     checked, word[EXP_W+MAN_W:0], out_p_x);
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
@@ -208,6 +217,9 @@ module relief_tb_ray_setup #(
         if (out_pb_x !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, pb_x: expected %h, got %h",
+                     checked, word[EXP_W+MAN_W:0], out_pb_x);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=ray_setup row=%0d port=pb_x exp=%h got=%h",
                      checked, word[EXP_W+MAN_W:0], out_pb_x);
           row_wrong = 1'b1;
         end
@@ -217,6 +229,9 @@ module relief_tb_ray_setup #(
           if (wrong < 10)
             $display("vector %0d, d_x: expected %h, got %h",
                      checked, word[EXP_W+MAN_W:0], out_d_x);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=ray_setup row=%0d port=d_x exp=%h got=%h",
+                     checked, word[EXP_W+MAN_W:0], out_d_x);
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
@@ -224,6 +239,9 @@ module relief_tb_ray_setup #(
         if (out_r_x !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, r_x: expected %h, got %h",
+                     checked, word[EXP_W+MAN_W:0], out_r_x);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=ray_setup row=%0d port=r_x exp=%h got=%h",
                      checked, word[EXP_W+MAN_W:0], out_r_x);
           row_wrong = 1'b1;
         end
@@ -233,6 +251,9 @@ module relief_tb_ray_setup #(
           if (wrong < 10)
             $display("vector %0d, never_x: expected %h, got %h",
                      checked, word[0], out_never_x);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=ray_setup row=%0d port=never_x exp=%h got=%h",
+                     checked, word[0], out_never_x);
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
@@ -240,6 +261,9 @@ module relief_tb_ray_setup #(
         if (out_neg_x !== word[0]) begin
           if (wrong < 10)
             $display("vector %0d, neg_x: expected %h, got %h",
+                     checked, word[0], out_neg_x);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=ray_setup row=%0d port=neg_x exp=%h got=%h",
                      checked, word[0], out_neg_x);
           row_wrong = 1'b1;
         end
@@ -249,6 +273,9 @@ module relief_tb_ray_setup #(
           if (wrong < 10)
             $display("vector %0d, first_x: expected %h, got %h",
                      checked, word[LEVELS+TILE_W+1:0], out_first_x);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=ray_setup row=%0d port=first_x exp=%h got=%h",
+                     checked, word[LEVELS+TILE_W+1:0], out_first_x);
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
@@ -256,6 +283,9 @@ module relief_tb_ray_setup #(
         if (out_p_y !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, p_y: expected %h, got %h",
+                     checked, word[EXP_W+MAN_W:0], out_p_y);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=ray_setup row=%0d port=p_y exp=%h got=%h",
                      checked, word[EXP_W+MAN_W:0], out_p_y);
           row_wrong = 1'b1;
         end
@@ -265,6 +295,9 @@ module relief_tb_ray_setup #(
           if (wrong < 10)
             $display("vector %0d, pb_y: expected %h, got %h",
                      checked, word[EXP_W+MAN_W:0], out_pb_y);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=ray_setup row=%0d port=pb_y exp=%h got=%h",
+                     checked, word[EXP_W+MAN_W:0], out_pb_y);
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
@@ -272,6 +305,9 @@ module relief_tb_ray_setup #(
         if (out_d_y !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, d_y: expected %h, got %h",
+                     checked, word[EXP_W+MAN_W:0], out_d_y);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=ray_setup row=%0d port=d_y exp=%h got=%h",
                      checked, word[EXP_W+MAN_W:0], out_d_y);
           row_wrong = 1'b1;
         end
@@ -281,6 +317,9 @@ module relief_tb_ray_setup #(
           if (wrong < 10)
             $display("vector %0d, r_y: expected %h, got %h",
                      checked, word[EXP_W+MAN_W:0], out_r_y);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=ray_setup row=%0d port=r_y exp=%h got=%h",
+                     checked, word[EXP_W+MAN_W:0], out_r_y);
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
@@ -288,6 +327,9 @@ module relief_tb_ray_setup #(
         if (out_never_y !== word[0]) begin
           if (wrong < 10)
             $display("vector %0d, never_y: expected %h, got %h",
+                     checked, word[0], out_never_y);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=ray_setup row=%0d port=never_y exp=%h got=%h",
                      checked, word[0], out_never_y);
           row_wrong = 1'b1;
         end
@@ -297,6 +339,9 @@ module relief_tb_ray_setup #(
           if (wrong < 10)
             $display("vector %0d, neg_y: expected %h, got %h",
                      checked, word[0], out_neg_y);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=ray_setup row=%0d port=neg_y exp=%h got=%h",
+                     checked, word[0], out_neg_y);
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
@@ -304,6 +349,9 @@ module relief_tb_ray_setup #(
         if (out_first_y !== word[LEVELS+TILE_W+1:0]) begin
           if (wrong < 10)
             $display("vector %0d, first_y: expected %h, got %h",
+                     checked, word[LEVELS+TILE_W+1:0], out_first_y);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=ray_setup row=%0d port=first_y exp=%h got=%h",
                      checked, word[LEVELS+TILE_W+1:0], out_first_y);
           row_wrong = 1'b1;
         end
@@ -352,9 +400,11 @@ module relief_tb_ray_setup #(
                    "stimulus.hex or expected.hex", dir);
           exit_code <= 8'd2;
         end else if (wrong > 0) begin
+          $display("@done unit=ray_setup checked=%0d wrong=%0d", checked, wrong);
           $display("FAIL tb_ray_setup: %0d of %0d mismatched", wrong, checked);
           exit_code <= 8'd1;
         end else begin
+          $display("@done unit=ray_setup checked=%0d wrong=0", checked);
           $display("PASS tb_ray_setup: 0 of %0d mismatched", checked);
         end
       end

@@ -132,6 +132,9 @@ module relief_tb_start_level #(
           if (wrong < 10)
             $display("vector %0d, level: expected %h, got %h",
                      checked, word[$clog2(LEVELS+1)-1:0], out_level);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=start_level row=%0d port=level exp=%h got=%h",
+                     checked, word[$clog2(LEVELS+1)-1:0], out_level);
           row_wrong = 1'b1;
         end
         checked <= checked + 1;
@@ -179,9 +182,11 @@ module relief_tb_start_level #(
                    "stimulus.hex or expected.hex", dir);
           exit_code <= 8'd2;
         end else if (wrong > 0) begin
+          $display("@done unit=start_level checked=%0d wrong=%0d", checked, wrong);
           $display("FAIL tb_start_level: %0d of %0d mismatched", wrong, checked);
           exit_code <= 8'd1;
         end else begin
+          $display("@done unit=start_level checked=%0d wrong=0", checked);
           $display("PASS tb_start_level: 0 of %0d mismatched", checked);
         end
       end

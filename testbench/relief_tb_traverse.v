@@ -419,11 +419,17 @@ module relief_tb_traverse #(
         if (wrong < 10)
           $display("ray %0d, out_i: expected %h, got %h",
                    tag_ray[slot], want_out_i[slot], out_i);
+        if (wrong == 0 && !row_wrong)
+          $display("@fail unit=traverse row=%0d port=out_i exp=%h got=%h",
+                   tag_ray[slot], want_out_i[slot], out_i);
         row_wrong = 1'b1;
       end
       if (out_j !== want_out_j[slot]) begin
         if (wrong < 10)
           $display("ray %0d, out_j: expected %h, got %h",
+                   tag_ray[slot], want_out_j[slot], out_j);
+        if (wrong == 0 && !row_wrong)
+          $display("@fail unit=traverse row=%0d port=out_j exp=%h got=%h",
                    tag_ray[slot], want_out_j[slot], out_j);
         row_wrong = 1'b1;
       end
@@ -431,11 +437,17 @@ module relief_tb_traverse #(
         if (wrong < 10)
           $display("ray %0d, out_fu: expected %h, got %h",
                    tag_ray[slot], want_out_fu[slot], out_fu);
+        if (wrong == 0 && !row_wrong)
+          $display("@fail unit=traverse row=%0d port=out_fu exp=%h got=%h",
+                   tag_ray[slot], want_out_fu[slot], out_fu);
         row_wrong = 1'b1;
       end
       if (out_fv !== want_out_fv[slot]) begin
         if (wrong < 10)
           $display("ray %0d, out_fv: expected %h, got %h",
+                   tag_ray[slot], want_out_fv[slot], out_fv);
+        if (wrong == 0 && !row_wrong)
+          $display("@fail unit=traverse row=%0d port=out_fv exp=%h got=%h",
                    tag_ray[slot], want_out_fv[slot], out_fv);
         row_wrong = 1'b1;
       end
@@ -443,11 +455,17 @@ module relief_tb_traverse #(
         if (wrong < 10)
           $display("ray %0d, out_t: expected %h, got %h",
                    tag_ray[slot], want_out_t[slot], out_t);
+        if (wrong == 0 && !row_wrong)
+          $display("@fail unit=traverse row=%0d port=out_t exp=%h got=%h",
+                   tag_ray[slot], want_out_t[slot], out_t);
         row_wrong = 1'b1;
       end
       if (out_wall !== want_out_wall[slot]) begin
         if (wrong < 10)
           $display("ray %0d, out_wall: expected %h, got %h",
+                   tag_ray[slot], want_out_wall[slot], out_wall);
+        if (wrong == 0 && !row_wrong)
+          $display("@fail unit=traverse row=%0d port=out_wall exp=%h got=%h",
                    tag_ray[slot], want_out_wall[slot], out_wall);
         row_wrong = 1'b1;
       end
@@ -455,11 +473,17 @@ module relief_tb_traverse #(
         if (wrong < 10)
           $display("ray %0d, out_limit: expected %h, got %h",
                    tag_ray[slot], want_out_limit[slot], out_limit);
+        if (wrong == 0 && !row_wrong)
+          $display("@fail unit=traverse row=%0d port=out_limit exp=%h got=%h",
+                   tag_ray[slot], want_out_limit[slot], out_limit);
         row_wrong = 1'b1;
       end
       if (out_steps !== want_out_steps[slot]) begin
         if (wrong < 10)
           $display("ray %0d, out_steps: expected %h, got %h",
+                   tag_ray[slot], want_out_steps[slot], out_steps);
+        if (wrong == 0 && !row_wrong)
+          $display("@fail unit=traverse row=%0d port=out_steps exp=%h got=%h",
                    tag_ray[slot], want_out_steps[slot], out_steps);
         row_wrong = 1'b1;
       end
@@ -467,11 +491,17 @@ module relief_tb_traverse #(
         if (wrong < 10)
           $display("ray %0d, out_crossings: expected %h, got %h",
                    tag_ray[slot], want_out_crossings[slot], out_crossings);
+        if (wrong == 0 && !row_wrong)
+          $display("@fail unit=traverse row=%0d port=out_crossings exp=%h got=%h",
+                   tag_ray[slot], want_out_crossings[slot], out_crossings);
         row_wrong = 1'b1;
       end
       if (out_ups !== want_out_ups[slot]) begin
         if (wrong < 10)
           $display("ray %0d, out_ups: expected %h, got %h",
+                   tag_ray[slot], want_out_ups[slot], out_ups);
+        if (wrong == 0 && !row_wrong)
+          $display("@fail unit=traverse row=%0d port=out_ups exp=%h got=%h",
                    tag_ray[slot], want_out_ups[slot], out_ups);
         row_wrong = 1'b1;
       end
@@ -585,6 +615,7 @@ module relief_tb_traverse #(
                  "stimulus.hex, expected.hex or memory.hex", dir, word);
         finish(8'd2);
       end else if (wrong > 0) begin
+        $display("@done unit=traverse checked=%0d wrong=%0d", checked, wrong);
         $display("FAIL tb_traverse: %0d of %0d mismatched", wrong, checked);
         finish(8'd1);
       end else if (false_idle || !idle) begin
@@ -601,6 +632,7 @@ module relief_tb_traverse #(
         if (again) begin
           start_again;
         end else begin
+          $display("@done unit=traverse checked=%0d wrong=0", checked);
           $display("PASS tb_traverse: 0 of %0d mismatched", checked);
           finish(8'd0);
         end

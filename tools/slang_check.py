@@ -3,10 +3,12 @@
 
     python slang_check.py [--benches] DIR...
     python slang_check.py --words WORD...
+    python slang_check.py --keywords
 
 Every DIR is the output of `reliefrtl emit`: rtl/filelist.f names its files, from DIR. Each module is a top of its own,
 at its default parameters; with --benches, each file of testbench/ is instead, with the look into the loop compiled in.
 With --words, slang's own command line is elaborated, whatever it reads.
+With --keywords, the words that slang takes for keywords are printed, a line each, without underscores.
 Prints how many modules were elaborated; ends with 1 if slang had anything to say.
 """
 
@@ -14,7 +16,7 @@ import pathlib
 import shlex
 import sys
 
-from pyslang import driver
+from pyslang import driver, parsing
 
 
 def check(directory, benches):
@@ -49,6 +51,10 @@ def main():
         count = elaborate(sys.argv[2:])
         print(f"modules elaborated without a warning: {count}")
         return 1 if count is None else 0
+    if sys.argv[1:] == ["--keywords"]:
+        kinds = [kind for kind in dir(parsing.TokenKind) if kind.endswith("Keyword")]
+        print("\n".join(kind.removesuffix("Keyword").lower() for kind in kinds))
+        return 0
     benches = "--benches" in sys.argv[1:]
     directories = [word for word in sys.argv[1:] if word != "--benches"]
     counts = [(directory, check(pathlib.Path(directory), benches)) for directory in directories]

@@ -3,6 +3,7 @@ mod coverage;
 mod harness;
 mod kept;
 mod run;
+mod said;
 mod text;
 
 pub use coverage::{Further, Point, PointKind, cover};

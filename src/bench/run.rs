@@ -1,7 +1,8 @@
 //! Building and running a bench with Icarus Verilog or Verilator.
 use super::kept::Build;
+use super::said::Said;
 use crate::emit::emitted_name;
-use crate::error::{Error, Result, exit};
+use crate::error::{Error, Finding, Result, exit};
 use crate::files::Scratch;
 use crate::ir::Binding;
 use crate::process;
@@ -159,20 +160,23 @@ pub fn run_bench_on(
             first_lines(&text)
         )));
     };
+    let said = Said::read(&output);
     let code = out.status.code().unwrap_or(exit::TOOL_FAILED);
     let text = format!("{verdict} (in {})", sim.name());
     let detail = output.lines().find(|l| l.starts_with("vector ") || l.starts_with("ray ")).unwrap_or_default();
     match code {
         exit::OK if verdict.starts_with("PASS") => {}
-        exit::MISMATCH => return Err(Error::mismatch(format!("{text}; first: {detail}"))),
+        exit::MISMATCH => {
+            let place = said.place(unit, sim.name()).map(Box::new);
+            return Err(Error::Mismatch(Finding { text: format!("{text}; first: {detail}"), place }));
+        }
         exit::USAGE => return Err(Error::input(text)),
         exit::NOTHING_RAN => return Err(Error::NothingRan(text)),
         exit::DROPPED => return Err(Error::Dropped(text)),
         exit::EXTRA => return Err(Error::Extra(text)),
         other => return Err(Error::ToolFailed(format!("{text}, exit code {other}"))),
     }
-    let checked =
-        verdict.split(" of ").nth(1).and_then(|r| r.split(' ').next()).and_then(|n| n.parse().ok()).unwrap_or(0);
+    let checked = said.done.map_or(0, |(checked, _)| checked);
     if checked == 0 {
         return Err(Error::NothingRan(format!("{text}: nothing was compared")));
     }

@@ -86,27 +86,20 @@ impl CheckReport {
     }
 }
 
-/// What a bench said of its first mismatch, with fields decoded and operands named as [`CheckReport::verdict`] does; other errors as they
-/// are.
-pub fn told(e: Error, engine: &str, set: &VectorSet, m: &Module) -> Error {
-    let Error::Mismatch(Finding { text, .. }) = &e else { return e };
-    let number = |after: &str| -> Option<usize> {
-        let digits = text.split(after).nth(1)?;
-        digits.split(|c: char| !c.is_ascii_digit()).next()?.parse().ok()
+/// A bench's first mismatch, with fields decoded and operands named as [`CheckReport::verdict`] does; other errors as they are, and so a
+/// mismatch of which some bit is unknown.
+pub fn decoded(e: Error, set: &VectorSet, m: &Module) -> Error {
+    let Error::Mismatch(Finding { place: Some(place), .. }) = &e else { return e };
+    let hex = |word: &str| u64::from_str_radix(word, 16).ok();
+    let Some((expected, got)) = hex(&place.expected).zip(hex(&place.got)) else { return e };
+    let first = Mismatch { vector: place.vector, output: place.output.clone(), expected, got };
+    let report = CheckReport {
+        unit: place.unit.clone(),
+        engine: place.engine.clone(),
+        checked: place.checked,
+        mismatched: place.mismatched,
+        first: Some(first),
     };
-    let hex = |after: &str| -> Option<u64> {
-        let word = text.split(after).nth(1)?;
-        u64::from_str_radix(word.split(|c: char| !c.is_ascii_hexdigit()).next()?, 16).ok()
-    };
-    let mismatched = text.split(" of ").next().and_then(|t| t.rsplit(' ').next()).and_then(|t| t.parse().ok());
-    let first = || -> Option<Mismatch> {
-        let vector = number("first: vector ").or_else(|| number("first: ray "))?;
-        let output = text.split("first: ").nth(1)?.split(", ").nth(1)?.split(':').next()?.to_string();
-        Some(Mismatch { vector, output, expected: hex("expected ")?, got: hex("got ")? })
-    };
-    let Some((mismatched, first)) = mismatched.zip(first()) else { return e };
-    let (unit, engine) = (set.unit.clone(), engine.to_string());
-    let report = CheckReport { unit, engine, checked: set.expected.len(), mismatched, first: Some(first) };
     report.verdict(set, m).err().unwrap_or(e)
 }
 

@@ -7,7 +7,7 @@ mod models;
 mod ray_plan;
 mod rays;
 
-pub use check::{CheckReport, Mismatch, check_interp, check_netlist, compare, fits, told};
+pub use check::{CheckReport, Mismatch, check_interp, check_netlist, compare, decoded, fits};
 pub use events::count_events;
 pub use limits::limit_sets;
 pub use models::model;

@@ -1,6 +1,7 @@
 //! The command line: verbs, shared options, exit codes.
 #[macro_use]
 mod print;
+mod accuracy;
 mod args;
 mod bench;
 mod build;
@@ -8,7 +9,6 @@ mod check;
 mod config;
 mod emit;
 mod endless;
-mod figures;
 mod fit;
 mod hard;
 mod interrupt;
@@ -20,6 +20,7 @@ mod refined;
 mod render;
 mod report;
 mod restate;
+mod steps;
 mod synth;
 mod trace;
 mod views;
@@ -86,8 +87,8 @@ fn run(cli: &Cli) -> Result<()> {
         Verb::Prove(a) => prove::run(cli, a),
         Verb::Trace(a) => trace::run(cli, a),
         Verb::Render(a) => render::run(cli, a),
-        Verb::Steps(a) => figures::steps(cli, a),
-        Verb::Accuracy(a) => figures::accuracy(cli, a),
+        Verb::Steps(a) => steps::run(cli, a),
+        Verb::Accuracy(a) => accuracy::run(cli, a),
         Verb::Report(a) => report::run(cli, a),
         Verb::Fit(a) => fit::run(cli, a),
         Verb::Hard(a) => hard::run(cli, a),

@@ -5,31 +5,58 @@ use crate::error::Result;
 use crate::project::{Scene, encode};
 use crate::report::{Spread, bilinear};
 use crate::scene::ViewRay;
+use serde::Serialize;
 use std::path::Path;
 
 /// Rays of a view, evenly over the picture: the exact root costs far more than the exact walk.
 const RAYS: usize = 400;
 
-/// Columns of [`Refined::rows`]; the last one is the command that shows the ray of the largest position error again.
-pub const HEAD: [&str; 11] = [
-    "map",
-    "view",
-    "rays",
-    "hit / above / below",
-    "hit without root",
-    "root not seen",
-    "t error, codes: p50 / p99 / max",
-    "uv error, texels: p50 / p99 / max",
-    "of the block hit",
-    "@ray",
-    "see it again",
-];
+/// What was measured of one view of one map.
+#[derive(Serialize)]
+pub struct Row {
+    map: String,
+    view: String,
+    /// Rays that were refined.
+    rays: u64,
+    hit: u64,
+    above: u64,
+    below: u64,
+    /// Hits whose window has no root.
+    hit_without_root: u64,
+    /// Of the others, those whose window has one.
+    root_not_seen: u64,
+    /// Error of the parameter, in height codes.
+    t: Three,
+    /// Error of the position, in texels.
+    uv: Three,
+    /// The block hit's own, in texels.
+    uv_of_block_hit: Three,
+    /// The ray of the largest position error, and the command that shows it again.
+    max_ray: usize,
+    command: String,
+}
+
+#[derive(Serialize)]
+struct Three {
+    p50: f64,
+    p99: f64,
+    max: f64,
+}
+
+impl Three {
+    fn of(s: &Spread) -> Self {
+        Self { p50: s.p50, p99: s.p99, max: s.max }
+    }
+    fn text(&self) -> String {
+        format!("{:.1e} / {:.1e} / {:.1e}", self.p50, self.p99, self.max)
+    }
+}
 
 /// A row for each map and view.
 #[derive(Default)]
 pub struct Refined {
-    /// Texts, as in [`HEAD`].
-    pub rows: Vec<Vec<String>>,
+    /// In the order in which they were measured.
+    pub rows: Vec<Row>,
 }
 
 impl Refined {
@@ -42,32 +69,57 @@ impl Refined {
         let rays: Vec<ViewRay> = (0..n).map(|k| seen[k * seen.len() / n]).collect();
         let words: Vec<_> = rays.iter().map(|r| encode(c, r)).collect();
         let b = bilinear(&c.design(), &scene.pyramid, &scene.texels, &words)?;
-        let three = |s: &Spread| format!("{:.1e} / {:.1e} / {:.1e}", s.p50, s.p99, s.max);
-        let part = |n: u64| format!("{:.1} %", 100.0 * n as f64 / b.rays.max(1) as f64);
-        let [hit, above, below] = b.patches.map(part);
-        self.rows.push(vec![
-            scene.name.clone(),
-            view.into(),
-            b.rays.to_string(),
-            format!("{hit} / {above} / {below}"),
-            format!("{} of {}", b.rootless, b.patches[0]),
-            format!("{} of {}", b.missed, b.rays - b.patches[0]),
-            three(&b.t),
-            three(&b.uv),
-            three(&b.uv_block),
-            b.uv.max_ray.to_string(),
-            b.command(c, file, &rays),
-        ]);
+        let [hit, above, below] = b.patches;
+        self.rows.push(Row {
+            map: scene.name.clone(),
+            view: view.into(),
+            rays: b.rays,
+            hit,
+            above,
+            below,
+            hit_without_root: b.rootless,
+            root_not_seen: b.missed,
+            t: Three::of(&b.t),
+            uv: Three::of(&b.uv),
+            uv_of_block_hit: Three::of(&b.uv_block),
+            max_ray: b.uv.max_ray,
+            command: b.command(c, file, &rays),
+        });
         Ok(())
     }
 
     /// The table, then the commands.
     pub fn print(&self) {
         println!("\nrefined hits against the exact root in their window (at most {RAYS} rays a view):");
-        let last = HEAD.len() - 1;
-        let short: Vec<Vec<String>> = self.rows.iter().map(|r| r[..last].to_vec()).collect();
-        print!("{}", table(&HEAD[..last], &short));
+        let head = [
+            "map",
+            "view",
+            "rays",
+            "hit / above / below",
+            "hit without root",
+            "root not seen",
+            "t error, codes: p50 / p99 / max",
+            "uv error, texels: p50 / p99 / max",
+            "of the block hit",
+            "@ray",
+        ];
+        let line = |r: &Row| {
+            let part = |n: u64| format!("{:.1} %", 100.0 * n as f64 / r.rays.max(1) as f64);
+            vec![
+                r.map.clone(),
+                r.view.clone(),
+                r.rays.to_string(),
+                format!("{} / {} / {}", part(r.hit), part(r.above), part(r.below)),
+                format!("{} of {}", r.hit_without_root, r.hit),
+                format!("{} of {}", r.root_not_seen, r.rays - r.hit),
+                r.t.text(),
+                r.uv.text(),
+                r.uv_of_block_hit.text(),
+                r.max_ray.to_string(),
+            ]
+        };
+        print!("{}", table(&head, &self.rows.iter().map(line).collect::<Vec<_>>()));
         println!("\nthe largest position error of each, again:");
-        self.rows.iter().for_each(|r| println!("{}, {}: {}", r[0], r[1], r[last]));
+        self.rows.iter().for_each(|r| println!("{}, {}: {}", r.map, r.view, r.command));
     }
 }

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 /// Elaborates `m` at `over` (its defaults where `over` is silent).
 ///
 /// # Errors
-/// If a parameter is unknown or a condition on the parameters does not hold, here or in an instance.
+/// If a parameter is unknown, a condition on the parameters does not hold here or in an instance, or values depend on themselves in one clock.
 pub fn elaborate(m: &Module, over: &Binding) -> Result<Netlist> {
     if let Some(k) = over.keys().find(|k| !m.params.iter().any(|p| &p.name == *k)) {
         let known: Vec<&str> = m.params.iter().map(|p| p.name.as_str()).collect();
@@ -36,7 +36,7 @@ pub fn elaborate(m: &Module, over: &Binding) -> Result<Netlist> {
         width: p.width.eval(&binding) as u32,
     });
     let outputs = outputs.collect();
-    Ok(f.levelize(binding, ports, outputs))
+    f.levelize(binding, ports, outputs)
 }
 
 impl Flat {

@@ -1,6 +1,7 @@
 //! A flat design that grows: equal operations are shared, constants folded, and at the end all is levelized.
 use super::eval::eval;
 use super::netlist::*;
+use crate::error::{Error, Result};
 use crate::ir::Binding;
 use std::collections::{BTreeMap, HashMap};
 
@@ -79,7 +80,15 @@ impl Flat {
     }
 
     /// Renumbers: sources first, then operations, operands before their users.
-    pub fn levelize(mut self, binding: Binding, mut inputs: Vec<FlatPort>, mut outputs: Vec<FlatPort>) -> Netlist {
+    ///
+    /// # Errors
+    /// A combinational loop, with one of its values: a name, if any on the way has one.
+    pub fn levelize(
+        mut self,
+        binding: Binding,
+        mut inputs: Vec<FlatPort>,
+        mut outputs: Vec<FlatPort>,
+    ) -> Result<Netlist> {
         self.mems.sort_by_key(|m| m.own);
         let mut producer = vec![usize::MAX; self.widths.len()];
         self.ops.iter().enumerate().for_each(|(i, (s, _))| producer[*s as usize] = i);
@@ -91,7 +100,8 @@ impl Flat {
         }
         let first_op = widths.len() as Slot;
         let mut ops: Vec<FlatOp> = Vec::with_capacity(self.ops.len());
-        // Depth first from each operation; the graph has no loops (verified), so a stack of two visits suffices.
+        // Depth first from each operation. One that is met again while it waits for what it reads waits for itself.
+        let mut waits = vec![false; self.ops.len()];
         for root in 0..self.ops.len() {
             let mut stack = vec![root];
             while let Some(i) = stack.last().copied() {
@@ -107,6 +117,11 @@ impl Flat {
                     widths.push(op.width);
                     ops.push(FlatOp { args: op.args.map(|a| map[a as usize]), ..*op });
                     stack.pop();
+                } else if std::mem::replace(&mut waits[i], true) {
+                    let around: Vec<Slot> = stack.iter().filter(|k| waits[**k]).map(|k| self.ops[*k].0).collect();
+                    let named = self.names.iter().find(|(_, s)| around.contains(s));
+                    let at = named.map_or_else(String::new, |(n, _)| format!(", through {n}"));
+                    return Err(Error::input(format!("a combinational loop{at}")));
                 } else {
                     stack.extend(waiting);
                 }
@@ -129,7 +144,7 @@ impl Flat {
         };
         let mut consts: Vec<(Slot, u64)> = self.const_of.iter().map(|(s, v)| (at(*s), *v)).collect();
         consts.sort_unstable();
-        Netlist {
+        Ok(Netlist {
             binding,
             widths,
             consts,
@@ -140,6 +155,6 @@ impl Flat {
             regs: self.regs.iter().map(reg).collect(),
             mems: self.mems.iter().map(mem).collect(),
             names: self.names.iter().map(|(n, s)| (n.clone(), at(*s))).collect(),
-        }
+        })
     }
 }

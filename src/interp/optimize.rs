@@ -92,5 +92,6 @@ fn round(net: &Netlist) -> Netlist {
         .collect();
     f.names = net.names.iter().filter(|(_, s)| at(**s) != Slot::MAX).map(|(n, s)| (n.clone(), at(*s))).collect();
     let port = |p: &FlatPort| FlatPort { slot: at(p.slot), ..p.clone() };
-    f.levelize(net.binding.clone(), net.inputs.iter().map(port).collect(), net.outputs.iter().map(port).collect())
+    let (inputs, outputs) = (net.inputs.iter().map(port).collect(), net.outputs.iter().map(port).collect());
+    f.levelize(net.binding.clone(), inputs, outputs).expect("a netlist has no loop")
 }

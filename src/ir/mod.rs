@@ -2,7 +2,9 @@
 mod builder;
 mod contract;
 mod expr;
+mod keywords;
 mod lines;
+mod loops;
 mod module;
 mod names;
 mod schedule;
@@ -12,6 +14,7 @@ mod verify;
 pub use builder::{Builder, Sig};
 pub use contract::{Memo, Term};
 pub use expr::{Atom, Binding, Expr, Func};
+pub use keywords::{SYSTEM_VERILOG, VERILOG, is_keyword};
 pub use lines::{Lines, with_lines};
 pub use module::*;
 pub use names::Names;

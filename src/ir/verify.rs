@@ -1,109 +1,10 @@
 //! The rules a module keeps, checked before anything is printed or run; all problems at once.
 use super::expr::{Binding, Expr};
+use super::keywords::is_keyword;
+use super::loops::combinational_loop;
 use super::module::*;
 use crate::bits::MAX_WIDTH;
 use std::collections::BTreeSet;
-
-/// Words that can't be names in Verilog-2005 or its successors (the common ones).
-const RESERVED: &[&str] = &[
-    "always",
-    "and",
-    "assign",
-    "before",
-    "begin",
-    "bit",
-    "buf",
-    "byte",
-    "case",
-    "cell",
-    "config",
-    "cross",
-    "default",
-    "design",
-    "disable",
-    "edge",
-    "else",
-    "end",
-    "endmodule",
-    "event",
-    "final",
-    "for",
-    "force",
-    "function",
-    "generate",
-    "global",
-    "if",
-    "initial",
-    "inout",
-    "input",
-    "inside",
-    "int",
-    "integer",
-    "join",
-    "large",
-    "local",
-    "logic",
-    "macromodule",
-    "medium",
-    "module",
-    "nand",
-    "negedge",
-    "new",
-    "nor",
-    "not",
-    "or",
-    "output",
-    "packed",
-    "parameter",
-    "posedge",
-    "primitive",
-    "priority",
-    "property",
-    "pull0",
-    "pull1",
-    "real",
-    "reg",
-    "release",
-    "repeat",
-    "return",
-    "scalared",
-    "sequence",
-    "signed",
-    "small",
-    "specify",
-    "static",
-    "string",
-    "strong0",
-    "strong1",
-    "struct",
-    "super",
-    "supply0",
-    "supply1",
-    "table",
-    "task",
-    "this",
-    "time",
-    "tri",
-    "type",
-    "union",
-    "unique",
-    "unsigned",
-    "use",
-    "vectored",
-    "virtual",
-    "void",
-    "wait",
-    "wand",
-    "weak0",
-    "weak1",
-    "while",
-    "wire",
-    "with",
-    "within",
-    "wor",
-    "xnor",
-    "xor",
-];
 
 /// Checks `m` at its defaults and at `bindings`; returns every problem found.
 pub fn verify(m: &Module, bindings: &[Binding]) -> Vec<String> {
@@ -113,7 +14,11 @@ pub fn verify(m: &Module, bindings: &[Binding]) -> Vec<String> {
         return bad;
     }
     structure(m, &mut bad);
+    if bad.is_empty() {
+        no_loop(m, &mut bad);
+    }
     stages(m, &mut bad);
+    latency(m, &mut bad);
     unused(m, &mut bad);
     let mut all = vec![m.default_binding()];
     all.extend(bindings.iter().map(|b| m.binding_with(b)));
@@ -133,7 +38,7 @@ fn names(m: &Module, bad: &mut Vec<String>) {
     let legal = |n: &str| {
         n.starts_with(|c: char| c.is_ascii_alphabetic())
             && n.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
-            && !RESERVED.contains(&n)
+            && !is_keyword(n)
     };
     let mut seen = BTreeSet::new();
     for p in &m.ports {
@@ -198,6 +103,31 @@ fn stages(m: &Module, bad: &mut Vec<String>) {
             if inst.module.ports[*port].stage.is_some() && sv != si {
                 bad.push(format!("{} of stage {si} reads {} of stage {sv} without a delay", inst.name, label(m, *v)));
             }
+        }
+    }
+}
+
+/// Registers and wires are the only nodes that read later ones, so a loop goes through one of these wires.
+fn no_loop(m: &Module, bad: &mut Vec<String>) {
+    if let Some(around) = combinational_loop(m) {
+        let names: Vec<String> = around.iter().map(|id| label(m, *id)).collect();
+        bad.push(format!("a combinational loop: {} -> {}", names.join(" -> "), names[0]));
+    }
+}
+
+/// What a module says of its latency is the stage of its outputs. (A primitive has no stages; constants belong to none.)
+fn latency(m: &Module, bad: &mut Vec<String>) {
+    let Some(stated) = m.latency else { return };
+    for (port, v) in &m.outputs {
+        let name = &m.ports[*port].name;
+        match m.node(*v).stage {
+            Some(stage) if stage != stated => {
+                bad.push(format!("output {name} stands in stage {stage}, and the module's latency is {stated}"));
+            }
+            None if !m.node(*v).op.is_const() && m.data_inputs().any(|(_, p)| p.stage.is_some()) => {
+                bad.push(format!("output {name} belongs to no stage, and the module's latency is {stated}"));
+            }
+            _ => {}
         }
     }
 }

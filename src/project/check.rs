@@ -3,7 +3,7 @@ use super::rays::{rays, rough};
 use super::same::{same_config, same_text};
 use super::stored::{memory, pyramid_of, ray_of, same_rows};
 use crate::bench::{Paths, Simulator, run_bench_on};
-use crate::catalogue::{check_interp, compare, design_at, fits, told, units};
+use crate::catalogue::{check_interp, compare, decoded, design_at, fits, units};
 use crate::config::{Config, Design};
 use crate::emit::Files;
 use crate::error::{Error, Result};
@@ -288,8 +288,8 @@ fn located(
     over: &Binding,
     paths: &Paths,
 ) -> Error {
-    let told = told(e, sim.name(), set, m);
-    let Error::Mismatch(found) = told else { return told };
+    let decoded = decoded(e, set, m);
+    let Error::Mismatch(found) = decoded else { return decoded };
     let vector = found.place.as_ref().map(|p| p.vector);
     let again = |number: usize| -> Result<String> {
         let work = Scratch::new()?;

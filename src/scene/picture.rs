@@ -22,19 +22,6 @@ pub struct Picture {
 const BEHIND: [Colour; 2] = [[0.28, 0.35, 0.44], [0.66, 0.69, 0.71]];
 const PAPER: [u8; 3] = [250, 250, 250];
 const INK: [u8; 3] = [40, 40, 44];
-/// Pixels of a legend's digit: 3 x 5 dots, a row a byte, top first.
-const DIGITS: [[u8; 5]; 10] = [
-    [7, 5, 5, 5, 7],
-    [2, 6, 2, 2, 7],
-    [7, 1, 7, 4, 7],
-    [7, 1, 3, 1, 7],
-    [5, 5, 7, 1, 1],
-    [7, 4, 7, 1, 7],
-    [7, 4, 7, 5, 7],
-    [7, 1, 2, 2, 2],
-    [7, 5, 7, 5, 7],
-    [7, 5, 7, 1, 7],
-];
 
 impl Picture {
     /// The shaded preview; `None` is a pixel whose ray misses the quad.
@@ -84,7 +71,8 @@ impl Picture {
             for x in 0..2 * zoom {
                 picture.set(left + bar + x, y, INK);
             }
-            picture.number(left + bar + gap, y.saturating_sub(2 * zoom + zoom / 2), zoom, count as u32);
+            let (x, y) = (left + bar + gap, y.saturating_sub(2 * zoom + zoom / 2));
+            picture.text(x, y, zoom, INK, &(count as u32).to_string());
         }
         picture
     }
@@ -154,18 +142,6 @@ impl Picture {
         // Small pictures cut their legend.
         if x < self.width && y < self.height {
             self.pixels[y * self.width + x] = colour;
-        }
-    }
-
-    fn number(&mut self, x: usize, y: usize, zoom: usize, number: u32) {
-        for (place, digit) in number.to_string().bytes().enumerate() {
-            let rows = DIGITS[usize::from(digit - b'0')];
-            for dot in 0..15 * zoom * zoom {
-                let (dx, dy) = (dot % (3 * zoom), dot / (3 * zoom));
-                if rows[dy / zoom] >> (2 - dx / zoom) & 1 == 1 {
-                    self.set(x + place * 4 * zoom + dx, y + dy, INK);
-                }
-            }
         }
     }
 }

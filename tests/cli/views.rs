@@ -186,3 +186,36 @@ fn several_views_are_several_pictures() {
     assert_eq!(draw(&["--rays", "five.csv"])["rays"], 5);
     assert!(size("p.png").0 > 640);
 }
+
+/// What `--json` prints are numbers under names that a program reads, not the cells of the table.
+#[test]
+fn accuracy_in_json_is_numbers() {
+    let dir = tempfile::tempdir().unwrap();
+    let args =
+        ["accuracy", "--json", "--set", "map.kind=rocks", "--set", "view.stride=16", "--set", "mode.bilinear=true"];
+    let out = run(dir.path(), &[&args[..], &["--set", "traverse.levels=6"]].concat());
+    assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));
+    let said: serde_json::Value = serde_json::from_slice(&out.stdout).unwrap();
+    let views = said["views"].as_array().unwrap();
+    assert!(!views.is_empty());
+    for v in views {
+        assert!(v["map"].is_string() && v["view"].is_string(), "{v}");
+        for key in ["rays", "wrong_texels", "wrong_walls", "given_up"] {
+            assert!(v[key].is_u64(), "{key}: {v}");
+        }
+        let count = v["rays"].as_u64().unwrap();
+        assert!(v["worst_t"]["error"].is_f64() && v["worst_t"]["ray"].as_u64() < Some(count), "{v}");
+        for spread in ["uv", "uv_given"] {
+            let of = |key: &str| v[spread][key].as_f64().unwrap();
+            assert!(of("p50") <= of("p99") && of("p99") <= of("max") && of("rays") <= count as f64, "{v}");
+        }
+    }
+    let refined = said["bilinear"].as_array().unwrap();
+    assert_eq!(refined.len(), views.len());
+    for r in refined {
+        let of = |key: &str| r[key].as_u64().unwrap();
+        assert_eq!(of("hit") + of("above") + of("below"), of("rays"), "{r}");
+        assert!(r["uv"]["max"].is_f64() && r["command"].as_str().unwrap().starts_with("reliefrtl "), "{r}");
+    }
+    assert!(said["witnesses"].is_array() && said["definition"].is_string());
+}

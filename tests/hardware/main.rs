@@ -9,6 +9,7 @@ mod fixed;
 mod hard_rtl;
 mod harness;
 mod lanes;
+mod module_rules;
 mod one_op;
 mod ops;
 mod preload;

@@ -3,6 +3,7 @@ use super::configs::{Emitted, all, extra, file_count};
 use super::no_problems;
 use super::tools::{Said, Tool, run};
 use rayon::prelude::*;
+use reliefrtl::ir::{SYSTEM_VERILOG, VERILOG};
 use std::collections::BTreeSet;
 use std::process::Command;
 
@@ -114,6 +115,16 @@ fn the_current_yosys_reads_every_text() {
     assert!(texts.len() > 300, "{} texts", texts.len());
     std::fs::write(dir.join("read.ys"), script).expect("target is writable");
     no_problems(&run(c.arg("read.ys"), &dir).unless_silent("every text").into_iter().collect::<Vec<_>>());
+}
+
+/// The words that no name may be are those that slang takes for keywords.
+#[test]
+fn keywords_are_those_of_slang() {
+    let Some(mut c) = Tool::Slang.command() else { return };
+    let said = run(c.arg("--keywords"), &all()[0].dir);
+    let slangs: BTreeSet<String> = said.text.lines().map(str::to_string).collect();
+    let ours: BTreeSet<String> = VERILOG.iter().chain(&SYSTEM_VERILOG).map(|w| w.replace('_', "")).collect();
+    assert_eq!(slangs, ours, "{}", said.line);
 }
 
 /// slang takes all configurations in one process and says how many modules it elaborated.

@@ -376,6 +376,9 @@ module {{ prefix }}tb_traverse #(
         if (wrong < 10)
           $display("ray %0d, {{ p.name }}: expected %h, got %h",
                    tag_ray[slot], want_{{ p.name }}[slot], {{ p.name }});
+        if (wrong == 0 && !row_wrong)
+          $display("@fail unit=traverse row=%0d port={{ p.name }} exp=%h got=%h",
+                   tag_ray[slot], want_{{ p.name }}[slot], {{ p.name }});
         row_wrong = 1'b1;
       end
 {%- endfor %}
@@ -466,6 +469,7 @@ module {{ prefix }}tb_traverse #(
                  "stimulus.hex, expected.hex or memory.hex", dir, word);
         finish(8'd2);
       end else if (wrong > 0) begin
+        $display("@done unit=traverse checked=%0d wrong=%0d", checked, wrong);
         $display("FAIL tb_traverse: %0d of %0d mismatched", wrong, checked);
         finish(8'd1);
       end else if (false_idle || !idle) begin
@@ -482,6 +486,7 @@ module {{ prefix }}tb_traverse #(
         if (again) begin
           start_again;
         end else begin
+          $display("@done unit=traverse checked=%0d wrong=0", checked);
           $display("PASS tb_traverse: 0 of %0d mismatched", checked);
           finish(8'd0);
         end

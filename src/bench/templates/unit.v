@@ -141,6 +141,9 @@ module {{ prefix }}tb_{{ unit }}{% if params %} #(
           if (wrong < 10)
             $display("vector %0d, {{ p.name }}: expected %h, got %h",
                      checked, word{{ p.select }}, out_{{ p.name }});
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit={{ unit }} row=%0d port={{ p.name }} exp=%h got=%h",
+                     checked, word{{ p.select }}, out_{{ p.name }});
           row_wrong = 1'b1;
         end
 {%- endfor %}
@@ -182,9 +185,11 @@ module {{ prefix }}tb_{{ unit }}{% if params %} #(
                    "stimulus.hex or expected.hex", dir);
           exit_code <= 8'd2;
         end else if (wrong > 0) begin
+          $display("@done unit={{ unit }} checked=%0d wrong=%0d", checked, wrong);
           $display("FAIL tb_{{ unit }}: %0d of %0d mismatched", wrong, checked);
           exit_code <= 8'd1;
         end else begin
+          $display("@done unit={{ unit }} checked=%0d wrong=0", checked);
           $display("PASS tb_{{ unit }}: 0 of %0d mismatched", checked);
         end
       end

@@ -8,6 +8,7 @@ use crate::report::{exact_ray, uv_error};
 use crate::scene::border::tiles;
 use crate::scene::{Camera, Picture, RaySet, ShadePoint, Shader};
 use crate::trace::{shade_point, trace_interp};
+use base64::prelude::{BASE64_STANDARD, Engine};
 use rayon::prelude::*;
 
 /// Pixels of a picture.
@@ -123,29 +124,5 @@ pub fn view(plan: &Plan, site: &Site, spec: &DesignSpec, camera: &Camera) -> Res
 /// # Errors
 /// Never: the pictures have pixels.
 pub fn data_uri(p: &Picture) -> Result<String> {
-    Ok(format!("data:image/png;base64,{}", base64(&p.to_png()?)))
-}
-
-/// Bytes as base64 (RFC 4648).
-fn base64(bytes: &[u8]) -> String {
-    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
-    for three in bytes.chunks(3) {
-        let word = three.iter().fold(0u32, |w, b| w << 8 | u32::from(*b)) << (8 * (3 - three.len()));
-        for k in 0..4 {
-            let digit = DIGITS[(word >> (18 - 6 * k) & 63) as usize] as char;
-            out.push(if k <= three.len() { digit } else { '=' });
-        }
-    }
-    out
-}
-
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn base64_of_the_standard() {
-        for (plain, coded) in [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foob", "Zm9vYg==")] {
-            assert_eq!(super::base64(plain.as_bytes()), coded);
-        }
-    }
+    Ok(format!("data:image/png;base64,{}", BASE64_STANDARD.encode(p.to_png()?)))
 }

@@ -48,19 +48,6 @@ impl Spread {
         let rank = |per_cent: usize| errors[(errors.len() * per_cent).div_ceil(100).max(1) - 1].0;
         Self { rays: errors.len() as u64, p50: rank(50), p99: rank(99), max, max_ray, bins }
     }
-
-    /// The largest error that at most a part `1 - q` of all rays exceeds, to the octave above.
-    pub fn quantile_of_bins(bins: &[u64], q: f64) -> f64 {
-        let total: u64 = bins.iter().sum();
-        let mut sum = 0;
-        for (k, n) in bins.iter().enumerate() {
-            sum += n;
-            if sum as f64 >= q * total as f64 {
-                return upper(k);
-            }
-        }
-        upper(BINS - 1)
-    }
 }
 
 /// Rays that may be wrong although none of `n` was: with 95 % confidence less than 3 of n (the rule of three).

@@ -9,15 +9,20 @@ use std::sync::Arc;
 
 /// Builds `fp_from_int`: `a` is a signed integer of `int_w` bits (parameter INT_W).
 pub fn fp_from_int(format: FloatFormat, int_w: u32, latency: u32) -> Arc<Module> {
-    build(format, int_w, None, latency)
+    build(format, int_w, None, latency, format.is_plain())
 }
 
 /// Builds `fp_from_fixed`: `a` is signed, INT_W bits of which FRAC_W stand behind the point.
 pub fn fp_from_fixed(format: FloatFormat, int_w: u32, frac_w: u32, latency: u32) -> Arc<Module> {
-    build(format, int_w, Some(frac_w), latency)
+    build(format, int_w, Some(frac_w), latency, format.is_plain())
 }
 
-fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32) -> Arc<Module> {
+/// As [`fp_from_fixed`], rounded by [`general::round`] whatever the choices are: what the fast rounding is proved equal to.
+pub fn fp_from_fixed_in_general(format: FloatFormat, int_w: u32, frac_w: u32, latency: u32) -> Arc<Module> {
+    build(format, int_w, Some(frac_w), latency, false)
+}
+
+fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32, fast: bool) -> Arc<Module> {
     let (name, what) = match frac_w {
         None => ("fp_from_int", "signed integer to the nearest floating-point number"),
         Some(_) => ("fp_from_fixed", "signed fixed-point number to the nearest floating-point number"),
@@ -37,7 +42,7 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32) -> 
         }
     };
     let lz_w = (&int + 1).clog2();
-    let e_w = b.local("ExpSumW", f.exp.larger(&lz_w) + if format.is_plain() { 2 } else { 3 });
+    let e_w = b.local("ExpSumW", f.exp.larger(&lz_w) + if fast { 2 } else { 3 });
     b.clock();
     b.clock_enable();
     let a = b.input("a", &int, if frac_w.is_some() { "fixed point" } else { "integer" }, "signed operand");
@@ -65,7 +70,7 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32) -> 
     let top = b.konst(f.bias() + &int - 1 - &frac, &e_w).named("top_exp");
     let exp = (top - lz.zext(&e_w)).named("norm_exp");
 
-    if !format.is_plain() {
+    if !fast {
         let low = norm.slice(0, &int + 1).any().named("sticky");
         let (sig, guard) = (norm.slice(&int + 2, &f.man + 1).named("sig"), norm.bit(&int + 1).named("guard"));
         let x = general::Exact { sign: minus, exp, sig, guard, sticky: low };

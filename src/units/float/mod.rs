@@ -6,7 +6,7 @@ mod div;
 mod div_table;
 mod fields;
 mod from_fixed;
-mod general;
+pub mod general;
 mod lt;
 mod mul;
 mod quotient;

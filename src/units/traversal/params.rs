@@ -22,8 +22,9 @@ impl LevelParams {
     }
 }
 
-/// What the sizes of a ray may be, so that no intermediate result leaves its width (`docs/datapath.md`, Parameters).
-pub fn ray_conditions(b: &Builder, d: &Design, f: &FormatParams, levels: &Expr, height: &Expr, tile: &Expr) {
+/// What the sizes of a ray may be in every floating-point datapath, so that heights, texels and tiles are exact numbers of the format and no
+/// intermediate result leaves its width (`docs/datapath.md` and `docs/published.md`, Parameters).
+pub fn float_sizes(b: &Builder, f: &FormatParams, levels: &Expr, height: &Expr, tile: &Expr) {
     b.require(2, height);
     b.require(height, 16);
     b.require(height, &f.man + 1);
@@ -33,6 +34,11 @@ pub fn ray_conditions(b: &Builder, d: &Design, f: &FormatParams, levels: &Expr, 
     b.require(levels + tile + 2, 24);
     b.require(levels + tile + 1, f.bias());
     b.require(height + 2, f.bias());
+}
+
+/// The same of the watertight datapath, and what its biases need besides.
+pub fn ray_conditions(b: &Builder, d: &Design, f: &FormatParams, levels: &Expr, height: &Expr, tile: &Expr) {
+    float_sizes(b, f, levels, height, tile);
     b.require(&f.man, f.bias() + levels);
     if d.mode.trim != Trim::None {
         // What underflows must stay below the bias of a chord's end.

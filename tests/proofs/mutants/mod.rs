@@ -3,7 +3,7 @@
 mod aig;
 mod blast;
 mod control;
-mod equal;
+pub mod equal;
 mod simulated;
 
 use equal::{Verdict, compare};

@@ -6,6 +6,7 @@ mod mul;
 mod operand;
 mod round;
 
+pub use super::from_fixed::fp_from_fixed_in_general as fp_from_fixed;
 pub use add::fp_add;
 pub use div::fp_div;
 pub use mul::fp_mul;

@@ -25,6 +25,7 @@ pub use texel_fraction::texel_fraction;
 
 use super::datapath::Datapath;
 use super::loop_state::{Field, Numbers, Sizes, Start};
+use super::params::float_sizes;
 use crate::config::{Design, LevelUp};
 use crate::ir::{Builder, Expr, Module};
 use crate::units::divider_core;
@@ -52,7 +53,7 @@ pub(super) static DATAPATH: Datapath = Datapath {
     },
     numbers: |b, _, f, levels, height, tile| {
         let f = f.expect("declared just before");
-        sizes(b, &f, levels, height, tile);
+        float_sizes(b, &f, levels, height, tile);
         b.require(levels + tile + 2 + Expr::param("NUDGE_W") + &f.man, 60);
         let of = |unit| (f.width.clone(), unit);
         Numbers {
@@ -73,19 +74,6 @@ pub(super) static DATAPATH: Datapath = Datapath {
         vec![("p", of("p")), ("d", of("d")), ("t", ray.get("t"))]
     },
 };
-
-/// What the sizes of a ray may be, so that no intermediate result leaves its width (`docs/published.md`, Parameters).
-fn sizes(b: &Builder, f: &FormatParams, levels: &Expr, height: &Expr, tile: &Expr) {
-    b.require(2, height);
-    b.require(height, 16);
-    b.require(height, &f.man + 1);
-    b.require(7, &f.man);
-    b.require(1, tile);
-    b.require(tile, 8);
-    b.require(levels + tile + 2, 24);
-    b.require(levels + tile + 1, f.bias());
-    b.require(height + 2, f.bias());
-}
 
 /// Per axis entry point and travel; and whether the trip is the one that finds the start level.
 fn constants(s: &Sizes, d: &Design) -> Vec<Field> {

@@ -2,11 +2,11 @@
 //!
 //! All else that a ray needs is computed in the loop (PIDM-HW section 4.2): the end A = P + D on its first trip, by the
 //! units of the hit position. What each output is, to the bit: `docs/published.md`, "Once per ray".
-use super::sizes;
+
 use crate::config::{Design, LatencyConfig};
 use crate::ir::{Binding, Builder, Expr, Module, Sig};
 use crate::units::float::{Fields, FormatParams, fp_to_int};
-use crate::units::traversal::params::LevelParams;
+use crate::units::traversal::params::{LevelParams, float_sizes};
 use std::sync::Arc;
 
 /// Clocks through `ray_scale`; at least one, so that a ready never follows from a valid in the same clock.
@@ -23,7 +23,7 @@ pub fn ray_scale(d: &Design) -> Arc<Module> {
     let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
     let height = b.param("HEIGHT_W", t.height_bits, "bits of a height code");
     let tile = b.param("TILE_W", t.tile_bits, "a ray travels less than 2^TILE_W tiles along each axis");
-    sizes(&b, &f, &levels, &height, &tile);
+    float_sizes(&b, &f, &levels, &height, &tile);
     let idx = b.local("IdxW", &levels + &tile + 2);
     b.clock();
     b.clock_enable();

@@ -1,18 +1,18 @@
-//! Figures: `steps` (the published table), `accuracy` (against the exact oracle).
-use super::args::{AccuracyArgs, Cli, StepsArgs};
+//! `steps`: iterations per ray, beside the published table.
+use super::args::{Cli, StepsArgs};
 use super::output::table;
 use super::views::{Pixels, Viewed, look};
 use crate::config::{Config, DatapathKind, MapKind, ModeConfig, View};
 use crate::error::Result;
 use crate::golden::RayInput;
 use crate::project::{Scene, encode};
-use crate::report::{DEFINITION, PUBLISHED, ROWS, Spread, Steps, TRIM_ROWS, steps as count, uv_given};
+use crate::report::{PUBLISHED, ROWS, Steps, TRIM_ROWS, steps as count};
 use crate::trace::trace_golden;
 use serde_json::json;
 use std::path::Path;
 
 /// Runs `steps`.
-pub fn steps(cli: &Cli, a: &StepsArgs) -> Result<()> {
+pub fn run(cli: &Cli, a: &StepsArgs) -> Result<()> {
     let c = super::config::load(cli)?;
     let Some(dir) = &a.scenes else {
         let scene = Scene::new(&c, a.scene.map.map.as_deref(), a.scene.map.resample)?;
@@ -116,90 +116,4 @@ fn print_steps(
         println!("{}", table(&["mode"].into_iter().chain(columns).collect::<Vec<_>>(), &lines));
     }
     Ok((sums, cells))
-}
-
-/// Runs `accuracy`.
-pub fn accuracy(cli: &Cli, a: &AccuracyArgs) -> Result<()> {
-    let c = super::config::load(cli)?;
-    if let Some(dir) = &a.scenes {
-        return super::rates::run(cli, &c, dir);
-    }
-    let (a, views) = (&a.scene.map, &a.scene);
-    let own = a.map.is_none() && c.map.kind != MapKind::File;
-    let kinds: Vec<MapKind> =
-        if own { MapKind::ALL.iter().copied().filter(|k| *k != MapKind::File).collect() } else { vec![c.map.kind] };
-    let (mut rows, mut witnesses, mut refined) = (Vec::new(), Vec::new(), super::refined::Refined::default());
-    for kind in kinds {
-        let mut c = c.clone();
-        c.map.kind = kind;
-        let scene = Scene::new(&c, a.map.as_deref(), a.resample)?;
-        for Viewed { set, rays: seen } in look(&c, views, &scene, &c.view.names, Pixels::Some, views.count())? {
-            let rays: Vec<RayInput> = seen.iter().map(|x| encode(&c, x)).collect();
-            if c.mode.bilinear {
-                refined.add(&c, &scene, a.map.as_deref(), &set.name, &seen)?;
-            }
-            let hits = trace_golden(&c.design(), &scene.pyramid, &rays)?;
-            let r = crate::report::accuracy(&c.design(), &scene.texels, &rays, &hits)?;
-            for w in &r.wrong {
-                let q = &rays[w.ray];
-                witnesses.push(vec![
-                    scene.name.clone(),
-                    set.name.clone(),
-                    w.ray.to_string(),
-                    format!("{:x} {:x} {:x} {:x}", q.u, q.v, q.du, q.dv),
-                    format!("{}, {}", w.got.0, w.got.1),
-                    format!("{}, {}", w.exact.0, w.exact.1),
-                    format!("{:.1e}", w.margin),
-                ]);
-            }
-            let numbers: Vec<[f64; 4]> = seen.iter().map(|r| [r.u, r.v, r.du, r.dv]).collect();
-            let given = Spread::of(uv_given(&c.design(), &scene.texels, &numbers, &hits)?);
-            let uv = Spread::of(r.uv);
-            rows.push(vec![
-                scene.name.clone(),
-                set.name.clone(),
-                format!("{} of {}", r.wrong.len(), r.rays),
-                r.wrong_wall.to_string(),
-                r.limits.to_string(),
-                format!("{:.2e} @{}", r.worst_t.0, r.worst_t.1),
-                format!("{:.2e}", uv.p99),
-                format!("{:.2e} @{}", uv.max, uv.max_ray),
-                format!("{:.2e}", given.p99),
-            ]);
-        }
-    }
-    let head = [
-        "map",
-        "view",
-        "wrong texels",
-        "wrong walls",
-        "given up",
-        "largest t error @ray",
-        "uv error p99, texel",
-        "largest @ray",
-        "p99 of the rays as given",
-    ];
-    let each = ["map", "view", "ray", "u v du dv (hex)", "got", "exact", "margin"];
-    let objects = |head: &[&str], rows: &[Vec<String>]| -> serde_json::Value {
-        let object = |r: &Vec<String>| {
-            head.iter().zip(r).map(|(k, v)| (k.to_string(), json!(v))).collect::<serde_json::Map<_, _>>()
-        };
-        rows.iter().map(object).collect::<Vec<_>>().into()
-    };
-    if cli.json {
-        let mut value = json!({"views": objects(&head, &rows), "witnesses": objects(&each, &witnesses)});
-        if c.mode.bilinear {
-            value["bilinear"] = objects(&super::refined::HEAD, &refined.rows);
-        }
-        println!("{}", serde_json::to_string_pretty(&value).expect("plain data"));
-    } else {
-        print!("{}", table(&head, &rows));
-        println!("{DEFINITION}; of the rays as given: before their rounding to words");
-        println!("\nevery wrong texel (margin: how close the exact decision was, over the height range):");
-        print!("{}", table(&each, &witnesses));
-        if c.mode.bilinear {
-            refined.print();
-        }
-    }
-    Ok(())
 }

@@ -1,0 +1,165 @@
+//! What a module may not be: every rule of the verifier and every refusal of the builder, each with a module that breaks it and nothing else.
+use reliefrtl::interp::elaborate;
+use reliefrtl::ir::{Binding, Builder, Expr, Module, Node, NodeId, Op, SYSTEM_VERILOG, Sig, VERILOG, verify};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+
+/// What a panic says.
+fn panics(what: &str, f: impl FnOnce()) -> String {
+    let payload = catch_unwind(AssertUnwindSafe(f)).expect_err(what);
+    payload.downcast_ref::<String>().cloned().or_else(|| payload.downcast_ref::<&str>().map(|s| s.to_string())).unwrap()
+}
+
+/// A register after an AND: one stage, nothing wrong.
+fn good() -> Module {
+    let b = Builder::new("good", "tests", "a module");
+    b.clock();
+    b.clock_enable();
+    let (x, y) = (b.input("x", 4, "bits", "x"), b.input("y", 4, "bits", "y"));
+    let o = b.output("o", 4, "bits", "o");
+    b.drive(o, (x & y).named("both").cut(), None);
+    Arc::unwrap_or_clone(b.finish(Some(1), &[]))
+}
+
+/// The AND, and the register after it.
+const AND: usize = 3;
+const REGISTER: usize = 4;
+
+#[test]
+fn each_rule_names_what_breaks_it() {
+    let rows: [(&str, fn(&mut Module)); 16] = [
+        ("port name forever is not usable in Verilog", |m| m.ports[2].name = "forever".into()),
+        ("port name x y is not usable in Verilog", |m| m.ports[2].name = "x y".into()),
+        ("port y is declared twice", |m| m.ports[2].name = "y".into()),
+        ("name endcase is not usable in Verilog", |m| {
+            for k in [AND, REGISTER] {
+                m.nodes[k].name = Some("endcase".into());
+            }
+        }),
+        ("two values are named both in stage Some(1)", |m| {
+            m.nodes.push(m.nodes[REGISTER].clone());
+            m.unused.push(NodeId(REGISTER as u32 + 1));
+        }),
+        ("output o is driven 0 times", |m| m.outputs.clear()),
+        ("output o is driven 2 times", |m| m.outputs.push(m.outputs[0])),
+        ("register both is not driven", |m| m.nodes[REGISTER].args.clear()),
+        ("and both reads a later value: a loop", |m| m.nodes[AND].args[0] = NodeId(REGISTER as u32)),
+        ("register both of stage 2 reads and both of stage 0 without a delay", |m| m.nodes[REGISTER].stage = Some(2)),
+        ("output o stands in stage 1, and the module's latency is 7", |m| m.latency = Some(7)),
+        ("output o belongs to no stage, and the module's latency is 1", |m| m.nodes[REGISTER].stage = None),
+        ("input y is never used", |m| m.nodes[AND].args[1] = m.nodes[AND].args[0]),
+        ("and both: operands of [4, 4] bits do not give 5 bits", |m| m.nodes[AND].width = Expr::from(5)),
+        ("and both: 0 bits; 1 to 64 are possible", |m| m.nodes[AND].width = Expr::from(0)),
+        ("and both: 65 bits; 1 to 64 are possible", |m| m.nodes[AND].width = Expr::from(65)),
+    ];
+    assert_eq!(verify(&good(), &[]), [""; 0]);
+    for (sentence, spoil) in rows {
+        let mut m = good();
+        spoil(&mut m);
+        let said = verify(&m, &[]);
+        assert!(said.iter().any(|s| s.starts_with(sentence)), "{sentence}: {said:?}");
+    }
+}
+
+/// `o` is an AND of `x` and a wire that `around` drives from it.
+fn looping(around: impl for<'b> Fn(&'b Builder, Sig<'b>) -> Sig<'b>) -> Module {
+    let b = Builder::new("looping", "tests", "a module");
+    b.clock();
+    b.clock_enable();
+    let x = b.input_static("x", 1, "bit", "x");
+    let back = b.wire("back", 1);
+    let o = b.output("o", 1, "bit", "o");
+    let y = (x & back).named("y");
+    b.connect(back, around(&b, y));
+    b.drive(o, y, None);
+    Arc::unwrap_or_clone(b.finish(None, &[]))
+}
+
+/// `a` straight to `through`, and by a register to `held`.
+fn leaf() -> Arc<Module> {
+    let b = Builder::new("leaf", "tests", "a module");
+    b.clock();
+    b.clock_enable();
+    let a = b.input("a", 1, "bit", "a");
+    let (through, held) = (b.output("through", 1, "bit", "as it is"), b.output("held", 1, "bit", "a clock later"));
+    b.drive(through, !a, None);
+    b.drive(held, (!a).named("not_a").cut(), None);
+    b.finish(None, &[])
+}
+
+#[test]
+fn a_combinational_loop_is_named() {
+    let said = panics("a loop through a wire", || drop(looping(|_, y| (!y).named("inverted"))));
+    let circle = "a combinational loop: and y -> not inverted -> wire back -> and y";
+    assert!(said.contains(circle), "{said}");
+    let leaf = leaf();
+    let through = |port: usize| {
+        looping(|b, y| {
+            let outs = b.inst(&leaf, "u_leaf", &[], &[("a", y)]);
+            b.unused(outs[1 - port]);
+            outs[port].unstaged()
+        })
+    };
+    let said = panics("a loop through an instance", || drop(through(0)));
+    assert!(said.contains("a combinational loop: ") && said.contains("instance output"), "{said}");
+    // The same circle with a register in it is none; and where nobody verified, elaboration ends as well.
+    let mut m = through(1);
+    elaborate(&m, &Binding::new()).unwrap();
+    let at = |m: &Module, found: &dyn Fn(&Node) -> bool| m.nodes.iter().position(found).unwrap();
+    let (wire, y) = (at(&m, &|n| n.op == Op::Wire), at(&m, &|n| n.name.as_deref() == Some("y")));
+    m.nodes[wire].args = vec![NodeId(y as u32)];
+    let said = elaborate(&m, &Binding::new()).unwrap_err().to_string();
+    assert!(said.contains("a combinational loop, through "), "{said}");
+}
+
+/// Of both languages, each word; and no other.
+#[test]
+fn keywords_are_no_names() {
+    assert_eq!((VERILOG.len(), SYSTEM_VERILOG.len()), (124, 124));
+    for list in [&VERILOG, &SYSTEM_VERILOG] {
+        assert!(list.windows(2).all(|w| w[0] < w[1]), "in order, each once");
+        for word in list {
+            let mut m = good();
+            m.ports[2].name = (*word).into();
+            assert_eq!(verify(&m, &[]), [format!("port name {word} is not usable in Verilog")]);
+        }
+    }
+    for word in ["forever_", "Forever", "cases", "valid", "ready", "result"] {
+        let mut m = good();
+        m.ports[2].name = word.into();
+        assert_eq!(verify(&m, &[]), [""; 0], "{word}");
+    }
+}
+
+#[test]
+fn the_builder_refuses_what_has_no_meaning() {
+    fn x(b: &Builder) -> Sig<'_> {
+        b.input("x", 4, "bits", "")
+    }
+    fn narrow(b: &Builder) -> Sig<'_> {
+        b.input("y", 3, "bits", "")
+    }
+    fn inst(b: &Builder, inputs: &[(&str, Sig<'_>)]) {
+        b.inst(&leaf(), "u_leaf", &[], inputs);
+    }
+    let refusals: [(&str, fn(&Builder)); 11] = [
+        ("and of 4 and 3 bits: operands have the same width", |b| _ = x(b) & narrow(b)),
+        ("ult of 4 and 3 bits: operands have the same width", |b| _ = x(b).lt(narrow(b))),
+        ("mux of 4 and 3 bits: operands have the same width", |b| _ = b.lit(1, 1).mux(x(b), narrow(b))),
+        ("slice up to bit 5 of 4 bits", |b| _ = x(b).slice(2, 3)),
+        ("a value of stage 1 is asked for in stage 0", |b| _ = x(b).cut().at(0)),
+        ("a and without a name crosses a stage: name it", |b| _ = (x(b) & x(b)).cut()),
+        ("a decision has one bit", |b| _ = x(b).decided(false)),
+        ("m: output o has 3 bits, its driver 4", |b| b.drive(b.output("o", 3, "bits", ""), x(b), None)),
+        ("u_leaf: input a is not driven", |b| inst(b, &[])),
+        ("u_leaf.a has 1 bits, its driver 4", |b| inst(b, &[("a", x(b))])),
+        ("leaf: no port z", |b| inst(b, &[("z", b.lit(1, 1))])),
+    ];
+    for (sentence, refused) in refusals {
+        let b = Builder::new("m", "tests", "a module");
+        b.clock();
+        b.clock_enable();
+        let said = panics(sentence, || refused(&b));
+        assert!(said.starts_with(sentence), "{sentence}: {said}");
+    }
+}
