@@ -7,6 +7,7 @@ use super::set::{Column, Counts, VectorSet};
 use crate::emit::Files;
 use crate::error::{Error, Result};
 use crate::ir::Binding;
+use crate::units::traversal::TRAVERSE;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -39,7 +40,7 @@ struct Description {
 fn policy(s: &VectorSet) -> String {
     let c = &s.counts;
     let corners = match s.campaign {
-        None if s.unit == "traverse" => "texels and corners of rays",
+        None if s.unit == TRAVERSE => "texels and corners of rays",
         None => "landmarks crossed with each other, then corner tables",
         Some(_) => "corner tables crossed with each other",
     };

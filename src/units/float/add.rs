@@ -34,8 +34,11 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
     if !format.is_plain() {
         return general::fp_add(format, latency);
     }
-    let b =
-        Builder::new("fp_add", file!(), "sum of two floating-point numbers, rounded once; flip b's sign to subtract");
+    let b = Builder::new(
+        crate::units::float::names::ADD,
+        file!(),
+        "sum of two floating-point numbers, rounded once; flip b's sign to subtract",
+    );
     let f = FormatParams::declare(&b, format);
     let near_w = b.local("NearW", &f.man + 2);
     let lead_w = b.local("LeadW", (&near_w + 1).clog2());

@@ -30,7 +30,8 @@ fn by_rows(format: FloatFormat, latency: u32) -> Arc<Module> {
     if !format.is_plain() {
         return general::fp_div(format, latency);
     }
-    let b = Builder::new("fp_div", file!(), "quotient of two floating-point numbers, rounded once");
+    let b =
+        Builder::new(crate::units::float::names::DIV, file!(), "quotient of two floating-point numbers, rounded once");
     b.choice("divider", "rows");
     let f = FormatParams::declare(&b, format);
     let e_w = b.local("ExpSumW", &f.exp + 2);

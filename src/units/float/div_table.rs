@@ -45,7 +45,8 @@ const DEEP: [&str; 12] = [
 /// Builds it with `latency` clocks from operand to result; 2 or more.
 pub fn by_table(format: FloatFormat, latency: u32) -> Arc<Module> {
     assert!(format.is_plain() && latency >= Design::TABLE_CLOCKS, "Design::check_divider comes first");
-    let b = Builder::new("fp_div", file!(), "quotient of two floating-point numbers, rounded once");
+    let b =
+        Builder::new(crate::units::float::names::DIV, file!(), "quotient of two floating-point numbers, rounded once");
     b.choice("divider", "table");
     let f = FormatParams::declare(&b, format);
     b.require(&f.man, Design::TABLE_MAN);

@@ -12,7 +12,8 @@ const PLAN: &[(&str, u32)] = &[("compare", 28), ("decide", 10)];
 
 /// Builds `fp_lt` with `latency` clocks from operand to result.
 pub fn fp_lt(format: FloatFormat, latency: u32) -> Arc<Module> {
-    let b = Builder::new("fp_lt", file!(), "1 if a < b; 0 when either is NaN; +0 and -0 are equal");
+    let b =
+        Builder::new(crate::units::float::names::LT, file!(), "1 if a < b; 0 when either is NaN; +0 and -0 are equal");
     let f = FormatParams::declare(&b, format);
     b.clock();
     b.clock_enable();

@@ -30,6 +30,18 @@ pub use to_fixed::{fp_to_fixed, fp_to_int};
 
 use crate::ir::Binding;
 
+/// Names of the units that more than one builder makes, or that somebody counts.
+pub mod names {
+    /// Sum of two.
+    pub const ADD: &str = "fp_add";
+    /// Product.
+    pub const MUL: &str = "fp_mul";
+    /// Quotient.
+    pub const DIV: &str = "fp_div";
+    /// Order of two.
+    pub const LT: &str = "fp_lt";
+}
+
 /// Parameter values at which every floating-point module is verified besides its defaults.
 pub fn bindings() -> Vec<Binding> {
     let at = |e: i64, m: i64| Binding::from([("EXP_W".into(), e), ("MAN_W".into(), m)]);

@@ -24,7 +24,8 @@ pub fn fp_mul(format: FloatFormat, latency: u32) -> Arc<Module> {
     if !format.is_plain() {
         return general::fp_mul(format, latency);
     }
-    let b = Builder::new("fp_mul", file!(), "product of two floating-point numbers, rounded once");
+    let b =
+        Builder::new(crate::units::float::names::MUL, file!(), "product of two floating-point numbers, rounded once");
     let f = FormatParams::declare(&b, format);
     let e_w = b.local("ExpSumW", &f.exp + 2);
     let p = b.local("SigW", &f.man + 1);

@@ -1,8 +1,10 @@
 //! What stands in the loop of `traverse`: floating-point units and stages, beside PIDM-HW table 1 and figure 7.
+use super::bilinear;
 use super::datapath::Datapath;
 use super::traverse::Traverse;
 use crate::config::{DatapathKind, Design};
 use crate::ir::Module;
+use crate::units::float::names;
 use std::sync::Arc;
 
 /// Floating-point units in the loop, and its stages.
@@ -39,15 +41,15 @@ impl Census {
 /// Counts what stands in the loop of `t`: all of it but setup, the position of the hit, and its refinement.
 pub fn census(d: &Design, t: &Traverse) -> Census {
     let path = Datapath::of(d);
-    let outside = [(path.setup)(d).name.clone(), (path.hit)(d).name.clone(), "bilinear_hit".to_string()];
+    let outside = [(path.setup)(d).name.clone(), (path.hit)(d).name.clone(), bilinear::NAME.to_string()];
     let inside = t.module.insts.iter().map(|i| &i.module).filter(|m| !outside.contains(&m.name));
     let inside: Vec<&Arc<Module>> = inside.collect();
     let of = |name: &str| inside.iter().map(|m| count(m, name)).sum();
     Census {
-        adders: of("fp_add"),
-        comparators: of("fp_lt"),
-        multipliers: of("fp_mul"),
-        dividers: of("fp_div"),
+        adders: of(names::ADD),
+        comparators: of(names::LT),
+        multipliers: of(names::MUL),
+        dividers: of(names::DIV),
         stages: t.slots,
     }
 }

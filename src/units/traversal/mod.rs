@@ -45,5 +45,5 @@ pub use start_level::start_level;
 pub use stream_delay::stream_delay;
 pub use stream_queue::{stream_queue, word_queue};
 pub use stream_skid::{stream_skid, word_skid};
-pub use traverse::{Traverse, traverse};
+pub use traverse::{NAME as TRAVERSE, Traverse, traverse};
 pub use trim_return::trim_return;

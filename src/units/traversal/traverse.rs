@@ -15,6 +15,9 @@ use crate::ir::{Binding, Builder, Module, Sig};
 use crate::units::delay_line::in_lines;
 use std::sync::Arc;
 
+/// Name of the module.
+pub const NAME: &str = "traverse";
+
 /// The traverse unit and what its schedule came out at.
 pub struct Traverse {
     /// The top module.
@@ -35,8 +38,7 @@ pub fn traverse(d: &Design) -> Traverse {
 }
 
 fn in_registers(d: &Design) -> Traverse {
-    let b =
-        Builder::new("traverse", file!(), "traces rays against a height field: a looping pipeline, one node a clock");
+    let b = Builder::new(NAME, file!(), "traces rays against a height field: a looping pipeline, one node a clock");
     b.throughput("one iteration (one node) per clock; a ray takes as many iterations as its path needs");
     b.choice("datapath", d.datapath.kind.word());
     b.choice("levels_down", d.mode.levels_down);

@@ -3,6 +3,7 @@ use super::design::DesignSpec;
 use super::select::configured;
 use crate::config::{Config, DatapathConfig, ModeConfig, TraverseConfig};
 use crate::error::{Error, Result};
+use crate::units::traversal::TRAVERSE;
 use serde::Deserialize;
 use std::path::Path;
 
@@ -99,7 +100,7 @@ impl Synthesized {
     /// The design of a traverse unit that was placed and routed.
     pub fn of(e: &UnitFigures) -> Option<Self> {
         let (design, clock) = (e.design.as_ref()?, e.clock.as_ref()?);
-        if e.unit != "traverse" {
+        if e.unit != TRAVERSE {
             return None;
         }
         let mut c = Config::default();

@@ -20,8 +20,11 @@ const PLAN: &[(&str, u32)] = &[
 
 /// Builds `fp_add` with `latency` clocks from operand to result.
 pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
-    let b =
-        Builder::new("fp_add", file!(), "sum of two floating-point numbers, rounded once; flip b's sign to subtract");
+    let b = Builder::new(
+        crate::units::float::names::ADD,
+        file!(),
+        "sum of two floating-point numbers, rounded once; flip b's sign to subtract",
+    );
     let f = FormatParams::declare(&b, format);
     let e_w = exponent_width(&b, &f);
     b.clock();

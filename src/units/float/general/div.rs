@@ -12,7 +12,8 @@ const TAIL: [(&str, u32); 4] = [("pick", 15), ("shift", 35), ("round", 30), ("se
 
 /// Builds `fp_div` with `latency` clocks from operand to result.
 pub fn fp_div(format: FloatFormat, latency: u32) -> Arc<Module> {
-    let b = Builder::new("fp_div", file!(), "quotient of two floating-point numbers, rounded once");
+    let b =
+        Builder::new(crate::units::float::names::DIV, file!(), "quotient of two floating-point numbers, rounded once");
     b.choice("divider", "rows");
     let f = FormatParams::declare(&b, format);
     let e_w = exponent_width(&b, &f);

@@ -7,7 +7,8 @@ use std::sync::Arc;
 
 /// Builds `fp_mul` with `latency` clocks from operand to result.
 pub fn fp_mul(format: FloatFormat, latency: u32) -> Arc<Module> {
-    let b = Builder::new("fp_mul", file!(), "product of two floating-point numbers, rounded once");
+    let b =
+        Builder::new(crate::units::float::names::MUL, file!(), "product of two floating-point numbers, rounded once");
     let f = FormatParams::declare(&b, format);
     let e_w = exponent_width(&b, &f);
     b.clock();

@@ -6,6 +6,9 @@ use crate::units::float::{FormatParams, fp_div};
 use crate::units::traversal::params::{LevelParams, index_width};
 use std::sync::Arc;
 
+/// Name of the module.
+pub const NAME: &str = "bilinear_hit";
+
 /// Clocks through `bilinear_hit`.
 pub fn latency(l: &LatencyConfig) -> u32 {
     let end = super::ray_place::latency(l) + 1 + super::surface_gap::latency(l);
@@ -15,8 +18,7 @@ pub fn latency(l: &LatencyConfig) -> u32 {
 /// Builds `bilinear_hit`.
 pub fn bilinear_hit(d: &Design) -> Arc<Module> {
     let t = &d.traverse;
-    let b =
-        Builder::new("bilinear_hit", file!(), "refines a hit to the bilinear surface, by a secant over a texel's way");
+    let b = Builder::new(NAME, file!(), "refines a hit to the bilinear surface, by a secant over a texel's way");
     let f = FormatParams::declare(&b, d.format);
     let levels = LevelParams::declare(&b, t).levels;
     let h = b.param("HEIGHT_W", t.height_bits, "bits of a height code");
