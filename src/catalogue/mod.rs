@@ -1,34 +1,39 @@
-//! One entry a unit: its hardware, its model, its vectors. Here alone hardware and golden model meet.
+//! One entry a unit ([`UNITS`]): its model, legal operands, stimulus, bindings, proofs. Here alone hardware and golden model meet.
+mod bindings;
 mod check;
+mod entries;
 mod events;
 mod limits;
-mod met;
-mod models;
+mod modelled;
 mod ray_plan;
+mod ray_stimulus;
 mod rays;
+mod row;
+mod unit;
 
+pub use bindings::bindings;
 pub use check::{CheckReport, Mismatch, check_interp, check_netlist, compare, decoded, fits};
 pub use events::count_events;
 pub use limits::limit_sets;
-pub use models::model;
+pub use modelled::Modelled;
 pub use ray_plan::planned_rays;
+pub use ray_stimulus::RaySample;
 pub use rays::{RaySet, ray_columns, ray_set, ray_set_at};
+pub use row::{Context, Row};
+pub use unit::{Counted, Legal, Model, Stimulus, UNITS, Unit, entry, proofs, unit_entries};
 
-use crate::config::{DatapathKind, Design};
+use crate::config::Design;
 use crate::error::{Error, Result};
-use crate::interp::elaborate;
-use crate::ir::{Binding, Module};
+use crate::ir::{Binding, Module, Port};
 use crate::units;
 use crate::vectors::{Campaign, Column, Counts, Kind, Plan, VectorSet, campaign_rows, plan_rows};
+use ray_stimulus::sample_rows;
 use std::sync::Arc;
 
-/// The units that have vectors of their own, leaves first: all but `traverse` and those that hold a memory, which ray sets exercise.
+/// The units that have vectors of their own, leaves first: those whose entry has a model, and whose latency is fixed.
 pub fn units(d: &Design) -> Vec<Arc<Module>> {
-    let memories = ["height_memory", "height_banks"];
-    let holds = |m: &Module| {
-        memories.contains(&m.name.as_str()) || units::traversal::bilinear::WITH_MEMORY.contains(&m.name.as_str())
-    };
-    units::all(d).into_iter().filter(|m| m.latency.is_some() && !holds(m)).collect()
+    let checked = |m: &Module| m.latency.is_some() && entry(d, &m.name).is_some_and(|u| u.model.is_some());
+    units::all(d).into_iter().filter(|m| checked(m)).collect()
 }
 
 /// A unit by name.
@@ -74,16 +79,15 @@ pub fn vector_set(d: &Design, m: &Module, over: &Binding, plan: Plan) -> VectorS
     let at = design_at(d, &b);
     let kinds = kinds(m, &at, &b);
     let (mut rows, mut counts) = plan_rows(&kinds, plan);
-    if counts.exhaustive == 0 {
+    if let Some(stimulus) = entry(&at, &m.name).and_then(|u| u.stimulus).filter(|_| counts.exhaustive == 0) {
         // Where a ray can come by, half of the rows are what it brings.
         let names: Vec<&str> = m.data_inputs().map(|(_, p)| p.name.as_str()).collect();
-        let idx = b.get("IDX_W").map_or(at.traverse.idx_bits(), |v| *v as u32);
+        let idx_w = Context::new(at, &b).idx_w;
         let (free, kept) = plan_rows(&kinds, Plan { rows: plan.rows - plan.rows / 2, ..plan });
-        let mut met = free[..plan.rows / 2].to_vec();
-        let meet = if at.datapath.kind == DatapathKind::Fixed { met::fixed::meet } else { met::meet };
-        if meet(&m.name, &names, &at, idx, plan.seed, &mut met) {
-            counts = Counts { rays: met.len(), ..kept };
-            rows = [free, met].concat();
+        let mut sampled = free[..plan.rows / 2].to_vec();
+        if sample_rows(stimulus, &names, &at, idx_w, plan.seed, &mut sampled) {
+            counts = Counts { rays: sampled.len(), ..kept };
+            rows = [free, sampled].concat();
         }
     }
     answered(m, &at, b, VectorSet { seed: plan.seed, counts, stimulus: rows, ..VectorSet::default() })
@@ -100,7 +104,7 @@ pub fn campaign_set(d: &Design, m: &Module, over: &Binding, plan: Plan, campaign
 
 /// What each input column means.
 fn kinds(m: &Module, at: &Design, b: &Binding) -> Vec<Kind> {
-    let kind = |p: &crate::ir::Port| match p.unit.starts_with("float") {
+    let kind = |p: &Port| match p.unit.starts_with("float") {
         true => Kind::Float(at.format),
         false => Kind::Integer(p.width.eval(b) as u32),
     };
@@ -109,48 +113,11 @@ fn kinds(m: &Module, at: &Design, b: &Binding) -> Vec<Kind> {
 
 /// A set with unit, columns and the golden model's results; rows that the unit does not allow are made such that it does.
 fn answered(m: &Module, at: &Design, b: Binding, set: VectorSet) -> VectorSet {
-    let column = |p: &crate::ir::Port| Column { name: p.name.clone(), width: p.width.eval(&b) as u32 };
+    let column = |p: &Port| Column { name: p.name.clone(), width: p.width.eval(&b) as u32 };
     let inputs: Vec<Column> = m.data_inputs().map(|(_, p)| column(p)).collect();
     let outputs: Vec<Column> = m.data_outputs().map(|(_, p)| column(p)).collect();
-    let stimulus: Vec<Vec<u64>> = set.stimulus.into_iter().map(|r| models::legal(&m.name, at, &b, r)).collect();
-    let expected = stimulus.iter().map(|r| model(&m.name, at, &b, r)).collect();
+    let (unit, c) = (Modelled::of(at, m), Context::new(*at, &b));
+    let stimulus: Vec<Vec<u64>> = set.stimulus.into_iter().map(|r| unit.legal(&c, r)).collect();
+    let expected = stimulus.iter().map(|r| unit.results(&c, r)).collect();
     VectorSet { unit: m.name.clone(), params: b, inputs, outputs, stimulus, expected, ..set }
-}
-
-/// Parameter values, besides the defaults, at which a unit's vectors are checked.
-pub fn bindings(m: &Module) -> Vec<Binding> {
-    let of = |pairs: &[(&str, i64)]| -> Binding { pairs.iter().map(|(k, v)| (k.to_string(), *v)).collect() };
-    let has = |p: &str| m.params.iter().any(|q| q.name == p);
-    let mut out = Vec::new();
-    if has("EXP_W") {
-        out.extend([(5, 10), (8, 23), (4, 3)].map(|(e, f)| of(&[("EXP_W", e), ("MAN_W", f)])));
-    }
-    if has("FRACTION_W") {
-        let of =
-            |f, w| if has("RECIP_W") { of(&[("FRACTION_W", f), ("RECIP_W", w)]) } else { of(&[("FRACTION_W", f)]) };
-        out.extend([of(20, 18), of(12, 10), of(28, 31)]);
-    }
-    if has("LEVELS") {
-        out.extend(
-            [2, 5, 12]
-                .map(|l| if has("IDX_W") { of(&[("LEVELS", l), ("IDX_W", l + 6)]) } else { of(&[("LEVELS", l)]) }),
-        );
-    }
-    if has("HEIGHT_W") {
-        out.push(of(&[("HEIGHT_W", 16)]));
-    }
-    if has("NUDGE_W") {
-        out.extend([0, 1, 12, 16].map(|n| of(&[("NUDGE_W", n)])));
-    }
-    if m.name == "sqrt_rows" {
-        out.extend(
-            [(18, 3, 4), (18, 1, 17), (30, 12, 18), (5, 4, 1)]
-                .map(|(w, f, n)| of(&[("W", w), ("FIRST", f), ("ROWS", n)])),
-        );
-    } else if has("W") && m.name != "div_rows" {
-        out.extend([1, 2, 3, 7, 17, 32].map(|w| of(&[("W", w)])));
-    }
-    // Parameters may be legal for the unit and not for one inside of it: a deep divider needs its rows.
-    out.retain(|b| m.failed_checks(&m.binding_with(b)).is_empty() && elaborate(m, b).is_ok());
-    out
 }

@@ -1,10 +1,11 @@
 //! `reliefrtl prove`: the proofs of the emitted units.
 use super::args::{Cli, ProveArgs};
 use super::output::{spinner, table};
+use crate::catalogue::proofs;
 use crate::error::{Error, Result};
 use crate::files::Scratch;
 use crate::project::{Scene, project};
-use crate::proofs::{Proved, Tools, proofs, prove};
+use crate::proofs::{Proved, Tools, prove};
 use crate::units;
 
 /// Runs `prove`.

@@ -17,7 +17,7 @@ pub use same::same_config;
 pub use scene::{Scene, encode, ray};
 
 use crate::bench::bench_files;
-use crate::catalogue::{RaySet, count_events, limit_sets, planned_rays, ray_set_at, units, vector_set};
+use crate::catalogue::{RaySet, count_events, limit_sets, planned_rays, proofs, ray_set_at, units, vector_set};
 use crate::config::Config;
 use crate::emit::{self, Files};
 use crate::error::Result;
@@ -103,7 +103,8 @@ pub fn text(c: &Config) -> Result<Project> {
     p.files.extend(bench_files(&units(&d), Some((&p.traverse.module, depth)), &c.emit));
     let names: Vec<String> = p.files.keys().filter_map(|f| f.strip_prefix("rtl/")).map(str::to_string).collect();
     let names: Vec<String> = names.into_iter().filter(|f| f.ends_with(".v")).collect();
-    p.files.extend(proof_files(&d, &all(&d), &p.traverse, &(&c.emit).into(), &names));
+    let units = all(&d);
+    p.files.extend(proof_files(&d, &proofs(&units), &units, &p.traverse, &(&c.emit).into(), &names));
     Ok(p)
 }
 

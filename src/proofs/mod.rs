@@ -3,10 +3,10 @@
 //! A proof holds for every input at the parameter values of the configuration, which no vector set can say. Integer units are proved at
 //! full width against their definition; arithmetic only where a solver ends (`docs/proofs.md`).
 mod flights;
-mod list;
+mod proof;
 mod run;
 mod text;
 
-pub use list::{Proof, proofs};
+pub use proof::{BIT_LEVEL, Extra, PROOF, Proof, Reach, WORD_LEVEL};
 pub use run::{Proved, Tools, prove};
 pub use text::proof_files;

@@ -1,6 +1,6 @@
 //! Text of the harnesses and scripts.
 use super::flights::Flights;
-use super::list::{Proof, Reach, proofs};
+use super::proof::{Extra, Proof, Reach};
 use crate::config::{Design, LevelUp, Trim};
 use crate::emit::Files;
 use crate::ir::{Binding, Module};
@@ -10,11 +10,19 @@ use minijinja::{Environment, context};
 use std::fmt::Write;
 use std::sync::Arc;
 
-/// Harness and script of every proof of a design, under `testbench/`; `files` are the emitted modules without folder, in `rtl/`.
-pub fn proof_files(d: &Design, units: &[Arc<Module>], t: &Traverse, style: &Style, files: &[String]) -> Files {
+/// Harness and script of each of `proofs`, under `testbench/`: `units` are those of the design, `files` the emitted modules without folder, in
+/// `rtl/`.
+pub fn proof_files(
+    d: &Design,
+    proofs: &[&Proof],
+    units: &[Arc<Module>],
+    t: &Traverse,
+    style: &Style,
+    files: &[String],
+) -> Files {
     let prefix = &style.prefix;
     let mut out = Files::new();
-    for p in proofs(units) {
+    for p in proofs {
         let over: Binding = p.over.iter().map(|(k, v)| ((*k).to_string(), *v)).collect();
         let flights = Flights::of(t, d.latency.handshake);
         let mut env = Environment::new();
@@ -39,8 +47,11 @@ pub fn proof_files(d: &Design, units: &[Arc<Module>], t: &Traverse, style: &Styl
             let m = copies.iter().flat_map(|m| m.hierarchy()).find(|m| m.name == unit);
             passed(&m.expect("the design has the unit"), [params].into_iter().filter(|p| !p.is_empty()).collect())
         });
-        let counts = p.name == "traverse" && flights.counts();
-        let harness = if counts { include_str!("templates/fv_traverse_counted.v") } else { p.text };
+        let counted = match p.extra {
+            Extra::RaysOfTheLoop { counted } if flights.counts() => Some(counted),
+            _ => None,
+        };
+        let harness = counted.unwrap_or(p.text);
         let value = context! {
             flights => flights.value(),
             claim => p.claim, latency => p.clocks(units), prefix,
@@ -49,20 +60,23 @@ pub fn proof_files(d: &Design, units: &[Arc<Module>], t: &Traverse, style: &Styl
         };
         let text = env.render_str(harness, value).expect("templates use only what they are given");
         out.insert(format!("testbench/{prefix}fv_{}.v", p.name), style.dress(&text));
-        let extra = match p.name {
-            "traverse" => flights.script(),
-            "delay_line" => rings(),
-            _ => peeks(p),
+        let extra = match p.extra {
+            Extra::Nothing => String::new(),
+            Extra::Registers(list) => {
+                list.iter().map(|(to, from)| format!("connect -nounset -set {to} \\{from}\n")).collect()
+            }
+            Extra::DelayLines => rings(),
+            Extra::RaysOfTheLoop { .. } => flights.script(),
         };
-        let (mode, depth) = match p.reach {
+        let (mode, depth) = match (p.extra, p.reach) {
             // Each place says by itself how many rays follow, so the first clocks show what is wrong.
-            _ if counts => ("prove", 12),
+            _ if counted.is_some() => ("prove", 12),
             // Long enough for a ray that is lost or doubled to be missed at a door, should the induction fail.
-            _ if p.name == "traverse" => ("prove", flights.len() as u32 + 3),
+            (Extra::RaysOfTheLoop { .. }, _) => ("prove", flights.len() as u32 + 3),
             // Combinational units and constant inputs are proved for good at one depth.
-            Reach::Latency => ("bmc", p.clocks(units) + 1),
-            Reach::Clocks(n) => ("bmc", n),
-            Reach::Induction(n) => ("prove", n),
+            (_, Reach::Latency) => ("bmc", p.clocks(units) + 1),
+            (_, Reach::Clocks(n)) => ("bmc", n),
+            (_, Reach::Induction(n)) => ("prove", n),
         };
         out.insert(format!("testbench/{prefix}fv_{}.sby", p.name), script(p, mode, depth, &extra, prefix, files));
     }
@@ -104,15 +118,6 @@ fn rings() -> String {
         writeln!(s, "connect -nounset -set place_{n} \\dut_{n}.place").expect("writing to a string");
     }
     s
-}
-
-/// Connects the wires of a harness to registers inside.
-fn peeks(p: &Proof) -> String {
-    if p.peeks.is_empty() {
-        return String::new();
-    }
-    let lines = p.peeks.iter().map(|(to, from)| format!("connect -nounset -set {to} \\{from}\n"));
-    lines.collect()
 }
 
 fn script(p: &Proof, mode: &str, depth: u32, extra: &str, prefix: &str, files: &[String]) -> String {

@@ -3,7 +3,7 @@
 //! A missing simulator fails these tests (`tools/test.sh` installs them) unless RELIEFRTL_NO_SIMULATORS=1.
 use rayon::prelude::*;
 use reliefrtl::bench::{Simulator, run_bench};
-use reliefrtl::catalogue::{campaign_set, check_interp, find, model, vector_set};
+use reliefrtl::catalogue::{Context, Modelled, campaign_set, check_interp, find, vector_set};
 use reliefrtl::config::{Config, Design};
 use reliefrtl::interp::{Lanes, elaborate};
 use reliefrtl::ir::{Binding, Module};
@@ -55,7 +55,9 @@ fn words_are_those_of_the_text_and_of_the_model() {
     let printed = text.lines().filter_map(|l| l.split("33'h").nth(1)?.strip_suffix(';'));
     let printed: Vec<i128> = printed.map(|w| i128::from_str_radix(w, 16).unwrap()).collect();
     let read: Vec<i128> = lines().iter().map(|(start, slope)| start << 12 | slope).collect();
-    let of_model = |i| i128::from(model("recip_table", &Design::default(), &Binding::new(), &[i])[0]);
+    let (m, params) = (recip_table_module(), Binding::new());
+    let (unit, c) = (Modelled::of(&Design::default(), &m), Context::new(Design::default(), &params));
+    let of_model = |i| i128::from(unit.results(&c, &[i])[0]);
     assert_eq!(printed, read);
     assert_eq!(printed, (0..256).map(of_model).collect::<Vec<_>>());
 }

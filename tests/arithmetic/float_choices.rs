@@ -3,7 +3,7 @@
 //!
 //! `RELIEFRTL_ROWS` sets the rows of a unit at 7/16 and the formats around it (default 1500).
 use rayon::prelude::*;
-use reliefrtl::catalogue::{check_interp, find, model, vector_set};
+use reliefrtl::catalogue::{Context, Modelled, check_interp, find, vector_set};
 use reliefrtl::config::{Design, LatencyConfig};
 use reliefrtl::format::{FloatFormat, Rounding, Specials, Subnormals};
 use reliefrtl::ir::Binding;
@@ -89,7 +89,8 @@ fn every_sum_of_three() {
         let m = find(&d, "fp_add3").unwrap();
         let mut set = vector_set(&d, &m, &at(3, 2), Plan { rows: 1, seed: 1 });
         set.stimulus = (0..1u64 << 18).map(|k| vec![k & 63, k >> 6 & 63, k >> 12]).collect();
-        set.expected = set.stimulus.iter().map(|r| model("fp_add3", &d, &set.params, r)).collect();
+        let (unit, c) = (Modelled::of(&d, &m), Context::new(d, &set.params));
+        set.expected = set.stimulus.iter().map(|r| unit.results(&c, r)).collect();
         set.counts = Counts { exhaustive: set.stimulus.len(), ..Counts::default() };
         let report = check_interp(&m, &set).unwrap();
         report.verdict(&set, &m).unwrap_or_else(|e| panic!("{f}: {e}"));

@@ -72,7 +72,7 @@ fn reparameterized(sim: Simulator, units: &[&str]) {
     let mut runs = 0;
     for name in units {
         let m = find(&d, name).unwrap();
-        for b in bindings(&m) {
+        for b in bindings(&d, &m) {
             let set = vector_set(&d, &m, &b, Plan { rows: 400, seed: 3 });
             let place = tempfile::tempdir().unwrap();
             write(place.path(), &set_files(&set));

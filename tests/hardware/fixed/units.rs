@@ -8,7 +8,7 @@ use reliefrtl::vectors::Plan;
 fn check_all(d: &Design, rows: usize) -> usize {
     let mut checked = 0;
     for m in units(d) {
-        for b in std::iter::once(Binding::new()).chain(bindings(&m)) {
+        for b in std::iter::once(Binding::new()).chain(bindings(d, &m)) {
             let set = vector_set(d, &m, &b, Plan { rows, seed: 7 });
             let report = check_interp(&m, &set).unwrap();
             assert!(report.checked > 0, "{}", m.name);

@@ -90,7 +90,7 @@ fn other_parameters_in_icarus() {
     let mut runs = 0;
     for name in own.into_iter().chain(["descent_level", "level_choice", "ray_scale", "texel_fraction"]) {
         let m = find(&d, name).unwrap();
-        for b in bindings(&m) {
+        for b in bindings(&d, &m) {
             let set = vector_set(&d, &m, &b, Plan { rows: 300, seed: 3 });
             let place = tempfile::tempdir().unwrap();
             write(place.path(), &set_files(&set));

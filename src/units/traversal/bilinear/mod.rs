@@ -21,9 +21,6 @@ use crate::config::Design;
 use crate::ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
-/// Units of the refinement that hold memories: rays through `traverse` are their vectors.
-pub const WITH_MEMORY: [&str; 2] = ["patch_memory", "bilinear_hit"];
-
 /// All of them, leaves first.
 pub fn units(d: &Design) -> Vec<Arc<Module>> {
     vec![

@@ -1,0 +1,137 @@
+//! Units that the watertight datapath alone has.
+use super::super::ray_stimulus::{both_axes, one_axis, one_axis_in_node, whole_ray};
+use super::super::unit::{UNIT, Unit};
+use super::float::FP_MUL;
+use super::some_level;
+use super::traversal::kept_in_node;
+use crate::config::{DatapathKind, Design, TraverseConfig};
+use crate::golden::float as gf;
+use crate::golden::{Golden, RayInput};
+use crate::proofs::{BIT_LEVEL, PROOF, Proof};
+
+/// The entries.
+pub const UNITS: &[&Unit] =
+    &[&PLANE_TIME, &HEIGHT_TEST, &PREDICTED_HIT, &NODE_CROSSING, &RAY_SETUP, &HIT_POSITION, &CHORD_END];
+
+const WATERTIGHT: Unit = Unit { datapath: Some(DatapathKind::Watertight), ..UNIT };
+
+/// Parameter values at which two chains of an adder and a multiplier are compared.
+const TINY: &[(&str, i64)] = &[("EXP_W", 4), ("MAN_W", 2), ("IDX_W", 5)];
+
+static PLANE_TIME: Unit = Unit {
+    name: "plane_time",
+    model: Some(|c, row, out| {
+        let f = c.design.format;
+        let distance = gf::add(f, gf::from_int(f, c.signed(row["plane"])), gf::neg(f, row["p"]));
+        out["t"] = if row.is_set("never") { f.infinity() } else { gf::mul(f, distance, row["r"]) };
+    }),
+    stimulus: Some(one_axis),
+    proofs: &[Proof {
+        name: "plane_time",
+        units: &["plane_time", FP_MUL.name],
+        claim: "a later plane never has a smaller parameter (4/2)",
+        text: harness!("plane_time"),
+        engine: BIT_LEVEL,
+        over: TINY,
+        ..PROOF
+    }],
+    ..WATERTIGHT
+};
+
+static HEIGHT_TEST: Unit = Unit {
+    name: "height_test",
+    model: Some(|c, row, out| {
+        let (f, t) = (c.design.format, row["t"]);
+        let t_v = gf::from_int(f, ((1 << c.param("HEIGHT_W")) - 1 - row["height"]) as i64);
+        out["m"] = if gf::lt(f, t, t_v) { t_v } else { t };
+        out["below"] = u64::from(gf::lt(f, t_v, t));
+    }),
+    stimulus: Some(both_axes),
+    ..WATERTIGHT
+};
+
+static PREDICTED_HIT: Unit = Unit {
+    name: "predicted_hit",
+    model: Some(|c, row, out| {
+        let f = c.design.format;
+        let at = gf::add(f, row["p_back"], gf::mul(f, row["d"], row["m"]));
+        out["e"] = c.index(gf::to_int(f, at, c.idx_w));
+    }),
+    stimulus: Some(one_axis),
+    ..WATERTIGHT
+};
+
+static NODE_CROSSING: Unit = Unit {
+    name: "node_crossing",
+    model: Some(|c, row, out| {
+        let f = c.design.format;
+        let [t, m, t_x, t_y] = ["t", "m", "t_x", "t_y"].map(|p| row[p]);
+        let x_first = !gf::lt(f, t_y, t_x);
+        let exit = if x_first { t_x } else { t_y };
+        out["is_inside"] = u64::from(gf::lt(f, m, t_x) && gf::lt(f, m, t_y));
+        out["x_first"] = u64::from(x_first);
+        out["t_next"] = if gf::lt(f, t, exit) { exit } else { t };
+    }),
+    stimulus: Some(both_axes),
+    ..WATERTIGHT
+};
+
+static RAY_SETUP: Unit = Unit {
+    name: "ray_setup",
+    model: Some(|c, row, out| {
+        // The setup knows nothing of the hit position, whose bits may be too many beside it.
+        let traverse = TraverseConfig { frac_bits: 1, ..c.design.traverse };
+        let g = Golden::new(&Design { traverse, ..c.design }).expect("the set's parameters are legal");
+        let [u, v, du, dv] = ["u", "v", "du", "dv"].map(|p| row[p]);
+        let o = g.setup(&RayInput { u, v, du, dv, lod: row.get("lod").unwrap_or(0) as u32 });
+        out["ok"] = u64::from(o.valid);
+        out["level"] = u64::from(o.level);
+        let x = ["p_x", "pb_x", "d_x", "r_x", "never_x", "neg_x", "first_x", "pf_x", "le_x"];
+        let y = ["p_y", "pb_y", "d_y", "r_y", "never_y", "neg_y", "first_y", "pf_y", "le_y"];
+        for (a, [p, pb, d, r, never, neg, first, pf, le]) in [(o.u, x), (o.v, y)] {
+            out[p] = a.p;
+            out[pb] = a.pb;
+            out[d] = a.dt;
+            out[r] = a.r;
+            out[never] = u64::from(a.never);
+            out[neg] = u64::from(a.neg);
+            out[first] = c.index(a.x);
+            // Only a trim asks for these.
+            out.set(pf, a.pf);
+            out.set(le, c.index(a.le));
+        }
+        out.set("finest", u64::from(o.lod));
+    }),
+    stimulus: Some(whole_ray),
+    ..WATERTIGHT
+};
+
+static HIT_POSITION: Unit = Unit {
+    name: "hit_position",
+    model: Some(|c, row, out| {
+        let (f, frac) = (c.design.format, c.param("FRAC_W"));
+        let at = gf::add(f, row["p"], gf::mul(f, row["d"], row["t"]));
+        let (texel, fraction) = kept_in_node(c, frac, gf::to_fixed(f, at, c.idx_w + frac, frac), row);
+        out["fraction"] = fraction;
+        out.set("texel", texel);
+    }),
+    legal: Some(|c, row| some_level(c, row, "lod")),
+    stimulus: Some(one_axis_in_node),
+    ..WATERTIGHT
+};
+
+static CHORD_END: Unit = Unit {
+    name: "chord_end",
+    model: Some(|c, row, out| {
+        let (f, t) = (c.design.format, row["t"]);
+        let last = (1i64 << (c.idx_w - 1)) - 1;
+        let reach = match gf::decode(f, t) {
+            gf::Value::Infinite(_) | gf::Value::Nan if row.is_set("neg") => -last - 1,
+            gf::Value::Infinite(_) | gf::Value::Nan => last,
+            _ => gf::to_int(f, gf::add(f, row["p_ahead"], gf::mul(f, row["d"], t)), c.idx_w),
+        };
+        out["reach"] = c.index(reach);
+    }),
+    stimulus: Some(one_axis),
+    ..WATERTIGHT
+};

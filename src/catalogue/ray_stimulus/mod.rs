@@ -1,0 +1,211 @@
+//! Rows as a traced ray brings them to the units of the traversal. Free combinations of words hardly ever are: most are no ray at all,
+//! or a texel that the ray never sees, and a unit that clamps or refuses them hides what it computes.
+mod fixed;
+mod published;
+mod watertight;
+
+use super::unit::Stimulus;
+use crate::config::{DatapathKind, Design};
+use crate::golden::fixed::Fixed;
+use crate::golden::{Golden, Published};
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+
+/// A ray at some level and parameter, as the datapath encodes it; indices are words of IDX_W bits. What a datapath has not is 0.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct RaySample {
+    /// The ports u, v, du, dv: a ray, or what is refused as one.
+    ray: [u64; 4],
+    /// Level of the node.
+    level: u64,
+    axes: [AxisSample; 2],
+    /// Height code of the node.
+    height: u64,
+    /// Parameter so far.
+    t: u64,
+    /// Parameter at which the ray is in the node and at or below its height.
+    m: u64,
+    /// Parameter of the nearer exit plane.
+    t_exit: u64,
+}
+
+/// What a sample says about one axis.
+#[derive(Clone, Copy, Debug, Default)]
+struct AxisSample {
+    /// Entry point, and the same biased backward and forward.
+    p: u64,
+    p_back: u64,
+    p_ahead: u64,
+    /// Travel (a float: in a datapath's unit; fixed point: its magnitude `a`, and `s` a height code).
+    d: u64,
+    a: u64,
+    s: u64,
+    /// Reciprocal of the travel, and its power of two.
+    r: u64,
+    z: u64,
+    /// Toward smaller coordinates; not along this axis at all.
+    neg: u64,
+    never: u64,
+    /// Texels of the ray's ends, and a texel that it does not get beyond.
+    entry: u64,
+    end: u64,
+    last: u64,
+    /// The texel in which the ray is, the extent of the node that it may still go through, and the node's exit plane with its parameter.
+    at: u64,
+    low: u64,
+    high: u64,
+    plane: u64,
+    edge: u64,
+    t_plane: u64,
+    /// Predicted hit, as a texel and as a position; the texel reached when the ray leaves the node; the position there.
+    hit: u64,
+    position: u64,
+    reach: u64,
+    cross: u64,
+}
+
+/// Samples rays for a design.
+enum Sampler {
+    Watertight(Golden),
+    Published(Published),
+    Fixed(Fixed),
+}
+
+impl Sampler {
+    fn of(d: &Design) -> Option<Self> {
+        Some(match d.datapath.kind {
+            DatapathKind::Watertight => Self::Watertight(Golden::new(d).ok()?),
+            DatapathKind::Published => Self::Published(Published::new(d).ok()?),
+            DatapathKind::Fixed => Self::Fixed(Fixed::new(d).ok()?),
+        })
+    }
+
+    fn sample(&self, idx_w: u32, rng: &mut ChaCha8Rng) -> RaySample {
+        match self {
+            Self::Watertight(g) => watertight::sample(g, idx_w, rng),
+            Self::Published(g) => published::sample(g, idx_w, rng),
+            Self::Fixed(g) => fixed::sample(g, idx_w, rng),
+        }
+    }
+}
+
+/// Writes into `rows` what rays bring; ports that no ray decides keep their word. False, and nothing is changed, if no datapath exists at
+/// `d`: a format too small for the map.
+pub fn sample_rows(
+    stimulus: Stimulus,
+    ports: &[&str],
+    d: &Design,
+    idx_w: u32,
+    seed: u64,
+    rows: &mut [Vec<u64>],
+) -> bool {
+    let Some(sampler) = Sampler::of(d) else { return false };
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    rng.set_stream(1);
+    for row in rows {
+        let sample = sampler.sample(idx_w, &mut rng);
+        for (slot, port) in row.iter_mut().zip(ports) {
+            *slot = stimulus(&sample, port).unwrap_or(*slot);
+        }
+    }
+    true
+}
+
+/// Of a setup: the ray.
+pub fn whole_ray(s: &RaySample, port: &str) -> Option<u64> {
+    ["u", "v", "du", "dv"].iter().position(|n| *n == port).map(|k| s.ray[k])
+}
+
+/// Texels of the ray's ends.
+pub fn both_ends(s: &RaySample, port: &str) -> Option<u64> {
+    let [u, v] = &s.axes;
+    Some(match port {
+        "x" => u.entry,
+        "y" => v.entry,
+        "x_end" => u.end,
+        "y_end" => v.end,
+        _ => return None,
+    })
+}
+
+/// A ray's constants along an axis, with its parameters.
+pub fn one_axis(s: &RaySample, port: &str) -> Option<u64> {
+    let a = &s.axes[0];
+    Some(match port {
+        "p" => a.p,
+        "p_back" => a.p_back,
+        "p_ahead" => a.p_ahead,
+        "d" => a.d,
+        "a" => a.a,
+        "s" => a.s,
+        "r" => a.r,
+        "z" => a.z,
+        "neg" => a.neg,
+        "never" => a.never,
+        "plane" => a.plane,
+        "t" => s.t,
+        "m" => s.m,
+        _ => return None,
+    })
+}
+
+/// As [`one_axis`], with the texel in which the ray is.
+pub fn one_axis_in_node(s: &RaySample, port: &str) -> Option<u64> {
+    if port == "x" { Some(s.axes[0].at) } else { one_axis(s, port) }
+}
+
+/// As [`one_axis`], where the surface is met.
+pub fn one_axis_at_surface(s: &RaySample, port: &str) -> Option<u64> {
+    if port == "t" { Some(s.m) } else { one_axis(s, port) }
+}
+
+/// A node along an axis, and the ray's direction.
+pub fn one_node(s: &RaySample, port: &str) -> Option<u64> {
+    if port == "level" { Some(s.level) } else { one_axis_in_node(s, port) }
+}
+
+/// What the loop knows of a node and of the ray's way through it; coordinates are texels.
+pub fn both_axes(s: &RaySample, port: &str) -> Option<u64> {
+    let a = &s.axes[usize::from(port.starts_with('y') || port == "t_y")];
+    Some(match port.trim_start_matches("x_").trim_start_matches("y_") {
+        "height" => s.height,
+        "level" => s.level,
+        "t" => s.t,
+        "m" => s.m,
+        "t_x" | "t_y" => a.t_plane,
+        "low" => a.low,
+        "high" => a.high,
+        "at" => a.at,
+        "hit" => a.hit,
+        "neg" => a.neg,
+        "reach" => a.reach,
+        "last" => a.last,
+        _ => return None,
+    })
+}
+
+/// As [`both_axes`]; coordinates are positions.
+pub fn both_positions(s: &RaySample, port: &str) -> Option<u64> {
+    let a = &s.axes[usize::from(port.starts_with('y'))];
+    Some(match port.trim_start_matches("x_").trim_start_matches("y_") {
+        "hit" => a.position,
+        "cross" => a.cross,
+        "edge" => a.edge,
+        "t_exit" => s.t_exit,
+        _ => return both_axes(s, port),
+    })
+}
+
+/// Windows and gaps of every size that a ray has; that they belong together does not matter to the units.
+pub fn refined_hit(s: &RaySample, port: &str) -> Option<u64> {
+    let [u, v] = &s.axes;
+    Some(match port {
+        "r_x" => u.r,
+        "r_y" => v.r,
+        "t" | "t_begin" => s.t,
+        "t_end" => s.m,
+        "gap_begin" => u.p,
+        "gap_end" => v.d,
+        _ => return None,
+    })
+}
