@@ -3,3 +3,4 @@ mod emission;
 mod guide;
 mod layers;
 mod unit_table;
+mod units;
