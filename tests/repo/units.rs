@@ -1,6 +1,6 @@
 //! The table of units: each module that a design has stands in it once, each entry is of some design, and a unit's name is a string nowhere
 //! else but where its hardware is built.
-use reliefrtl::catalogue::{UNITS, Unit, entry, unit_entries};
+use reliefrtl::catalogue::{RaySample, UNITS, Unit, entry, unit_entries};
 use reliefrtl::config::{
     Config, DatapathConfig, DatapathKind, Design, Divider, ExtraUnits, LatencyConfig, LevelUp, ModeConfig, Trim,
 };
@@ -66,6 +66,10 @@ fn every_module_has_one_entry_and_every_entry_a_module() {
             if n != 1 {
                 problems.insert(format!("{} has {n} entries in the {} datapath", m.name, kind.word()));
             }
+            let stimulus = entry(d, &m.name).and_then(|u| u.stimulus);
+            if stimulus.is_some_and(|f| m.data_inputs().all(|(_, p)| f(&RaySample::default(), &p.name).is_none())) {
+                problems.insert(format!("the stimulus of {} decides none of its ports", m.name));
+            }
             reached.extend(m.hierarchy().iter().filter_map(|m| entry(d, &m.name)).map(key));
         }
     }
@@ -79,6 +83,20 @@ fn every_module_has_one_entry_and_every_entry_a_module() {
     assert!(problems.is_empty(), "{problems:#?}");
     assert!(designs.len() > 100 && unit_entries().count() > 55, "{} designs", designs.len());
     assert!(UNITS.iter().all(|area| !area.is_empty()));
+}
+
+#[test]
+fn every_proof_is_of_units_of_the_table() {
+    let mut names = BTreeSet::new();
+    for (u, p) in unit_entries().flat_map(|u| u.proofs.iter().map(move |p| (u, p))) {
+        assert!(names.insert(p.name), "two proofs are named {}", p.name);
+        assert!(p.units.contains(&u.name), "{} stands with {}, of which it says nothing", p.name, u.name);
+        assert!(p.units.iter().all(|n| unit_entries().any(|u| u.name == *n)), "{}: {:?}", p.name, p.units);
+        assert!(!p.claim.is_empty() && p.text.contains("assert"), "{} claims or asserts nothing", p.name);
+    }
+    // The traversal's harness has two forms.
+    let templates = std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/proofs/templates")).unwrap();
+    assert_eq!(templates.count(), names.len() + 1, "{names:?}");
 }
 
 /// Where the name of a unit stands although it is neither its entry nor its builder, and why.
