@@ -2,7 +2,7 @@
 use super::run::{Simulator, build_covered, link};
 use crate::emit::emitted_name;
 use crate::error::{Error, Result};
-use crate::files::Scratch;
+use crate::files::{Scratch, read_text_of_tree};
 use crate::ir::Binding;
 use crate::process;
 use std::collections::BTreeMap;
@@ -57,7 +57,7 @@ pub fn cover(dir: &Path, units: &[String], further: &[Further]) -> Result<BTreeM
     let own: Vec<String> = units.iter().map(|u| format!("{prefix}{u}")).collect();
     let mut traversals = Program { benches: vec![(whole.clone(), Binding::new())], sources: vec![], uncounted: own };
     let path = dir.join(format!("testbench/{whole}.v"));
-    let text = std::fs::read_to_string(&path).map_err(|e| Error::file("read", path, e))?;
+    let text = read_text_of_tree(&path)?;
     for (k, f) in further.iter().enumerate() {
         let name = format!("{whole}_{k}");
         let text = text.replace(&format!("module {whole} "), &format!("module {name} "));

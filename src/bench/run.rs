@@ -3,7 +3,7 @@ use super::kept::Build;
 use super::said::Said;
 use crate::emit::emitted_name;
 use crate::error::{Error, Finding, Result, exit};
-use crate::files::Scratch;
+use crate::files::{Scratch, only_files_in};
 use crate::ir::Binding;
 use crate::process;
 use std::path::{Path, PathBuf};
@@ -108,8 +108,10 @@ pub fn run_bench_on(
     let dir = dir.canonicalize().map_err(|e| Error::file("find", dir, e))?;
     let top = emitted_name(&dir, "testbench", &format!("tb_{unit}"), ".v")?;
     for part in ["rtl", "testbench", "golden"] {
+        only_files_in(&dir.join(part))?;
         link(&dir.join(part), &work.path().join(part))?;
     }
+    only_files_in(paths.vectors.as_deref().unwrap_or(&dir.join("golden").join(unit)))?;
     let mut arguments: Vec<String> = plusargs.iter().map(|p| format!("+{p}")).collect();
     if let Some(vectors) = &paths.vectors {
         let vectors = vectors.canonicalize().map_err(|e| Error::file("find", vectors, e))?;

@@ -53,11 +53,21 @@ pub fn sink(out: &Path) -> Result<Sink> {
 /// Where a verb's waveform goes beside its other result.
 ///
 /// # Errors
-/// As [`sink`] and [`WaveFormat::of`]; both on standard output.
+/// As [`sink`] and [`WaveFormat::of`]; both on standard output or in one file.
 pub fn wave_sink(path: &Path, beside: Option<&Sink>) -> Result<(Sink, WaveFormat)> {
     let (format, wave) = (WaveFormat::of(path)?, sink(path)?);
     if wave == Sink::Standard && beside == Some(&wave) {
         return Err(Error::input("--out and --wave both go to standard output: give one of them a file"));
+    }
+    // Both may be new: their directories are there.
+    let place = |file: &Path| {
+        let above = file.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        Some((above.canonicalize().ok()?, file.file_name()?.to_owned()))
+    };
+    if let (Sink::File(a), Some(Sink::File(b))) = (&wave, beside)
+        && place(a).is_some_and(|a| place(b) == Some(a))
+    {
+        return Err(Error::input(format!("--out and --wave both name {}: give each a file", path.display())));
     }
     Ok((wave, format))
 }

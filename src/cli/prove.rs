@@ -22,6 +22,11 @@ pub fn run(cli: &Cli, a: &ProveArgs) -> Result<()> {
     if list.is_empty() {
         return Err(Error::NothingRan("this design has no proofs".into()));
     }
+    if a.list && cli.json {
+        let rows: Vec<_> = list.iter().map(|p| serde_json::json!({"proof": p.name, "claim": p.claim})).collect();
+        println!("{}", serde_json::to_string_pretty(&rows).expect("plain data"));
+        return Ok(());
+    }
     if a.list {
         let rows: Vec<Vec<String>> = list.iter().map(|p| vec![p.name.into(), p.claim.into()]).collect();
         print!("{}", table(&["proof", "for every input"], &rows));

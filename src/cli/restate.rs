@@ -3,6 +3,7 @@ use super::args::{Cli, SynthArgs, Verb};
 use super::output::spinner;
 use super::synth::{entry, prepare};
 use crate::error::{Error, Result};
+use crate::files::{TABLE, read_named_text};
 use crate::measured::{Entry, parse};
 use crate::synth::{asked, digest};
 use clap::Parser;
@@ -16,7 +17,7 @@ struct Kept {
 }
 
 fn read(file: &Path) -> Result<Vec<Kept>> {
-    let text = std::fs::read_to_string(file).map_err(|e| Error::file("read", file, e))?;
+    let text = read_named_text(file, TABLE)?;
     let wrong = |e: serde_json::Error| {
         Error::input(format!("{} is no list of figures as `reliefrtl synth --out` writes them: {e}", file.display()))
     };

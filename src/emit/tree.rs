@@ -2,12 +2,13 @@
 use crate::config::EmitConfig;
 use crate::config::check::is_prefix;
 use crate::error::{Error, Result};
+use crate::files::read_text_of_tree;
 use serde_json::Value;
 use std::path::Path;
 
 /// What the files of the tree `dir` look like, as its manifest says; `None` without a manifest, or where its prefix is no legal one.
 pub fn manifest_emit(dir: &Path) -> Option<EmitConfig> {
-    let text = std::fs::read_to_string(dir.join("manifest.json")).ok()?;
+    let text = read_text_of_tree(dir.join("manifest.json")).ok()?;
     let mut manifest: Value = serde_json::from_str(&text).ok()?;
     let emit: EmitConfig = serde_json::from_value(manifest["config"]["emit"].take()).ok()?;
     is_prefix(&emit.prefix).then_some(emit)

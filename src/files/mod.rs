@@ -2,11 +2,13 @@
 mod inside;
 mod listed;
 mod out_dir;
+mod read;
 mod sink;
 mod staging;
 pub use inside::{digest_inside, read_inside, write_inside};
 pub use listed::{Altered, MANIFEST, altered};
 pub use out_dir::{OutDir, Part};
+pub use read::{SETTINGS, TABLE, only_files_in, read_named, read_named_text, read_of_tree, read_text_of_tree};
 pub use sink::{STANDARD_OUTPUT, Sink, standard_failed};
 pub use staging::{Scratch, abandon};
 

@@ -2,6 +2,7 @@
 use crate::config::Config;
 use crate::emit::Files;
 use crate::error::{Error, Result};
+use crate::files::read_of_tree;
 use serde_json::Value;
 use std::path::Path;
 
@@ -15,7 +16,7 @@ const HARDWARE: [&str; 6] = ["format", "traverse", "mode", "datapath", "latency"
 pub fn same_text(files: &Files, dir: &Path) -> Result<()> {
     for (name, text) in files.iter().filter(|(n, _)| n.ends_with(".v")) {
         let path = dir.join(name);
-        let there = std::fs::read(&path).map_err(|e| Error::file("read", &path, e))?;
+        let there = read_of_tree(&path)?;
         if there != text.as_bytes() {
             return Err(Error::input(format!(
                 "{} is not what this configuration emits, and the interpreter would not see the difference: use --engine icarus or verilator",
@@ -33,9 +34,9 @@ pub fn same_text(files: &Files, dir: &Path) -> Result<()> {
 /// A manifest that is none, or the first key of another value.
 pub fn same_config(c: &Config, dir: &Path) -> Result<()> {
     let path = dir.join("manifest.json");
-    let text = match std::fs::read(&path) {
-        Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(()),
-        read => read.map_err(|e| Error::file("read", &path, e))?,
+    let text = match read_of_tree(&path) {
+        Err(Error::File { source, .. }) if source.kind() == std::io::ErrorKind::NotFound => return Ok(()),
+        read => read?,
     };
     let manifest: Value = serde_json::from_slice(&text)
         .map_err(|e| Error::input(format!("{} is not the manifest of an emitted tree: {e}", path.display())))?;

@@ -1,6 +1,7 @@
 //! What stands in the directory of a unit's vectors.
 use crate::config::Design;
 use crate::error::{Error, Result};
+use crate::files::read_text_of_tree;
 use crate::golden::{Pyramid, RayInput, address};
 use crate::vectors::{Column, Rows, VectorSet, read_csv, read_json};
 use std::path::Path;
@@ -24,7 +25,7 @@ pub(super) fn ray_of(row: &[u64]) -> RayInput {
 /// The words of a pyramid's image.
 pub(super) fn memory(place: &Path) -> Result<Vec<u64>> {
     let path = place.join("memory.hex");
-    let text = std::fs::read_to_string(&path).map_err(|e| Error::file("read", &path, e))?;
+    let text = read_text_of_tree(&path)?;
     let bad = || Error::input(format!("{} is not a pyramid image", path.display()));
     let words = text.lines().map(|l| l.split("//").next().unwrap_or("").trim()).filter(|l| !l.is_empty());
     let words: Vec<u64> = words.map(|w| u64::from_str_radix(w, 16).map_err(|_| bad())).collect::<Result<_>>()?;
@@ -36,7 +37,7 @@ pub(super) fn same_rows(place: &Path, set: &VectorSet) -> Result<()> {
     type Read = fn(&str, &[Column], &[Column]) -> Result<Rows>;
     for (name, read) in [("vectors.csv", read_csv as Read), ("rows.json", read_json)] {
         let path = place.join(name);
-        let text = std::fs::read_to_string(&path).map_err(|e| Error::file("read", &path, e))?;
+        let text = read_text_of_tree(&path)?;
         let at = |e: &dyn std::fmt::Display| Error::input(format!("{}: {e}", place.display()));
         let (stimulus, expected) = read(&text, &set.inputs, &set.outputs).map_err(|e| at(&e))?;
         let differs = |a: &[Vec<u64>], b: &[Vec<u64>]| a.iter().zip(b).position(|(a, b)| a != b);

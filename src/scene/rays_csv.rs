@@ -1,5 +1,6 @@
 //! Lists of rays from CSV files.
 use crate::error::{Error, Result};
+use crate::files::{TABLE, read_named};
 use std::path::Path;
 
 const COLUMNS: [&str; 4] = ["u", "v", "du", "dv"];
@@ -22,7 +23,7 @@ pub struct RayTable {
 /// [`Error::File`] if it can't be read; [`Error::Input`] naming line (from 1, the header's) and column.
 pub fn read_rays(path: impl AsRef<Path>, lod_expected: bool) -> Result<RayTable> {
     let path = path.as_ref();
-    let bytes = std::fs::read(path).map_err(|error| Error::file("read", path, error))?;
+    let bytes = read_named(path, TABLE)?;
     parse_table(&bytes, &path.display().to_string(), lod_expected)
 }
 

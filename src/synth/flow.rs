@@ -4,7 +4,7 @@ use super::top::{TOP, top_module};
 use crate::config::DefaultNettype;
 use crate::emit::parts::{self, Part};
 use crate::error::{Error, Result};
-use crate::files::Scratch;
+use crate::files::{Scratch, TABLE, read_named};
 use crate::ir::Module;
 use crate::process;
 use crate::verilog::{Style, print_module};
@@ -274,7 +274,7 @@ pub fn measure_files(files: &[(String, Vec<u8>)], top: &str, target: &Target, pl
     }
     let language = if names.iter().any(|n| n.ends_with(".sv")) { "-sv " } else { "" };
     if let Target::Liberty(file) = target {
-        write("cells.lib", &std::fs::read(file).map_err(|e| Error::file("read", file, e))?)?;
+        write("cells.lib", &read_named(file, TABLE)?)?;
     }
     let library = if matches!(target, Target::Liberty(_)) { " -liberty cells.lib" } else { "" };
     // A path ends at a register or memory, of whichever target: Yosys itself knows only its own before mapping.

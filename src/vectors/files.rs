@@ -6,6 +6,7 @@ use super::levels::Campaign;
 use super::set::{Column, Counts, VectorSet};
 use crate::emit::Files;
 use crate::error::{Error, Result};
+use crate::files::read_text_of_tree;
 use crate::ir::Binding;
 use crate::units::traversal::TRAVERSE;
 use serde::{Deserialize, Serialize};
@@ -180,10 +181,7 @@ pub fn hex(unit: &str, columns: &[Column], rows: &[Vec<u64>]) -> String {
 /// # Errors
 /// A missing file, a wrong schema, a word that is no hex number or too wide, a wrong count: one sentence.
 pub fn read_set(dir: &Path) -> Result<(VectorSet, bool)> {
-    let text = |name: &str| {
-        let path = dir.join(name);
-        std::fs::read_to_string(&path).map_err(|e| Error::file("read", path, e))
-    };
+    let text = |name: &str| read_text_of_tree(dir.join(name));
     let at = |name: &str| dir.join(name).display().to_string();
     let d: Description = serde_json::from_str(&text("vectors.json")?)
         .map_err(|e| Error::input(format!("{} is not a vector description: {e}", at("vectors.json"))))?;

@@ -1,5 +1,6 @@
 //! The command line as a user meets it: sentences, exit codes, nothing half-written, equal bytes from the engines. A file a verb.
 mod bench;
+mod bounds;
 mod build;
 mod check;
 mod config;

@@ -27,7 +27,8 @@ const REGISTER: usize = 4;
 
 #[test]
 fn each_rule_names_what_breaks_it() {
-    let rows: [(&str, fn(&mut Module)); 16] = [
+    type Row = (&'static str, fn(&mut Module));
+    let rows: [Row; 16] = [
         ("port name forever is not usable in Verilog", |m| m.ports[2].name = "forever".into()),
         ("port name x y is not usable in Verilog", |m| m.ports[2].name = "x y".into()),
         ("port y is declared twice", |m| m.ports[2].name = "y".into()),
@@ -142,7 +143,8 @@ fn the_builder_refuses_what_has_no_meaning() {
     fn inst(b: &Builder, inputs: &[(&str, Sig<'_>)]) {
         b.inst(&leaf(), "u_leaf", &[], inputs);
     }
-    let refusals: [(&str, fn(&Builder)); 11] = [
+    type Row = (&'static str, fn(&Builder));
+    let refusals: [Row; 11] = [
         ("and of 4 and 3 bits: operands have the same width", |b| _ = x(b) & narrow(b)),
         ("ult of 4 and 3 bits: operands have the same width", |b| _ = x(b).lt(narrow(b))),
         ("mux of 4 and 3 bits: operands have the same width", |b| _ = b.lit(1, 1).mux(x(b), narrow(b))),

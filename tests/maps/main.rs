@@ -1,4 +1,5 @@
 //! Height maps from files: exact to the code, within limits, and one clear sentence for what is not a map.
+mod damaged;
 mod exr_blocks;
 mod fit;
 mod formats;

@@ -33,7 +33,7 @@ fn the_default_tree_was_placed_as_it_stands() {
     let modules = manifest["modules"].as_array().unwrap();
     let top = modules.iter().find(|m| m["name"] == "relief_traverse").expect("the default tree has a traversal");
     let said = format!("whose digest in `manifest.json` is `{}`", top["blake3"].as_str().unwrap());
-    assert!(read("docs/clocks.md").contains(&said), "docs/clocks.md: place the tree again, sh flow/ecp5.sh 1");
+    assert!(read("docs/clocks.md").contains(&said), "docs/clocks.md: place the tree again, sh flow/ecp5.sh 1 2 3");
 }
 
 /// A figure of another text is found, and the call that measures it again is named.

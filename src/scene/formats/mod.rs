@@ -119,6 +119,9 @@ fn broken(kind: &str, error: impl fmt::Display) -> Error {
     Error::input(format!("not a readable {kind}: {}", text.trim().trim_end_matches('.').replace(['\n', '\r'], " ")))
 }
 
+/// The most that `map.max_texels` may be.
+const MAX_TEXELS: u64 = 1 << 40;
+
 /// Dimensions that may be read, before anything is allocated for them.
 fn sized(width: u64, height: u64, map: &MapConfig) -> Result<(usize, usize)> {
     if width == 0 || height == 0 {
@@ -126,6 +129,11 @@ fn sized(width: u64, height: u64, map: &MapConfig) -> Result<(usize, usize)> {
     }
     let texels = u128::from(width) * u128::from(height);
     let limit = map.max_texels;
+    if texels > u128::from(MAX_TEXELS) {
+        return Err(Error::input(format!(
+            "{width} x {height} are {texels} texels, more than map.max_texels may be ({MAX_TEXELS})"
+        )));
+    }
     if texels > u128::from(limit) {
         return Err(Error::input(format!(
             "{width} x {height} are {texels} texels, more than map.max_texels = {limit}: if they are meant, ask for them with --max-texels {texels}"

@@ -6,7 +6,7 @@ use crate::config::MapConfig;
 use crate::error::Result;
 use crate::scene::source::Handle;
 use image::metadata::Orientation;
-use png::{ColorType, Decoder, Limits, Reader, Transformations};
+use png::{ColorType, DecodeOptions, Decoder, Limits, Reader, Transformations};
 
 const KIND: &str = "PNG";
 /// What may be allocated for a header, in bytes; rows are counted by [`sized`].
@@ -23,7 +23,11 @@ enum Pixel {
 }
 
 pub(super) fn open<'a>(handle: Handle<'a>, map: &MapConfig) -> Result<Opened<'a>> {
-    let mut decoder = Decoder::new_with_limits(handle, Limits { bytes: HEADER });
+    let mut options = DecodeOptions::default();
+    // A byte that was damaged would be another height.
+    options.set_ignore_checksums(false);
+    let mut decoder = Decoder::new_with_options(handle, options);
+    decoder.set_limits(Limits { bytes: HEADER });
     decoder.set_transformations(Transformations::IDENTITY);
     decoder.set_ignore_text_chunk(true);
     decoder.set_ignore_iccp_chunk(true);
@@ -141,6 +145,10 @@ impl Rows for PngRows<'_> {
             self.pixels(&bytes, row)?;
         }
         self.at += 1;
+        if self.at == self.reader.info().height as usize {
+            // The last checksums stand after the last row.
+            self.reader.finish().map_err(failed)?;
+        }
         Ok(())
     }
 }

@@ -3,6 +3,7 @@ use super::design::DesignSpec;
 use super::select::configured;
 use crate::config::{Config, DatapathConfig, ModeConfig, TraverseConfig};
 use crate::error::{Error, Result};
+use crate::files::{TABLE, read_named_text};
 use crate::units::traversal::TRAVERSE;
 use serde::Deserialize;
 use std::path::Path;
@@ -86,7 +87,7 @@ struct Design {
 /// # Errors
 /// A file that can't be read, is no such file, or holds no unit.
 pub fn load(path: &Path) -> Result<Vec<UnitFigures>> {
-    let text = std::fs::read_to_string(path).map_err(|e| Error::file("read", path, e))?;
+    let text = read_named_text(path, TABLE)?;
     let wrong = |e: serde_json::Error| Error::input(format!("{} is no file of `synth`: {e}", path.display()));
     let all: Vec<UnitFigures> = serde_json::from_str(&text).map_err(wrong)?;
     if all.is_empty() {
