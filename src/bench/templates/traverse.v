@@ -78,6 +78,9 @@ module {{ prefix }}tb_traverse #(
   integer loaded;
   integer busy;
   reg     false_idle;
+  reg     false_busy;
+  reg [31:0] in_slots;
+  reg [31:0] needed;
   reg [31:0] lfsr;
 
   reg        rst;
@@ -207,6 +210,9 @@ module {{ prefix }}tb_traverse #(
     loaded = 0;
     busy = 0;
     false_idle = 1'b0;
+    false_busy = 1'b0;
+    in_slots = 0;
+    needed = 0;
     res_fd = 0;
     lfsr = 32'h2468_ace1;
     rst = 1'b1;
@@ -320,6 +326,8 @@ module {{ prefix }}tb_traverse #(
       rays <= 0;
       checked <= 0;
       quiet <= 0;
+      needed <= 0;
+      in_slots <= 0;
       tag_used <= {Tags{1'b0}};
     end
   endtask
@@ -410,6 +418,7 @@ module {{ prefix }}tb_traverse #(
         want_{{ p.name }}[in_tag[TagBits-1:0]] <= word{{ p.select }};
 {%- if p.name == "out_steps" %}
         if (word[31:0] > longest) longest <= word[31:0];
+        needed <= needed + word[31:0];
 {%- endif %}
 {%- endfor %}
         exp_left <= exp_left - 1;
@@ -476,6 +485,12 @@ module {{ prefix }}tb_traverse #(
         $display("FAIL tb_traverse: idle was %0s, after %0d",
                  idle ? "1 while a ray was inside" : "0 while no ray was inside", checked);
         finish(8'd1);
+      end else if (false_busy || in_slots < needed) begin
+        // Every iteration of a ray is in its slot for a clock; with none inside no slot is busy.
+        $display("FAIL tb_traverse: slot_busy was %0s, after %0d",
+                 false_busy ? "1 while no ray was inside" : "0 while a ray was in its slot",
+                 checked);
+        finish(8'd1);
       end else begin
         if (!told) begin
           $display("slots busy: %0d of %0d %0s; %0d clocks from first ray to last hit", busy,
@@ -501,11 +516,13 @@ module {{ prefix }}tb_traverse #(
       out_ready <= (~stalls | lfsr[5]) && hold_left == 0;
       if (hold_left > 0) hold_left <= hold_left - 1;
       quiet <= taken ? 0 : quiet + 1;
+      if (slot_busy) in_slots <= in_slots + 1;
       if (resets_left > 0 && until_reset == 0) begin
         reset_inside;
       end else begin
         if (resets_left > 0 && hold_left == 0) until_reset <= until_reset - 1;
         if (idle && rays != checked) false_idle <= 1'b1;
+        if (idle && slot_busy) false_busy <= 1'b1;
         if (accepted) note_ray;
         if (taken && expected) take_result;
         offer;
