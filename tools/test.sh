@@ -86,12 +86,14 @@ programs() {
 # Runs test programs two at a time, so that no core waits for the last test of one; each says what it has to say when it is done.
 # Options come after a "--", as cargo takes them.
 side_by_side() {
-    cargo test --release --no-fail-fast --lib --bins "$@" || return
-    cargo test --release --doc || return
+    code=0
+    cargo test --release --no-fail-fast --lib --bins "$@" || code=$?
+    cargo test --release --doc || code=$?
     cores=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
     RUST_TEST_THREADS="${RUST_TEST_THREADS:-$(((cores + 1) / 2))}"
     export RUST_TEST_THREADS
-    programs | tr ' ' '\n' | xargs -P 2 -I NAME sh tools/test.sh --program NAME "$@"
+    programs | tr ' ' '\n' | xargs -P 2 -I NAME sh tools/test.sh --program NAME "$@" || code=$?
+    return "$code"
 }
 
 # One test program, by its name.

@@ -1,7 +1,9 @@
 //! The lines that a bench prints for machines: `@`, a word, and fields `name=value`.
 //!
-//!     @fail unit=fp_add row=12 port=result exp=00ab got=00ac    the first output that differs, once; row from 0, words in hex
-//!     @done unit=fp_add checked=1000 wrong=3                    rows that were compared, and those of which some output differs
+//! ```text
+//! @fail unit=fp_add row=12 port=result exp=00ab got=00ac    the first output that differs, once; row from 0, words in hex
+//! @done unit=fp_add checked=1000 wrong=3                    rows that were compared, and those of which some output differs
+//! ```
 use crate::error::Place;
 
 /// What a bench said in such lines.
