@@ -164,13 +164,16 @@ pub fn run_bench_on(
     };
     let said = Said::read(&output);
     let code = out.status.code().unwrap_or(exit::TOOL_FAILED);
-    let text = format!("{verdict} (in {})", sim.name());
+    let mut text = format!("{verdict} (in {})", sim.name());
     let detail = output.lines().find(|l| l.starts_with("vector ") || l.starts_with("ray ")).unwrap_or_default();
     match code {
         exit::OK if verdict.starts_with("PASS") => {}
         exit::MISMATCH => {
-            let place = said.place(unit, sim.name()).map(Box::new);
-            return Err(Error::Mismatch(Finding { text: format!("{text}; first: {detail}"), place }));
+            // A handshake that is wrong is no row's mismatch.
+            if !detail.is_empty() {
+                text += &format!("; first: {detail}");
+            }
+            return Err(Error::Mismatch(Finding { text, place: said.place(unit, sim.name()).map(Box::new) }));
         }
         exit::USAGE => return Err(Error::input(text)),
         exit::NOTHING_RAN => return Err(Error::NothingRan(text)),
@@ -178,7 +181,11 @@ pub fn run_bench_on(
         exit::EXTRA => return Err(Error::Extra(text)),
         other => return Err(Error::ToolFailed(format!("{text}, exit code {other}"))),
     }
-    let checked = said.done.map_or(0, |(checked, _)| checked);
+    let Some((checked, _)) = said.done else {
+        return Err(Error::NothingRan(format!(
+            "{text}: its bench does not say how many rows it compared (no line @done): emit the tree anew"
+        )));
+    };
     if checked == 0 {
         return Err(Error::NothingRan(format!("{text}: nothing was compared")));
     }

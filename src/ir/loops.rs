@@ -10,7 +10,7 @@ type Through = BTreeMap<usize, BTreeSet<usize>>;
 #[derive(Default)]
 struct Known(BTreeMap<*const Module, Through>);
 
-/// Labels of the nodes of a combinational loop in `m`, or below it by way of its instances; `None` if there is none.
+/// The nodes of a combinational loop in `m`, which may pass through instances, in the order in which values flow; `None` if there is none.
 pub(super) fn combinational_loop(m: &Module) -> Option<Vec<NodeId>> {
     let mut known = Known::default();
     let reads = reads(m, &mut known);

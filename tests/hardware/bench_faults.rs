@@ -254,3 +254,27 @@ fn an_empty_file_is_no_vectors() {
         assert_eq!(e.exit_code(), 5, "{unit} {name}: {e}");
     }
 }
+
+/// A bench of an earlier tree says PASS, and not what it compared: that is no check.
+#[test]
+fn a_bench_that_does_not_say_what_it_compared_is_named() {
+    if skip() {
+        return;
+    }
+    let mut c = Config::default();
+    (c.traverse.levels, c.vectors.planned, c.vectors.arithmetic, c.vectors.rays) = (4, false, 20, 2);
+    let dir = tempfile::tempdir().unwrap();
+    for (path, text) in project(&c, &Scene::new(&c, None, false).unwrap()).unwrap().files {
+        let place = dir.path().join(path);
+        std::fs::create_dir_all(place.parent().unwrap()).unwrap();
+        std::fs::write(place, text).unwrap();
+    }
+    let run = || run_bench(Simulator::Icarus, dir.path(), "fp_lt", &Binding::new(), &[]);
+    run().unwrap();
+    let bench = dir.path().join("testbench/relief_tb_fp_lt.v");
+    let text = std::fs::read_to_string(&bench).unwrap();
+    std::fs::write(&bench, text.replace("@done", "done")).unwrap();
+    let error = run().unwrap_err();
+    assert_eq!(error.exit_code(), 5);
+    assert!(error.to_string().contains("(no line @done): emit the tree anew"), "{error}");
+}
