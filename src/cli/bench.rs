@@ -65,7 +65,7 @@ pub fn run(cli: &Cli, a: &BenchArgs) -> Result<()> {
     let bar = spinner(cli, "measuring");
     let (engines, left_out) = measure(&c, &task, a.turns as usize, &|what| bar.set_message(what.to_owned()))?;
     bar.finish_and_clear();
-    left_out.iter().for_each(|e| eprintln!("reliefrtl: left out: {e}"));
+    left_out.iter().for_each(|e| super::output::note(format_args!("left out: {e}")));
     print(cli, &task, &names, &engines);
     Ok(())
 }

@@ -74,7 +74,7 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
     let done = done?;
     // Of a tree that an engine has read, other text than what was generated is no fault (a netlist, a mutant): it is said.
     for x in crate::files::altered(&dir)?.iter().filter(|x| !x.path.starts_with("golden/")) {
-        eprintln!("reliefrtl: {} {}", dir.join(&x.path).display(), x.is);
+        super::output::note(format_args!("{} {}", dir.join(&x.path).display(), x.is));
     }
     print(cli, &done);
     match a.canary {

@@ -45,6 +45,9 @@ pub fn run(cli: &Cli, a: &CheckArgs, c: &Config, m: &Arc<Module>, campaign: Camp
             println!("{:<16} seed {seed}: 0 of {batch} mismatched; 0 of {rows} so far", m.name);
         }
         super::print::flush();
+        if super::print::unheard() {
+            break;
+        }
         let bits = m.data_inputs().map(|(_, p)| p.width.eval(&m.default_binding()) as u32).sum();
         if exhaustive(bits) {
             println!("{}: these are all inputs that there are; another seed has no others", m.name);

@@ -34,15 +34,18 @@ pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
         }
     }
     let out = a.out.as_deref().map(super::output::sink).transpose()?;
+    let each = a.scene.count().unwrap_or(6000);
+    if each == 0 {
+        return Err(super::views::none_asked());
+    }
     let scene = Scene::new(&c, a.scene.map.map.as_deref(), a.scene.map.resample)?;
     let views = look(&c, &a.scene, &scene, &c.view.names, Pixels::All, None)?;
     if let Some(few) = views.iter().find(|v| v.rays.len() < SETS) {
         let (name, n) = (&few.set.given, few.rays.len());
-        return Err(Error::NothingRan(format!(
-            "{name} has {n} rays: at least {SETS} are needed, to search and to check with others"
+        return Err(Error::input(format!(
+            "{name} has {n} rays: at least {SETS} are needed, a quarter to search with and the others to check with"
         )));
     }
-    let each = a.scene.count().unwrap_or(6000);
     let truth = |sets: &[usize]| {
         let rays = sets.iter().flat_map(|set| rays(&views, each, *set)).collect();
         Truth::new(c.traverse.levels, c.traverse.height_bits, scene.texels.clone(), rays)
@@ -51,7 +54,8 @@ pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
     if seen.rays.is_empty() {
         return Err(Error::NothingRan("no ray of the views meets the map".into()));
     }
-    enough(budget, seen.rays.len(), each.saturating_mul(views.len()), a.scene.table().is_some())?;
+    let tables = views.iter().filter(|v| v.set.camera(1, 1).is_none()).count();
+    enough(budget, seen.rays.len(), each.saturating_mul(views.len() - tables), (views.len() - tables, tables))?;
     let bar = spinner(cli, "fitting");
     let limits = Limits { resample: a.allow_resample };
     let found = fit_checked(&c.design(), seen, &truth, budget, limits, &|what| bar.set_message(what.to_string()));
@@ -70,20 +74,27 @@ pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
     print(cli, &found.fit, &found.check, budget, &by_view)
 }
 
-/// Whether so many rays can show that a budget is kept: none wrong of N says less than 3 in N.
-fn enough(budget: Budget, rays: usize, wanted: usize, table: bool) -> Result<()> {
+/// Whether so many rays to search with can show that a budget is kept: none wrong of N says less than 3 in N. `asked` are those that were asked for of
+/// the pictures of views, each of which has [`SETS`] times as many where it is large enough.
+fn enough(budget: Budget, rays: usize, asked: usize, (views, tables): (usize, usize)) -> Result<()> {
     let Budget::WrongTexel(share) = budget else { return Ok(()) };
     let needed = (3.0 / share).ceil();
     if rays as f64 >= needed {
         return Ok(());
     }
-    let more = match (rays < wanted, table) {
-        (true, true) => "a table of more --rays",
-        (true, false) => "a larger view.width and view.height",
-        (false, _) => "more --rays",
+    let (all, is) = (needed * SETS as f64, "a quarter searches, the others check");
+    let more = match (tables, views) {
+        (_, 0) => format!("give a table of at least {all} rays ({is})"),
+        (0, _) if rays >= asked => format!("give at least --rays {} (of each view)", (needed / views as f64).ceil()),
+        (0, _) => {
+            format!(
+                "let the views' pictures have at least {all} rays in all ({is}): a larger view.width and view.height"
+            )
+        }
+        _ => format!("let table and views have at least {all} rays in all ({is})"),
     };
     Err(Error::input(format!(
-        "{rays} rays can't show that at most {share} are wrong, for none wrong says less than 3 of {rays}: {needed} rays in all are needed, so give {more}"
+        "{rays} rays can't show that at most {share} are wrong, for none wrong says less than 3 of {rays}: {needed} are needed to search with, so {more}"
     )))
 }
 

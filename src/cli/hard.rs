@@ -4,7 +4,7 @@ use super::output::{spinner, table};
 use super::views::{Pixels, Viewed, look};
 use crate::config::{Config, DatapathKind, Design, ModeConfig};
 use crate::error::{Error, Result};
-use crate::files::OutDir;
+use crate::files::Part;
 use crate::golden::{Pyramid, RayHit, RayInput, decode_time};
 use crate::project::Scene;
 use crate::report::endure::{Endured, endure as endured, modes};
@@ -103,7 +103,12 @@ pub fn run(cli: &Cli, a: &HardArgs) -> Result<()> {
     if let Some(rays) = a.endure {
         return endure(cli, &ground, &chosen, rays);
     }
-    let mut pictures = a.pictures.as_deref().map(OutDir::new).transpose()?;
+    // Only pictures of earlier runs are replaced, and what else was generated there stays.
+    let own: Vec<String> = Case::all().map(|case| format!("{}.png", case.name)).collect();
+    let own: Vec<&str> = own.iter().map(String::as_str).collect();
+    let part = Part { config: PICTURES.into(), replaces: &own, alone_in: &[] };
+    let pictures = a.pictures.as_deref().map(super::output::directory).transpose()?;
+    let mut pictures = pictures.map(|dir| dir.only(part));
     let bar = spinner(cli, "hard cases");
     let (mut rows, mut witnesses, mut values) = (Vec::new(), Vec::new(), Vec::new());
     let (mut rays, mut broken, mut sum) = (0, Vec::new(), [0; 6]);
@@ -181,6 +186,9 @@ pub fn run(cli: &Cli, a: &HardArgs) -> Result<()> {
         broken.join(", ")
     )))
 }
+
+/// What a directory of pictures notes where a tree has the hash of its configuration: pictures go with no tree.
+const PICTURES: &str = "hard-cases";
 
 const HEAD: [&str; 8] =
     ["case", "texels", "wrong texels", "wrong on a tie", "largest margin", "given up", "modes differ", "step limit"];

@@ -20,6 +20,7 @@ mod refined;
 mod render;
 mod report;
 mod restate;
+mod shell;
 mod steps;
 mod synth;
 mod trace;
@@ -34,15 +35,17 @@ use clap::{CommandFactory, Parser};
 use std::io::IsTerminal;
 
 /// Runs the command line; returns the exit code (0 ok, 1 mismatch, 2 usage or input, 3 tool missing, 4 tool failed,
-/// 5 nothing ran, 6 a result never came, 7 a result too many, 128 and the number of a signal that ended it).
+/// 5 nothing ran, 6 a result never came, 7 a result too many, 128 and the number of a signal that ended it, 141 nobody read standard output to its
+/// end).
 pub fn main() -> i32 {
     interrupt::watch();
-    let cli = match Cli::try_parse() {
+    output::for_machines(std::env::args_os().skip(1).take_while(|a| a != "--").any(|a| a == "--json"));
+    let mut cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(e) => {
-            let code = if e.use_stderr() { exit::USAGE } else { exit::OK };
             if e.use_stderr() {
-                let _ = e.print();
+                output::usage(&e);
+                return exit::USAGE;
             } else {
                 let coloured =
                     std::io::stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|no| no.is_empty());
@@ -51,25 +54,25 @@ pub fn main() -> i32 {
                 } else {
                     print!("{}", e.render());
                 }
-                print::flush();
+                return print::finish(exit::OK);
             }
-            return code;
         }
     };
+    cli.verb.once();
     let code = match run(&cli) {
         Ok(()) => exit::OK,
-        // Whoever read standard output (`--out - | head`) has seen enough.
+        // Whoever read standard output (`--out - | head`) has gone, and did not get all of the result.
         Err(Error::File { path, source, .. })
             if path.as_os_str() == STANDARD_OUTPUT && source.kind() == std::io::ErrorKind::BrokenPipe =>
         {
-            exit::OK
+            exit::READER_GONE
         }
         Err(e) => {
-            output::error(&cli, &e);
+            output::error(&e);
             e.exit_code()
         }
     };
-    print::flush();
+    let code = print::finish(code);
     // Its handler ends the process, with another code.
     while crate::process::stopping() {
         std::thread::sleep(std::time::Duration::from_secs(1));

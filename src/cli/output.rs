@@ -1,12 +1,15 @@
 //! How results and errors reach the user.
 use super::args::Cli;
 use crate::emit::Files;
-use crate::error::{Error, Finding, Result};
-use crate::files::{OutDir, Sink};
+use crate::error::{Error, Finding, Result, exit};
+use crate::files::{OutDir, Sink, tree_of};
 use crate::interp::WaveFormat;
+use clap::error::{ContextKind, ContextValue};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use serde_json::json;
 use std::io::IsTerminal;
 use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
@@ -21,29 +24,80 @@ pub fn if_interrupted(text: Option<String>) {
 /// Called on an interrupt.
 pub fn interrupted() {
     if let Some(text) = &*IF_INTERRUPTED.lock().unwrap_or_else(PoisonError::into_inner) {
+        note(text);
+    }
+}
+
+/// Whether standard error is for machines (`--json`), too.
+static FOR_MACHINES: AtomicBool = AtomicBool::new(false);
+
+/// Says whether what stands on standard error is one JSON object a line.
+pub fn for_machines(json: bool) {
+    FOR_MACHINES.store(json, Ordering::SeqCst);
+}
+
+/// Says something on standard error that is no error.
+pub fn note(text: impl std::fmt::Display) {
+    if FOR_MACHINES.load(Ordering::SeqCst) {
+        eprintln!("{}", json!({"note": text.to_string()}));
+    } else {
         eprintln!("reliefrtl: {text}");
     }
 }
 
-/// Prints an error: one sentence, or one JSON object.
-pub fn error(cli: &Cli, e: &Error) {
-    if cli.json {
-        let mut told = serde_json::json!({"error": e.to_string(), "exit_code": e.exit_code()});
-        if let Error::Mismatch(Finding { place: Some(place), .. }) = e {
-            told["first"] = serde_json::to_value(place).expect("plain data");
-        }
-        println!("{told}");
-    } else {
+/// Prints an error on standard error: one sentence, or one JSON object.
+pub fn error(e: &Error) {
+    if !FOR_MACHINES.load(Ordering::SeqCst) {
         eprintln!("reliefrtl: {e}");
+        return;
     }
+    let mut told = json!({"code": e.exit_code(), "kind": e.kind(), "message": e.to_string()});
+    match e {
+        Error::File { path, .. } => told["place"] = path.display().to_string().into(),
+        Error::Mismatch(Finding { place: Some(place), .. }) => {
+            told["place"] = serde_json::to_value(place).expect("plain data");
+        }
+        _ => {}
+    }
+    eprintln!("{}", json!({"error": told}));
+}
+
+/// Prints what is wrong with a command line: as clap says it, or as one JSON object.
+pub fn usage(e: &clap::Error) {
+    if !FOR_MACHINES.load(Ordering::SeqCst) {
+        let _ = e.print();
+        return;
+    }
+    let text = e.render().to_string();
+    let mut parts = text.split("\n\n").map(|part| part.split_whitespace().collect::<Vec<_>>().join(" "));
+    let message = parts.next().unwrap_or_default();
+    let message = message.strip_prefix("error: ").unwrap_or(&message);
+    let mut told = json!({"code": exit::USAGE, "kind": "usage", "message": message});
+    if let Some(ContextValue::String(argument)) = e.get(ContextKind::InvalidArg) {
+        told["place"] = argument.as_str().into();
+    }
+    let hints: Vec<String> = parts.filter(|part| !part.is_empty()).collect();
+    if !hints.is_empty() {
+        told["hint"] = hints.join("; ").into();
+    }
+    eprintln!("{}", json!({"error": told}));
 }
 
 /// Where a verb's one file goes; if that is standard output, what the verb says goes to standard error from here on.
 ///
 /// # Errors
-/// As [`Sink::new`].
+/// As [`Sink::new`]; a file of an emitted tree, which only the verbs replace that write it.
 pub fn sink(out: &Path) -> Result<Sink> {
     let sink = Sink::new(out)?;
+    if let Sink::File(place) = &sink
+        && let Some(tree) = tree_of(place)
+    {
+        return Err(Error::input(format!(
+            "cannot write {}: it is a file of the tree that was emitted into {}, choose another name",
+            out.display(),
+            tree.display()
+        )));
+    }
     if sink == Sink::Standard {
         super::print::keep_standard_output_free();
     }

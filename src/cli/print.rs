@@ -1,31 +1,45 @@
 //! What is said to the user. The macros stand for the standard library's, which end in a panic when nobody listens any more or the disk is full.
+use crate::error::exit;
 use crate::files::standard_failed;
 use std::fmt::Arguments;
 use std::io::{self, ErrorKind, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 /// Whether standard output carries a result (`--out -`): what is said goes to standard error then.
 static CARRIES_RESULT: AtomicBool = AtomicBool::new(false);
+
+/// Why nothing can be said on standard output any more.
+static FAILED: Mutex<Option<io::Error>> = Mutex::new(None);
 
 /// From here on what is said goes to standard error: standard output carries a result.
 pub fn keep_standard_output_free() {
     CARRIES_RESULT.store(true, Ordering::SeqCst);
 }
 
-/// Says something on standard output. If its reader has seen enough (`| head`), the run ends quietly; if it can't be written, with a sentence.
+/// Says something on standard output. If that fails (its reader has gone, the disk is full), what is said from here on is dropped and the work
+/// goes on, so that files are written and verdicts found all the same; [`finish`] tells.
 pub fn say(text: Arguments<'_>) {
     if CARRIES_RESULT.load(Ordering::SeqCst) {
         return tell(text);
     }
-    if let Err(e) = io::stdout().write_fmt(text) {
-        give_up(e);
-    }
+    attempt(|| io::stdout().write_fmt(text));
 }
 
 /// Writes out what is still held back.
 pub fn flush() {
-    if let Err(e) = io::stdout().flush() {
-        give_up(e);
+    attempt(|| io::stdout().flush());
+}
+
+/// Whether nobody hears what is said on standard output.
+pub fn unheard() -> bool {
+    FAILED.lock().unwrap_or_else(PoisonError::into_inner).is_some()
+}
+
+fn attempt(write: impl FnOnce() -> io::Result<()>) {
+    let mut failed = FAILED.lock().unwrap_or_else(PoisonError::into_inner);
+    if failed.is_none() {
+        *failed = write().err();
     }
 }
 
@@ -34,15 +48,21 @@ pub fn tell(text: Arguments<'_>) {
     let _ = io::stderr().write_fmt(text);
 }
 
-/// Ends the run: what it would still say has no reader.
-fn give_up(e: io::Error) -> ! {
-    let code = if e.kind() == ErrorKind::BrokenPipe {
-        crate::error::exit::OK
-    } else {
-        tell(format_args!("reliefrtl: {}\n", standard_failed(e)));
-        crate::error::exit::USAGE
+/// The exit code of a run whose own is `code`, after its last word: a run that went well and could not say so did not.
+pub fn finish(code: i32) -> i32 {
+    flush();
+    let failed = FAILED.lock().unwrap_or_else(PoisonError::into_inner).take();
+    let own = match failed {
+        None => return code,
+        // Whoever read it (`| head`) has seen enough: the end is quiet.
+        Some(e) if e.kind() == ErrorKind::BrokenPipe => exit::READER_GONE,
+        Some(e) => {
+            let e = standard_failed(e);
+            super::output::error(&e);
+            e.exit_code()
+        }
     };
-    super::interrupt::end(code)
+    if code == exit::OK { own } else { code }
 }
 
 macro_rules! print {

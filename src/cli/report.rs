@@ -1,5 +1,6 @@
 //! `reliefrtl report`: speed against error of every design, as one page, JSON and CSV.
 use super::args::{Cli, RaysArg, ReportArgs};
+use super::shell::quoted;
 use crate::config::{Config, MapKind, View};
 use crate::error::{Error, Result};
 use crate::report::page::{Extent, Plan, Selection, cells, files, write};
@@ -90,11 +91,6 @@ fn again(cli: &Cli, a: &ReportArgs) -> String {
     ];
     flags.iter().filter(|f| f.0).for_each(|f| out += f.1);
     out
-}
-
-/// A word as a shell reads it back, whatever stands in it.
-fn quoted(word: &str) -> String {
-    format!("'{}'", word.replace('\'', "'\\''"))
 }
 
 /// What the command line chooses.

@@ -1,7 +1,8 @@
 //! `reliefrtl synth --stale` and `--refresh`: figures that are kept, against the text that is emitted now.
 use super::args::{Cli, SynthArgs, Verb};
 use super::output::spinner;
-use super::synth::{entry, prepare};
+use super::shell::words;
+use super::synth::{beside, entry, foreign, prepare};
 use crate::error::{Error, Result};
 use crate::files::{TABLE, read_named_text};
 use crate::measured::{Entry, parse};
@@ -29,9 +30,9 @@ fn read(file: &Path) -> Result<Vec<Kept>> {
 /// The call that an entry names.
 fn call(entry: &Entry) -> Result<(Cli, SynthArgs)> {
     let wrong = |said: String| Error::input(format!("the figures' call {:?} can't be made: {said}", entry.command));
-    let mut cli = Cli::try_parse_from(entry.command.split_whitespace()).map_err(|e| wrong(e.to_string()))?;
+    let mut cli = Cli::try_parse_from(words(&entry.command)).map_err(|e| wrong(e.to_string()))?;
     match std::mem::replace(&mut cli.verb, Verb::List) {
-        Verb::Synth(a) if a.unit.len() == 1 && a.latency.len() < 2 && a.beside.is_empty() => Ok((cli, a)),
+        Verb::Synth(a) if a.unit.len() == 1 && a.latency.len() < 2 && a.beside.len() < 2 => Ok((cli, a)),
         _ => Err(wrong("it is not `reliefrtl synth` of one unit".into())),
     }
 }
@@ -49,8 +50,12 @@ fn reason(entry: &Entry, value: &Value) -> Result<Option<&'static str>> {
     }
     let work = prepare(&cli, &a)?;
     let [job] = &work.jobs[..] else { return Err(Error::input(format!("{}: not one unit", entry.command))) };
+    let now = match a.beside.first() {
+        Some(other) => foreign(other)?.digest(),
+        None => digest(&job.unit, work.placing.copies),
+    };
     Ok(match &entry.digest {
-        Some(d) if *d != digest(&job.unit, work.placing.copies) => Some(TEXT),
+        Some(d) if *d != now => Some(TEXT),
         _ if value["asked"] != asked(&work.target, &work.placing) => Some(FLOW),
         _ => None,
     })
@@ -101,7 +106,10 @@ pub fn refresh(cli: &Cli, file: &Path, only: &[String]) -> Result<()> {
         let (inner, a) = call(&kept.entry)?;
         let work = prepare(&inner, &a)?;
         let bar = spinner(cli, kept.entry.command.clone());
-        let value = entry(&inner, &a, &work, &work.jobs[0])?.1;
+        let value = match a.beside.first() {
+            Some(other) => beside(&inner, &a, &work, other)?.1,
+            None => entry(&inner, &a, &work, &work.jobs[0])?.1,
+        };
         bar.finish_and_clear();
         println!("{}: {}", kept.entry.command, value["clock"]["median"]);
         all[at].value = value;

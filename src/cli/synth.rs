@@ -1,6 +1,7 @@
 //! `reliefrtl synth`: areas and clocks of units, as a table and in a file.
 use super::args::{Cli, SynthArgs, SynthTarget};
 use super::output::{spinner, table};
+use super::shell::word;
 use crate::catalogue;
 use crate::config::{Config, Design, latency_key};
 use crate::error::{Error, Result};
@@ -64,22 +65,38 @@ pub(super) fn entry(cli: &Cli, a: &SynthArgs, work: &Work, job: &Job) -> Result<
     value["digest"] = digest(&job.unit, work.placing.copies).into();
     value["asked"] = asked(&work.target, &work.placing).into();
     value["tools"] = versions(&work.target)?.into();
-    let command = command(cli, a, job);
-    // The call comes first, so that a line says what it is about.
-    let Value::Object(rest) = value else { unreachable!("figures are a table") };
-    let value = std::iter::once(("command".to_string(), Value::from(command))).chain(rest).collect();
-    Ok((figures, value))
+    Ok((figures, with_command(command(cli, a, (&job.unit.name, job.clocks), None), value)))
 }
 
-/// The call that measures this unit alone, the same way.
-fn command(cli: &Cli, a: &SynthArgs, job: &Job) -> String {
-    let mut words = format!("reliefrtl synth --unit {}", job.unit.name);
+/// An entry with its call, which comes first, so that a line says what it is about.
+fn with_command(command: String, value: Value) -> Value {
+    let Value::Object(rest) = value else { unreachable!("figures are a table") };
+    std::iter::once(("command".to_string(), Value::from(command))).chain(rest).collect()
+}
+
+/// The figures of somebody else's module, and what is kept of them.
+pub(super) fn beside(cli: &Cli, a: &SynthArgs, work: &Work, asked_for: &str) -> Result<(Figures, Value)> {
+    let other = foreign(asked_for)?;
+    let figures = measure_files(&other.files, &other.top, &work.target, &work.placing)?;
+    let mut value = serde_json::to_value(&figures).expect("plain data");
+    value["digest"] = other.digest().into();
+    value["asked"] = asked(&work.target, &work.placing).into();
+    value["tools"] = versions(&work.target)?.into();
+    // A call measures a unit of ours, too: the first one.
+    let first = work.jobs.first().map_or(("lzc", None), |job| (job.unit.name.as_str(), job.clocks));
+    Ok((figures, with_command(command(cli, a, first, Some(asked_for)), value)))
+}
+
+/// The call that measures this unit alone, and what stands beside it, the same way.
+fn command(cli: &Cli, a: &SynthArgs, (unit, clocks): (&str, Option<u32>), beside: Option<&str>) -> String {
+    let mut words = format!("reliefrtl synth --unit {unit}");
     let mut add = |key: &str, value: Option<String>| {
         if let Some(value) = value {
-            words += &format!(" --{key} {value}");
+            words += &format!(" --{key} {}", word(&value));
         }
     };
-    add("latency", job.clocks.map(|l| l.to_string()));
+    add("beside", beside.map(str::to_owned));
+    add("latency", clocks.map(|l| l.to_string()));
     add("config", cli.config.as_ref().map(|p| p.display().to_string()));
     add("profile", cli.profile.map(|p| p.word().to_string()));
     add("clock", cli.clock.map(|mhz| mhz.to_string()));
@@ -111,7 +128,7 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
     }
     let out = super::output::sink(&a.out)?;
     let work = prepare(cli, a)?;
-    let others = a.beside.iter().map(|other| foreign(other)).collect::<Result<Vec<_>>>()?;
+    a.beside.iter().try_for_each(|other| foreign(other).map(|_| ()))?;
     let mut done: Vec<Figures> = Vec::new();
     let mut all: Vec<Value> = Vec::new();
     for job in &work.jobs {
@@ -122,11 +139,11 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
         all.push(value);
         done.push(figures);
     }
-    for (top, files) in others {
-        let bar = spinner(cli, format!("{top} for {}", work.target.name()));
-        let figures = measure_files(&files, &top, &work.target, &work.placing)?;
+    for other in &a.beside {
+        let bar = spinner(cli, format!("{other} for {}", work.target.name()));
+        let (figures, value) = beside(cli, a, &work, other)?;
         bar.finish_and_clear();
-        all.push(serde_json::to_value(&figures).expect("plain data"));
+        all.push(value);
         done.push(figures);
     }
     let text = serde_json::to_string_pretty(&all).expect("plain data") + "\n";
@@ -159,11 +176,27 @@ fn at_latency(c: &Config, name: &str, clocks: u32) -> Result<Design> {
     Ok(c.design())
 }
 
-/// Files by name.
-type Named = Vec<(String, Vec<u8>)>;
+/// A module that is not ours.
+pub(super) struct Foreign {
+    top: String,
+    /// By name, in its order.
+    files: Vec<(String, Vec<u8>)>,
+}
+
+impl Foreign {
+    /// Digest of all files and their names.
+    pub fn digest(&self) -> String {
+        let mut hash = blake3::Hasher::new();
+        for (name, text) in &self.files {
+            hash.update(format!("{name}\0{}\0", text.len()).as_bytes());
+            hash.update(text);
+        }
+        hash.finalize().to_hex()[..32].to_string()
+    }
+}
 
 /// Name and files of a module that is not ours, from `TOP=DIR`.
-fn foreign(asked: &str) -> Result<(String, Named)> {
+pub(super) fn foreign(asked: &str) -> Result<Foreign> {
     let Some((top, dir)) = asked.split_once('=') else {
         return Err(Error::input(format!("--beside {asked}: write TOP=DIR, a module and the directory of its files")));
     };
@@ -184,7 +217,7 @@ fn foreign(asked: &str) -> Result<(String, Named)> {
     if !files.iter().any(|f| f.0.ends_with(".v") || f.0.ends_with(".sv")) {
         return Err(Error::input(format!("--beside {asked}: {} holds no .v or .sv file", dir.display())));
     }
-    Ok((top.to_owned(), files))
+    Ok(Foreign { top: top.to_owned(), files })
 }
 
 /// What was measured, so that `report` knows it again.

@@ -51,13 +51,19 @@ pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
         }
     }
     let beyond = ended - hits.iter().filter(|h| !h.limit).count();
-    if let Some((sink, format)) = &wave {
-        let ray = rays
-            .get(a.wave_ray)
-            .ok_or_else(|| Error::input(format!("--wave-ray {} is none of the {} rays", a.wave_ray, rays.len())))?;
-        record(&c.design(), &scene.pyramid, ray)?.1.write(sink, *format, "traverse")?;
-    }
-    out.write(hits_csv(&c.design(), c.map.border, &hits).as_bytes())?;
+    let recorded = match &wave {
+        None => None,
+        Some((sink, format)) => {
+            let ray = rays
+                .get(a.wave_ray)
+                .ok_or_else(|| Error::input(format!("--wave-ray {} is none of the {} rays", a.wave_ray, rays.len())))?;
+            Some((record(&c.design(), &scene.pyramid, ray)?.1, sink, *format))
+        }
+    };
+    // Each is written, even if the other can't be: nobody may be left at the end of a pipe.
+    let written = out.write(hits_csv(&c.design(), c.map.border, &hits).as_bytes());
+    let waved = recorded.map_or(Ok(()), |(wave, sink, format)| wave.write(sink, format, "traverse"));
+    written.and(waved)?;
     let lost = Lost { beyond, ..Lost::of(&hits) };
     if cli.json {
         println!(
@@ -76,6 +82,9 @@ pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
 /// its line of hits.
 fn numbers(c: &Config, scene: &Scene, set: &RaySet, most: Option<usize>) -> Result<(Vec<[f64; 4]>, Vec<u32>)> {
     let RaySource::Table(table) = &set.source else {
+        if most == Some(0) {
+            return Err(super::views::none_asked());
+        }
         let rays = evenly(&scene.set(c, set, Pixels::Drawn.stride(c, set))?, most);
         if rays.is_empty() {
             return Err(super::views::no_ray(&set.given));

@@ -118,6 +118,9 @@ pub fn look(
 
 fn viewed(c: &Config, scene: &Scene, set: RaySet, pixels: Pixels, most: Option<usize>) -> Result<Viewed> {
     block_rays(&set)?;
+    if most == Some(0) {
+        return Err(none_asked());
+    }
     let rays = scene.set(c, &set, pixels.stride(c, &set))?;
     let rays = if set.camera(1, 1).is_some() { evenly(&rays, most) } else { rays };
     if rays.is_empty() {
@@ -138,6 +141,11 @@ pub fn block_rays(set: &RaySet) -> Result<()> {
         ))),
         _ => Ok(()),
     }
+}
+
+/// A count of no rays.
+pub fn none_asked() -> Error {
+    Error::NothingRan("--rays 0 asks for no ray: at least one is needed".into())
 }
 
 /// A set without rays.

@@ -1,6 +1,6 @@
 //! On which line of a TOML text a key stands.
 use crate::error::{Error, Result};
-use crate::files::{SETTINGS, read_named};
+use crate::files::{SETTINGS, read_named_text};
 use std::collections::HashMap;
 
 /// The line of each section and key.
@@ -47,12 +47,5 @@ pub(crate) fn syntax(text: &str, name: &str, error: &toml::de::Error) -> Error {
 
 /// The text of a TOML file.
 pub(crate) fn read(path: &std::path::Path) -> Result<String> {
-    let bytes = read_named(path, SETTINGS)?;
-    String::from_utf8(bytes).map_err(|error| {
-        Error::input(format!(
-            "{} is not UTF-8 text: the byte at offset {} is no part of it",
-            path.display(),
-            error.utf8_error().valid_up_to()
-        ))
-    })
+    read_named_text(path, SETTINGS)
 }

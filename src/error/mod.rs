@@ -22,6 +22,8 @@ pub mod exit {
     pub const DROPPED: i32 = 6;
     /// A result came that nobody expected.
     pub const EXTRA: i32 = 7;
+    /// Whoever read standard output was gone before all of it was written: 128 and the number of SIGPIPE.
+    pub const READER_GONE: i32 = 141;
 }
 
 /// Everything that can go wrong for a user, one sentence each: what was wrong, what would be right, where.
@@ -77,6 +79,20 @@ impl Error {
     /// A file error.
     pub fn file(verb: &'static str, path: impl AsRef<Path>, source: std::io::Error) -> Self {
         Self::File { verb, path: path.as_ref().to_path_buf(), source }
+    }
+
+    /// What kind of error it is, in one word.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Input(_) => "input",
+            Self::File { .. } => "file",
+            Self::Mismatch(_) => "mismatch",
+            Self::Dropped(_) => "dropped",
+            Self::Extra(_) => "extra",
+            Self::ToolMissing(_) => "tool-missing",
+            Self::ToolFailed(_) => "tool-failed",
+            Self::NothingRan(_) => "nothing-ran",
+        }
     }
 
     /// The documented exit code of this error.

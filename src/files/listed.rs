@@ -2,7 +2,7 @@
 use super::inside::{Place, digest, look, stays_inside, text as read};
 use crate::error::{Error, Result};
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The file in an output directory that lists what was generated: one line a file, its blake3 digest, its size in bytes and its path; before them
 /// `config` and the hash of the configuration, where there is one.
@@ -95,6 +95,26 @@ pub fn altered(tree: &Path) -> Result<Vec<Altered>> {
         Place::Blocked(..) => Some(Altered { path: path.clone(), is: "is no file any more" }),
     };
     Ok(Listed::read(tree)?.files.iter().filter_map(differs).collect())
+}
+
+/// The emitted tree that an existing file is a part of: a directory above it has it on its list, or, where the list was not copied with it,
+/// has a manifest of ours beside the directory of the file.
+pub fn tree_of(file: &Path) -> Option<PathBuf> {
+    let place = file.canonicalize().ok()?;
+    let part = |tree: &&Path| {
+        let Some(path) = place.strip_prefix(tree).ok().and_then(Path::to_str) else { return false };
+        match Listed::read(tree) {
+            Ok(listed) if !listed.files.is_empty() => path == MANIFEST || listed.files.contains_key(path),
+            _ => {
+                let places = ["rtl/", "testbench/", "golden/", "flow/"];
+                (path == "manifest.json" || places.iter().any(|place| path.starts_with(place)))
+                    && super::read_inside(tree, "manifest.json", MOST)
+                        .and_then(|text| serde_json::from_str::<serde_json::Value>(&text).ok())
+                        .is_some_and(|manifest| manifest["generator"] == "reliefrtl")
+            }
+        }
+    };
+    place.ancestors().skip(1).find(part).map(Path::to_path_buf)
 }
 
 /// A file that is not what was generated.

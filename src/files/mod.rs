@@ -6,9 +6,11 @@ mod read;
 mod sink;
 mod staging;
 pub use inside::{digest_inside, read_inside, write_inside};
-pub use listed::{Altered, MANIFEST, altered};
+pub use listed::{Altered, MANIFEST, altered, tree_of};
 pub use out_dir::{OutDir, Part};
-pub use read::{SETTINGS, TABLE, only_files_in, read_named, read_named_text, read_of_tree, read_text_of_tree};
+pub use read::{
+    MARK, SETTINGS, TABLE, only_files_in, open_named, read_named, read_named_text, read_of_tree, read_text_of_tree,
+};
 pub use sink::{STANDARD_OUTPUT, Sink, standard_failed};
 pub use staging::{Scratch, abandon};
 
@@ -23,6 +25,16 @@ use std::path::Path;
 /// As [`Sink::new`] and [`Sink::write`].
 pub fn write_atomic(path: impl AsRef<Path>, bytes: &[u8]) -> Result<()> {
     Sink::new(path)?.write(bytes)
+}
+
+/// A link to what is not there: neither is it replaced nor is what it names made.
+fn dangling(into: &str, path: &Path, what: &str) -> Error {
+    let target = std::fs::read_link(path).unwrap_or_default();
+    Error::input(format!(
+        "cannot write {into}{}: it is a link to {}, which is not there; links are followed and never replaced, so make that {what} or name another",
+        path.display(),
+        target.display()
+    ))
 }
 
 /// Directory of a path.
@@ -63,8 +75,7 @@ fn write_beside(path: &Path, bytes: &[u8]) -> Result<()> {
 /// If it is a file, a link to nothing, or can't be written.
 pub fn open_directory(path: &Path) -> Result<()> {
     if !path.exists() && std::fs::symlink_metadata(path).is_ok_and(|m| m.is_symlink()) {
-        let path = path.display();
-        return Err(Error::input(format!("cannot write into {path}: it is a link that leads to no directory")));
+        return Err(dangling("into ", path, "directory"));
     }
     if path.exists() && !path.is_dir() {
         let path = path.display();

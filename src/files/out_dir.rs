@@ -52,10 +52,7 @@ impl OutDir {
         let target = match fs::canonicalize(&target) {
             Ok(itself) => itself,
             Err(_) if is_link => {
-                return Err(Error::input(format!(
-                    "cannot write into {}: it is a link that leads to no directory",
-                    shown.display()
-                )));
+                return Err(super::dangling("into ", shown, "directory"));
             }
             Err(_) => target,
         };

@@ -37,8 +37,7 @@ impl Sink {
             Ok(there) if !there.is_file() => return Ok(Self::Stream(path.to_owned())),
             Ok(_) if link => fs::canonicalize(path).map_err(|e| Error::file("find", path, e))?,
             Err(e) if link && e.kind() == io::ErrorKind::NotFound => {
-                let target = fs::read_link(path).unwrap_or_default();
-                return Err(no(&format!("it is a link to {}, which is not there", target.display())));
+                return Err(super::dangling("", path, "file"));
             }
             Err(_) if link => return Err(no("it is a link that leads nowhere")),
             // A path that ends with a slash, or goes through a file.

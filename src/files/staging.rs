@@ -81,6 +81,26 @@ impl Scratch {
     /// If it can't be created.
     pub fn new() -> Result<Self> {
         let parent = std::env::temp_dir();
+        let named = std::env::var_os("TMPDIR").is_some();
+        let no = |why: String| {
+            let (name, or) =
+                if named { ("TMPDIR", " (or unset it)") } else { ("the directory for temporary files", "") };
+            let right = if named { "let it" } else { "let TMPDIR" };
+            Error::input(format!("{name} {why}: {right} name a directory that can be written{or}"))
+        };
+        if parent.as_os_str().is_empty() {
+            return Err(no("is empty".into()));
+        }
+        let shown = parent.display();
+        match fs::metadata(&parent) {
+            Ok(there) if there.is_dir() => {}
+            Ok(_) => return Err(no(format!("is {shown}, which is no directory"))),
+            Err(e) if e.kind() == std::io::ErrorKind::NotFound => {
+                return Err(no(format!("is {shown}, which is not there")));
+            }
+            Err(e) => return Err(no(format!("is {shown}, which can't be opened ({})", bare(e)))),
+        }
+        super::sink::writable(&parent).map_err(|e| no(format!("is {shown}, where no file can be made ({e})")))?;
         let parent = std::path::absolute(&parent).map_err(|e| Error::file("find", parent, e))?;
         Staging::new(&parent, true).map(Self)
     }

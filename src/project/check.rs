@@ -131,10 +131,14 @@ pub fn check_tree_at(
     };
     let all: Vec<Result<Checked>> = list.par_iter().map(one).collect();
     let failed = all.iter().position(|r| matches!(r, Err(Error::Mismatch(_))));
-    if let Some((m, (sink, format))) = failed.map(|k| &list[k]).zip(wave) {
-        mismatch_wave(&design_at(&d, over), dir, m, canary)?.write(sink, *format, &m.name)?;
+    let recorded = failed.map(|k| &list[k]).zip(wave).map_or(Ok(()), |(m, (sink, format))| {
+        mismatch_wave(&design_at(&d, over), dir, m, canary)?.write(sink, *format, &m.name)
+    });
+    match (all.into_iter().collect(), recorded) {
+        // A waveform that can't be written takes nothing from the verdict.
+        (Err(Error::Mismatch(found)), Err(e)) => Err(Error::Mismatch(found.and(e))),
+        (verdict, _) => verdict,
     }
-    all.into_iter().collect()
 }
 
 /// A unit's result, with what is not as it was generated in the directory of its vectors: an engine tells of a mismatch first.

@@ -1,6 +1,6 @@
 //! Lists of rays from CSV files.
 use crate::error::{Error, Result};
-use crate::files::{TABLE, read_named};
+use crate::files::{MARK, TABLE, read_named};
 use std::path::Path;
 
 const COLUMNS: [&str; 4] = ["u", "v", "du", "dv"];
@@ -87,7 +87,7 @@ fn quotes_closed(bytes: &[u8], name: &str) -> Result<()> {
 /// [`Error::Input`] naming line and column.
 pub fn parse_table(bytes: &[u8], name: &str, lod_expected: bool) -> Result<RayTable> {
     // Spreadsheets like to put a byte order mark first; it is no part of the first column's name.
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let bytes = bytes.strip_prefix(MARK).unwrap_or(bytes);
     if bytes.iter().all(u8::is_ascii_whitespace) {
         return Err(Error::input(format!("{name} is empty: a header u,v,du,dv and one line a ray are needed")));
     }

@@ -1,5 +1,6 @@
 //! Where the bytes of a map come from: a file that is read as far as it is needed, or bytes in memory.
 use crate::error::{Error, Result};
+use crate::files::open_named;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Cursor, Read, Seek};
 use std::path::Path;
@@ -32,15 +33,12 @@ impl<'a> Source<'a> {
         Self { name: name.to_owned(), len: bytes.len() as u64, bytes: Bytes::Borrowed(bytes) }
     }
 
-    /// A file. What is no regular file is read once, up to a limit.
+    /// A file. What this process was given open (`/dev/stdin`) is read once, up to a limit.
     pub(super) fn file(path: &Path) -> Result<Self> {
         let failed = |error: std::io::Error| Error::file("read", path, error);
-        let mut file = File::open(path).map_err(failed)?;
+        let mut file = open_named(path)?;
         let meta = file.metadata().map_err(failed)?;
         let name = path.display().to_string();
-        if meta.is_dir() {
-            return Err(Error::input(format!("cannot read {name}: it is a directory")));
-        }
         if meta.is_file() {
             return Ok(Self { name, len: meta.len(), bytes: Bytes::File(file) });
         }

@@ -134,8 +134,8 @@ fn a_row_that_was_changed_is_told_from_a_wrong_unit() {
     assert_eq!(code, Some(1), "{told}");
     let (code, json) = said(dir.path(), &[&args[..], &SMALL, &["--json"]].concat());
     let json: serde_json::Value = serde_json::from_str(json.trim()).unwrap();
-    assert_eq!((code, &json["exit_code"]), (Some(1), &1.into()));
-    let first = &json["first"];
+    assert_eq!((code, &json["error"]["code"]), (Some(1), &1.into()));
+    let first = &json["error"]["place"];
     let clocks = reliefrtl::config::Design::default().latency.add;
     assert_eq!((&first["unit"], &first["output"]), (&"fp_add".into(), &"result".into()));
     assert_eq!(first["stage"], clocks);
@@ -144,6 +144,23 @@ fn a_row_that_was_changed_is_told_from_a_wrong_unit() {
         told.contains("fp_add: 1 of ") && told.contains("does not hold the rows that vectors.json describes"),
         "{told}"
     );
+}
+
+/// A list counts each of its names once.
+#[test]
+fn what_is_named_twice_is_taken_once() {
+    let dir = tempfile::tempdir().unwrap();
+    let rows = |verb: &[&str]| said(dir.path(), &[verb, &["--set", "vectors.arithmetic=20"]].concat());
+    for list in [&["--unit", "lzc,lzc"][..], &["--unit", "lzc", "--unit", " lzc"]] {
+        assert_eq!(rows(&[&["check"], list].concat()), rows(&["check", "--unit", "lzc"]));
+        let (code, text) = rows(&[&["emit"], list].concat());
+        assert_eq!(code, Some(0), "{text}");
+    }
+    let hard = |cases: &str| rows(&["hard", "--rays", "4", "--engine", "golden", "--case", cases]);
+    assert_eq!(hard("floor").0, Some(0));
+    assert_eq!(hard("floor,floor"), hard("floor"));
+    let steps = |views: &str| rows(&["steps", "--set", "view.stride=64", "--views", views]);
+    assert_eq!(steps("front,front"), steps("front"));
 }
 
 /// Every file of a unit's vectors is under a digest, and every word of the description.

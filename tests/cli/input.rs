@@ -31,18 +31,69 @@ fn an_output_never_replaces_an_input() {
     assert_eq!(std::fs::read(dir.path().join("m.png")).unwrap(), before);
 }
 
+/// What would wait for whoever is at its other end is refused, of every option that names an input.
+#[cfg(unix)]
 #[test]
-fn a_closed_pipe_ends_quietly() {
+fn an_input_is_a_regular_file() {
     let dir = tempfile::tempdir().unwrap();
-    let mut child = Command::new(env!("CARGO_BIN_EXE_reliefrtl"))
-        .args(["config", "--print"])
-        .current_dir(dir.path())
-        .stdout(std::process::Stdio::piped())
-        .stderr(std::process::Stdio::piped())
-        .spawn()
-        .unwrap();
-    drop(child.stdout.take());
-    let out = child.wait_with_output().unwrap();
-    assert_eq!(out.status.code(), Some(0));
-    assert!(out.stderr.is_empty(), "{}", String::from_utf8_lossy(&out.stderr));
+    let fifo = |name: &str| assert!(Command::new("mkfifo").arg(dir.path().join(name)).status().unwrap().success());
+    ["p", "p.toml", "p.csv", "p.json", "p.png"].iter().for_each(|name| fifo(name));
+    std::fs::create_dir(dir.path().join("d.toml")).unwrap();
+    let trace = ["trace", "--out", "h.csv"];
+    let inputs: [(&[&str], &str, &str); 10] = [
+        (&["list", "--config", "p.toml"], "p.toml", "a FIFO"),
+        (&["list", "--config", "/dev/zero"], "/dev/zero", "a device"),
+        (&["list", "--config", "d.toml"], "d.toml", "a directory"),
+        (&["build", "--map", "p.png"], "p.png", "a FIFO"),
+        (&["build", "--set", "map.kind=file", "--set", "map.file=/dev/zero"], "/dev/zero", "a device"),
+        (&[&trace[..], &["--rays", "p.csv"]].concat(), "p.csv", "a FIFO"),
+        (&[&trace[..], &["--rays", "/dev/tty"]].concat(), "/dev/tty", "a device"),
+        (&[&trace[..], &["--view", "p.toml"]].concat(), "p.toml", "a FIFO"),
+        (&["report", "--synth", "p.json"], "p.json", "a FIFO"),
+        (&["synth", "--stale", "p.json"], "p.json", "a FIFO"),
+    ];
+    for (args, name, is) in inputs {
+        let (code, text) = said(dir.path(), args);
+        assert_eq!(code, Some(2), "{args:?}: {text}");
+        assert!(text.contains(&format!("cannot read {name}: it is {is}, name a ")), "{args:?}: {text}");
+    }
+    // What is open already may be anything.
+    let piped = |args: &[&str], bytes: &[u8]| {
+        let (reader, mut writer) = std::io::pipe().unwrap();
+        std::io::Write::write_all(&mut writer, bytes).unwrap();
+        drop(writer);
+        let mut c = Command::new(env!("CARGO_BIN_EXE_reliefrtl"));
+        let out = c.args(args).current_dir(dir.path()).stdin(reader).output().unwrap();
+        (out.status.code(), String::from_utf8_lossy(&out.stderr).into_owned())
+    };
+    let levels = ["--set", "traverse.levels=3"];
+    let rays = b"\xef\xbb\xbfu,v,du,dv\n0.5,0.5,0.1,0.2\n";
+    assert_eq!(piped(&[&trace[..], &["--rays", "/dev/stdin"], &levels].concat(), rays), (Some(0), String::new()));
+    let toml = b"\xef\xbb\xbf[traverse]\nlevels = 99\n";
+    let (code, text) = piped(&["list", "--config", "/dev/stdin"], toml);
+    assert!(code == Some(2) && text.contains("traverse.levels = 99") && text.contains("line 2"), "{text}");
+}
+
+/// Text files may begin with a byte order mark; text in another code is refused by its name.
+#[test]
+fn a_byte_order_mark_is_no_text() {
+    let dir = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| std::fs::write(dir.path().join(name), format!("\u{feff}{text}")).unwrap();
+    write("c.toml", "[traverse]\nlevels = 3\n");
+    write("camera.toml", "elevation = 40\nwidth = 8\nheight = 8\n");
+    write("r.csv", "u,v,du,dv\n0.5,0.5,0.1,0.2\n");
+    write("m.asc", &format!("ncols 8\nnrows 8\n{}", "0.5 ".repeat(64)));
+    write("f.json", "[]");
+    let trace = ["trace", "--config", "c.toml", "--out", "h.csv", "--engine", "golden"];
+    let map = ["--map", "m.asc", "--set", "map.range=0,1"];
+    for more in [&["--rays", "r.csv"], &["--view", "camera.toml"]] {
+        let (code, text) = said(dir.path(), &[&trace[..], &map, more].concat());
+        assert_eq!(code, Some(0), "{more:?}: {text}");
+    }
+    let (code, text) = said(dir.path(), &["synth", "--stale", "f.json"]);
+    assert_eq!(code, Some(0), "{text}");
+    let wide: Vec<u8> = "\u{feff}[traverse]".encode_utf16().flat_map(u16::to_le_bytes).collect();
+    std::fs::write(dir.path().join("c.toml"), wide).unwrap();
+    let (code, text) = said(dir.path(), &["list", "--config", "c.toml"]);
+    assert!(code == Some(2) && text.contains("c.toml is not UTF-8 text: it looks like UTF-16"), "{text}");
 }

@@ -189,6 +189,19 @@ fn the_script_of_a_synthesis_holds_names_of_ours_alone() {
     assert!(script.starts_with("read_verilog -I. source0.v source1.v source2.v\n"), "{text}");
     assert!(!script.contains("touch"), "{text}");
     assert!(text.contains("\nc.vh\n"), "what may be included stands there: {text}");
+    // The row of somebody else's module says how it is measured again, and that its files have changed.
+    let figures: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(dir.path().join("f.json")).unwrap()).unwrap();
+    assert_eq!(figures[1]["command"], "reliefrtl synth --unit lzc --beside t=m --target ice40");
+    let stale = || run(dir.path(), &["synth", "--stale", "f.json"]);
+    assert_eq!(stale().status.code(), Some(0), "{:?}", stale());
+    std::fs::write(modules.join("c.vh"), "// other\n").unwrap();
+    let said = String::from_utf8_lossy(&stale().stdout).into_owned();
+    assert!(
+        said.starts_with("reliefrtl synth --unit lzc --beside t=m --target ice40  # was measured on another text"),
+        "{said}"
+    );
+    assert_eq!(stale().status.code(), Some(1));
     assert!(!dir.path().join("x").exists());
 }
 

@@ -74,7 +74,10 @@ fn a_link_is_followed_and_stays() {
     symlink("loop2", dir.path().join("loop1")).unwrap();
     symlink("loop1", dir.path().join("loop2")).unwrap();
     for (out, why) in [
-        ("p.png", "it is a link to elsewhere/h.png, which is not there"),
+        (
+            "p.png",
+            "it is a link to elsewhere/h.png, which is not there; links are followed and never replaced, so make that file or",
+        ),
         ("directory", "it is a link to a directory"),
         ("loop1", "it is a link that leads nowhere"),
         ("elsewhere", "it is a directory"),
@@ -91,6 +94,12 @@ fn a_link_is_followed_and_stays() {
             assert!(text.contains(why) || more[0] == "--wave" && text.contains(".vcd or .fst"), "{more:?}: {text}");
             assert!(!dir.path().join("h2.csv").exists(), "refused before the work");
         }
+    }
+    symlink("nowhere", dir.path().join("tree")).unwrap();
+    for verb in ["build", "emit", "vectors", "report"] {
+        let (code, text) = said(dir.path(), &[verb, "--out", "tree"]);
+        let why = "cannot write into tree: it is a link to nowhere, which is not there; links are followed and never replaced, so make that directory";
+        assert!(code == Some(2) && text.contains(why), "{verb}: {text}");
     }
     // Permissions of a file that is replaced stay.
     use std::os::unix::fs::PermissionsExt;
@@ -135,6 +144,128 @@ fn a_dash_is_standard_output_and_carries_nothing_else() {
     }
 }
 
+/// A pipe that nobody reads.
+fn closed() -> std::io::PipeWriter {
+    std::io::pipe().unwrap().1
+}
+
+#[test]
+fn a_closed_pipe_takes_nothing_from_the_work() {
+    let dir = place();
+    let wanted = hits(dir.path());
+    let tool = |args: &[&str]| {
+        let mut c = Command::new(env!("CARGO_BIN_EXE_reliefrtl"));
+        c.args(args).current_dir(dir.path()).stdout(closed());
+        let out = c.output().unwrap();
+        assert!(!String::from_utf8_lossy(&out.stderr).contains("panicked"), "{out:?}");
+        out.status.code()
+    };
+    let trace = |more: &[&str]| tool(&[&TRACE[..], more].concat());
+    // The hits are written, whatever becomes of the waveform and of what is said.
+    for more in [&["--out", "h.csv", "--wave", "-"][..], &["--out", "h.csv"], &["--out", "h.csv", "--json"]] {
+        assert_eq!(trace(more), Some(141), "{more:?}");
+        assert_eq!(fs::read(dir.path().join("h.csv")).unwrap(), wanted, "{more:?}");
+        fs::remove_file(dir.path().join("h.csv")).unwrap();
+    }
+    assert_eq!(trace(&["--out", "-", "--wave", "w.vcd"]), Some(141));
+    assert!(fs::read(dir.path().join("w.vcd")).unwrap().starts_with(b"$timescale"));
+    let small = ["--set", "traverse.levels=3", "--set", "view.stride=64"];
+    assert_eq!(tool(&[&["render", "--out", "-"], &small[..]].concat()), Some(141));
+    assert_eq!(tool(&[&["emit", "--unit", "lzc", "--out", "o"], &small[..]].concat()), Some(141));
+    assert!(dir.path().join("o/manifest.json").exists());
+    // A verdict stays one.
+    let check = ["check", "--unit", "lzc", "--canary", "flip", "--set", "vectors.arithmetic=20"];
+    assert_eq!(tool(&check), Some(1));
+    assert_eq!(tool(&[&check[..], &["--wave", "-"]].concat()), Some(1));
+    // What goes on until it is stopped ends, too.
+    assert_eq!(tool(&["check", "--unit", "fp_add", "--level", "3", "--set", "vectors.arithmetic=20"]), Some(141));
+}
+
+/// Only the verbs that write a tree replace its files.
+#[test]
+fn a_file_of_an_emitted_tree_is_no_output() {
+    let dir = place();
+    let emit = ["emit", "--out", "o", "--set", "traverse.levels=3"];
+    assert_eq!(said(dir.path(), &emit).0, Some(0));
+    let rtl = "o/rtl/relief_traverse.v";
+    symlink(rtl, dir.path().join("link.v")).unwrap();
+    let look = || fs::read_to_string(dir.path().join(rtl)).unwrap();
+    let before = look();
+    let rates = ["render", "--set", "traverse.levels=3", "--set", "view.stride=64"];
+    for listed in [true, false] {
+        for out in [rtl, "o/manifest.json", "link.v", "o/../o/rtl/relief_traverse.v"] {
+            for verb in [&TRACE[..], &rates, &["fit", "--max-uv-error", "1"], &["synth", "--unit", "lzc"]] {
+                let (code, text) = said(dir.path(), &[verb, &["--out", out]].concat());
+                assert_eq!(code, Some(2), "{verb:?} {out}: {text}");
+                let sentence = "it is a file of the tree that was emitted into ";
+                assert!(text.contains(sentence) && text.contains("choose another name"), "{verb:?} {out}: {text}");
+            }
+        }
+        let (code, text) = trace(dir.path(), "o/new.csv", &[]);
+        assert_eq!(code, Some(0), "what is no file of the tree may stand in it: {text}");
+        fs::remove_file(dir.path().join("o/new.csv")).unwrap();
+        if listed {
+            // Pictures replace pictures, and no tree.
+            let hard = ["hard", "--case", "floor", "--rays", "4", "--engine", "golden", "--pictures"];
+            let (code, text) = said(dir.path(), &[&hard[..], &["o"]].concat());
+            assert!(code == Some(2) && text.contains("choose another output directory"), "{text}");
+            for _ in 0..2 {
+                let (code, text) = said(dir.path(), &[&hard[..], &["pictures"]].concat());
+                assert_eq!(code, Some(0), "{text}");
+            }
+            // A tree that was copied without its list.
+            fs::remove_file(dir.path().join("o/.reliefrtl-files")).unwrap();
+        }
+    }
+    assert_eq!(look(), before);
+}
+
+#[test]
+fn a_directory_for_temporary_files_is_named_by_what_sets_it() {
+    let dir = place();
+    fs::write(dir.path().join("file"), "").unwrap();
+    for (tmp, why) in [
+        ("", "TMPDIR is empty"),
+        ("none", "TMPDIR is none, which is not there"),
+        ("file", "TMPDIR is file, which is no directory"),
+    ] {
+        let mut c = Command::new(env!("CARGO_BIN_EXE_reliefrtl"));
+        c.args(["check", "--unit", "lzc", "--set", "vectors.arithmetic=20"]).env("TMPDIR", tmp).current_dir(dir.path());
+        let out = c.output().unwrap();
+        let text = String::from_utf8_lossy(&out.stderr).into_owned();
+        assert_eq!(out.status.code(), Some(2), "{text}");
+        let right = "let it name a directory that can be written (or unset it)";
+        assert_eq!(text, format!("reliefrtl: {why}: {right}\n"));
+    }
+}
+
+/// With `--json` an error is one JSON object on standard error, whoever finds it.
+#[test]
+fn errors_for_machines() {
+    let dir = place();
+    let cases: [(&[&str], i32, &str, &str); 8] = [
+        (&["list", "--nothing"], 2, "usage", "unexpected argument '--nothing' found"),
+        (&["trace"], 2, "usage", "--out"),
+        (&["check", "--shard", "1/0"], 2, "usage", "--shard"),
+        (&["list", "--set", "format.exp=99"], 2, "input", "format.exp = 99 is too large"),
+        (&["steps", "--map", "none.png"], 2, "file", "cannot read none.png"),
+        (&["trace", "--rays", "r.csv", "--out", "no/h.csv"], 2, "input", "no is not a directory"),
+        (&["hard", "--rays", "0"], 5, "nothing-ran", "at least one ray"),
+        (&["check", "--unit", "lzc", "--canary", "flip", "--set", "vectors.arithmetic=20"], 1, "mismatch", "lzc"),
+    ];
+    for (args, code, kind, message) in cases {
+        let out = run(dir.path(), &[args, &["--json"]].concat());
+        assert_eq!((out.status.code(), &out.stdout[..]), (Some(code), &b""[..]), "{args:?}");
+        let told: serde_json::Value = serde_json::from_slice(&out.stderr).unwrap_or_else(|e| panic!("{args:?}: {e}"));
+        let error = &told["error"];
+        assert_eq!((&error["code"], &error["kind"]), (&code.into(), &kind.into()), "{args:?}: {told}");
+        assert!(error["message"].as_str().unwrap().contains(message), "{args:?}: {told}");
+        if kind == "file" {
+            assert_eq!(error["place"], "none.png");
+        }
+    }
+}
+
 #[test]
 fn no_output_that_is_full_or_closed_is_a_panic() {
     let dir = place();
@@ -161,11 +292,9 @@ fn no_output_that_is_full_or_closed_is_a_panic() {
         assert!(!text.contains("panicked"), "{text}");
         // Both full: nothing can be said, and the code says it.
         assert_eq!(go().stdout(full()).stderr(full()).status().unwrap().code(), Some(2));
-        // Nobody listens: the end is quiet.
-        let (reader, writer) = std::io::pipe().unwrap();
-        drop(reader);
-        let out = go().stdout(writer).output().unwrap();
-        assert_eq!((out.status.code(), &out.stderr[..]), (Some(0), &b""[..]), "{verb:?}");
+        // Nobody listens: the end is quiet, and no success.
+        let out = go().stdout(closed()).output().unwrap();
+        assert_eq!((out.status.code(), &out.stderr[..]), (Some(141), &b""[..]), "{verb:?}");
     }
     let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
     let ended =

@@ -80,11 +80,36 @@ fn a_budget_that_nothing_keeps_is_refused() {
     assert_eq!(out.status.code(), Some(1));
     assert!(String::from_utf8_lossy(&out.stderr).contains("no design keeps the budget; the widest one is"));
     assert!(!dir.path().join("x.toml").exists());
+    let table = |rays: usize| "u,v,du,dv\n".to_owned() + &"0.3,0.4,0.1,0.2\n".repeat(rays);
+    std::fs::write(dir.path().join("r.csv"), table(1199)).unwrap();
+    std::fs::write(dir.path().join("few.csv"), table(3)).unwrap();
     for (args, told) in [
         (vec!["fit"], "fit needs a budget"),
         (vec!["fit", "--max-wrong-texel", "1.5"], "is no share"),
         (vec!["fit", "--max-wrong-texel", "0"], "is no share that rays can show"),
-        (vec!["fit", "--max-wrong-texel", "0.0001"], "30000 rays in all are needed, so give more --rays"),
+        (
+            vec!["fit", "--max-wrong-texel", "0.0001"],
+            "30000 are needed to search with, so give at least --rays 10000 (of each view)",
+        ),
+        (
+            vec!["fit", "--max-wrong-texel", "0.01", "--rays", "r.csv"],
+            "at least 1200 rays (a quarter searches, the others check)",
+        ),
+        (vec!["fit", "--max-wrong-texel", "0.01", "--rays", "few.csv"], "at least 4 are needed"),
+        (
+            vec![
+                "fit",
+                "--max-wrong-texel",
+                "0.01",
+                "--set",
+                "view.width=8",
+                "--views",
+                "front",
+                "--set",
+                "view.height=8",
+            ],
+            "let the views' pictures have at least 1200 rays in all",
+        ),
         (vec!["fit", "--max-uv-error", "-1"], "--max-uv-error"),
     ] {
         let out = run(dir.path(), &args);
@@ -92,4 +117,11 @@ fn a_budget_that_nothing_keeps_is_refused() {
         assert_eq!(out.status.code(), Some(2), "{text}");
         assert!(text.contains(told), "{text}");
     }
+    // As many as the sentence asks for are enough.
+    std::fs::write(dir.path().join("r.csv"), table(1200)).unwrap();
+    let flat = ["--set", "map.kind=flat", "--set", "traverse.levels=3"];
+    let out = run(dir.path(), &[&["fit", "--max-wrong-texel", "0.01", "--rays", "r.csv"], &flat[..]].concat());
+    assert_eq!(out.status.code(), Some(0), "{}", String::from_utf8_lossy(&out.stderr));
+    // No ray at all is no search.
+    assert_eq!(run(dir.path(), &["fit", "--max-uv-error", "1", "--rays", "0"]).status.code(), Some(5));
 }

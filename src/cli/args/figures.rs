@@ -90,7 +90,8 @@ fn float(text: &str) -> Result<FloatFormat, String> {
 #[derive(Args, Debug)]
 pub struct FitArgs {
     /// Map, views and rays; the configured ones without. A number after `--rays`: rays of each view to search with (6000 without), and as many
-    /// to check with; a share of wrong texels needs at least 3 / SHARE in all. A table of rays is dealt into four parts, one to search with.
+    /// to check with; a share of wrong texels needs at least 3 / SHARE to search with. A table of rays is dealt into four parts, one to search
+    /// with, so it has at least 12 / SHARE.
     #[command(flatten)]
     pub scene: SceneArgs,
     /// Budget: the share of rays that may end in another texel than the ray as given, 0 to 1.

@@ -37,8 +37,22 @@ pub struct Cli {
 }
 
 const EXIT_CODES: &str = "Exit codes: 0 ok, 1 mismatch, 2 usage or input, 3 tool missing, 4 tool failed, 5 nothing ran, \
-6 an expected result never came, 7 a result that nobody expected; 129, 130, 143 ended by SIGHUP, SIGINT (Ctrl-C), SIGTERM.\n\
+6 an expected result never came, 7 a result that nobody expected; 129, 130, 143 ended by SIGHUP, SIGINT (Ctrl-C), SIGTERM; \
+141 standard output was closed before all was said (the work was done all the same, files of --out are written).\n\
+With --json an error is one JSON object on standard error.\n\
 --out of a verb that writes one file: `-` is standard output, a device or FIFO is written to, a link is followed.";
+
+/// Keeps the first of equal ones.
+fn once<T: PartialEq>(list: &mut Vec<T>) {
+    let mut at = 0;
+    while at < list.len() {
+        if list[..at].contains(&list[at]) {
+            list.remove(at);
+        } else {
+            at += 1;
+        }
+    }
+}
 
 /// The name of a unit in a list.
 fn unit_name(text: &str) -> std::result::Result<String, String> {
@@ -89,6 +103,31 @@ pub enum Verb {
 }
 
 impl Verb {
+    /// Takes what a list names twice once.
+    pub fn once(&mut self) {
+        match self {
+            Self::Vectors(a) => once(&mut a.unit),
+            Self::Emit(a) => once(&mut a.unit),
+            Self::Check(a) => once(&mut a.unit),
+            Self::Hard(a) => once(&mut a.case),
+            Self::Synth(a) => {
+                once(&mut a.unit);
+                once(&mut a.seeds);
+                once(&mut a.latency);
+                once(&mut a.beside);
+            }
+            Self::Report(a) => {
+                once(&mut a.maps);
+                once(&mut a.levels);
+                once(&mut a.datapaths);
+                once(&mut a.formats);
+                once(&mut a.fractions);
+                once(&mut a.synth);
+            }
+            _ => {}
+        }
+    }
+
     /// The options about the height map, of verbs that have them.
     pub fn map(&self) -> Option<&MapArgs> {
         match self {

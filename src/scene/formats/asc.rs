@@ -4,7 +4,9 @@ use super::plain::Words;
 use super::{Info, Opened, Rows, Samples, broken, sized};
 use crate::config::MapConfig;
 use crate::error::Result;
+use crate::files::MARK;
 use crate::scene::source::Source;
+use std::io::{Read, Seek};
 
 const KIND: &str = "ESRI ASC";
 /// Words of the header, besides those that are read.
@@ -12,13 +14,19 @@ const PLACE: [&str; 7] = ["xllcorner", "yllcorner", "xllcenter", "yllcenter", "c
 
 /// Starts like one.
 pub(super) fn is_asc(head: &[u8]) -> bool {
-    let word = head.trim_ascii_start();
+    let word = head.strip_prefix(MARK).unwrap_or(head).trim_ascii_start();
     [&b"ncols"[..], b"nrows"].iter().any(|key| word.len() > key.len() && word[..key.len()].eq_ignore_ascii_case(key))
 }
 
 /// The header: a key and a value each, in any order; the first number ends it.
 pub(super) fn open<'a>(source: &'a Source, map: &'a MapConfig) -> Result<Opened<'a>> {
-    let mut words = Words::new(source.open()?, KIND, false);
+    let mut handle = source.open()?;
+    let mut mark = Vec::new();
+    handle.by_ref().take(MARK.len() as u64).read_to_end(&mut mark).map_err(|e| broken(KIND, e))?;
+    if mark != MARK {
+        handle.rewind().map_err(|e| broken(KIND, e))?;
+    }
+    let mut words = Words::new(handle, KIND, false);
     let (mut columns, mut rows, mut nodata) = (None, None, None);
     let first = loop {
         let Some(key) = words.next()? else { return Err(broken(KIND, "it ends in its header")) };
