@@ -39,6 +39,7 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
     if a.batches.is_some() {
         return Err(Error::input("--batches ends --level 3: levels 1 and 2 end by themselves"));
     }
+    a.dir.as_deref().map_or(Ok(()), |dir| super::output::tree(dir, "golden"))?;
     let work = Scratch::new()?;
     let dir: PathBuf = match &a.dir {
         Some(dir) => dir.clone(),

@@ -144,6 +144,21 @@ fn no_dash(out: &Path) -> Result<()> {
     Ok(())
 }
 
+/// The tree of `--dir`, which has a directory `needed`.
+///
+/// # Errors
+/// It is not there, or no such tree.
+pub fn tree(dir: &Path, needed: &str) -> Result<()> {
+    let why = match std::fs::metadata(dir) {
+        Err(e) if e.kind() == std::io::ErrorKind::NotFound => "is not there".to_owned(),
+        Err(e) => return Err(Error::file("read", dir, e)),
+        Ok(there) if !there.is_dir() => "is no directory".to_owned(),
+        Ok(_) if !dir.join(needed).is_dir() => format!("holds no directory {needed}"),
+        Ok(_) => return Ok(()),
+    };
+    Err(Error::input(format!("--dir {} {why}: name a tree that `build` wrote", dir.display())))
+}
+
 /// Makes the directory that a verb fills file by file, and sees that it can be written.
 ///
 /// # Errors

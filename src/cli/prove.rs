@@ -32,6 +32,7 @@ pub fn run(cli: &Cli, a: &ProveArgs) -> Result<()> {
         print!("{}", table(&["proof", "for every input"], &rows));
         return Ok(());
     }
+    a.dir.as_deref().map_or(Ok(()), |dir| super::output::tree(dir, "rtl"))?;
     let tools = Tools::find()?;
     let work = Scratch::new()?;
     let dir = match &a.dir {

@@ -83,7 +83,8 @@ pub(super) fn beside(cli: &Cli, a: &SynthArgs, work: &Work, asked_for: &str) -> 
     value["asked"] = asked(&work.target, &work.placing).into();
     value["tools"] = versions(&work.target)?.into();
     // A call measures a unit of ours, too: the first one.
-    let first = work.jobs.first().map_or(("lzc", None), |job| (job.unit.name.as_str(), job.clocks));
+    let none = || Error::NothingRan("no unit is left to measure: name one with --unit".into());
+    let first = work.jobs.first().map(|job| (job.unit.name.as_str(), job.clocks)).ok_or_else(none)?;
     Ok((figures, with_command(command(cli, a, first, Some(asked_for)), value)))
 }
 

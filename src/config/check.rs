@@ -20,6 +20,7 @@ pub(crate) fn problem(key: &Key, value: &Value) -> Option<String> {
             range(path, &shown, legal, *number < low, *number > high)
         }
         (Legal::Real(..), _) => Some(format!("{path} = {shown} is not a number: {legal} are legal")),
+        (Legal::Path, Value::String(text)) if text.is_empty() => Some(format!("{path} is empty: a path is legal")),
         (Legal::Flag, Value::Boolean(_)) | (Legal::Path, Value::String(_)) => None,
         (Legal::Flag, _) => Some(format!("{path} = {shown} is neither true nor false")),
         (Legal::Path, _) => Some(format!("{path} = {shown} is not a path in quotes")),
@@ -144,11 +145,21 @@ fn is_timescale(text: &str) -> bool {
     text.is_empty() || times().is_some_and(|(unit, precision)| precision <= unit)
 }
 
+/// A number in at most some twenty characters: a power of ten stands behind a very small or very large one.
+pub(crate) fn plain(number: f64) -> String {
+    if number == 0.0 || !number.is_finite() || (1e-6..1e16).contains(&number.abs()) {
+        number.to_string()
+    } else {
+        format!("{number:e}")
+    }
+}
+
 /// A value as it would stand in the file, cut if it is long.
 pub(crate) fn show(value: &Value) -> String {
     let text = match value {
         Value::String(text) => format!("{text:?}"),
-        Value::Float(number) => format!("{number}"),
+        Value::Float(number) => plain(*number),
+        Value::Array(list) => format!("[{}]", list.iter().map(show).collect::<Vec<_>>().join(", ")),
         other => other.to_string(),
     };
     let mut line = text.replace('\n', " ");

@@ -55,7 +55,7 @@ impl fmt::Display for Legal {
 }
 
 impl Legal {
-    /// Whether the key may be absent; an empty `--set key=` then removes it.
+    /// Whether the key may be absent; `--set key=none` then removes it.
     pub(super) const fn optional(self) -> bool {
         matches!(self, Self::Path | Self::Number | Self::Text | Self::Range | Self::Size)
     }

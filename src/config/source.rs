@@ -60,7 +60,7 @@ impl Config {
     }
 
     /// Applies one `key.path=value` as given to `--set`. The value is TOML; a bare word is a string, and a list of words
-    /// may be written without brackets and quotes: `view.names=front,grazing`. An empty `map.file=` (or another key that may be absent) removes it.
+    /// may be written without brackets and quotes: `view.names=front,grazing`. The word none takes a key back that may be absent: `map.range=none`.
     ///
     /// # Errors
     /// [`Error::Input`]: no `=`, an unknown key, a wrong type, a value out of range. The configuration is then unchanged.
@@ -79,6 +79,10 @@ impl Config {
             unreachable!("every section is written");
         };
         if key.legal.optional() && text.is_empty() {
+            let legal = key.legal;
+            return Err(Error::input(format!("{path} has no value (--set): {legal} is legal, and none takes it back")));
+        }
+        if key.legal.optional() && text == "none" {
             entries.remove(name);
         } else {
             let value = parse(text, key.legal);

@@ -4,6 +4,7 @@ use super::formats::{self, Samples};
 use super::height_map::{Depth, HeightMap};
 use super::source::Source;
 use super::taken::Taken;
+use crate::config::check::plain;
 use crate::config::{MapConfig, MapRange};
 use crate::error::{Error, Result};
 use std::path::Path;
@@ -195,8 +196,8 @@ fn range_of(
             let ends = scan(source, map, kept, None)?.ends.unwrap_or((0.0, 1.0));
             Err(Error::input(format!(
                 "its heights are {samples} numbers from {} to {}, and which become 0 and full height is not ours to guess: say it with {}",
-                ends.0,
-                ends.1,
+                plain(ends.0),
+                plain(ends.1),
                 guess(ends)
             )))
         }
@@ -227,7 +228,10 @@ fn read<S: Sink>(
     let ((low, high), depth) = range_of(source, map, samples, kept)?;
     if let Some(fill) = map.fill.filter(|fill| !(low..=high).contains(fill)) {
         return Err(Error::input(format!(
-            "map.fill = {fill} is no height from {low} to {high}: give one, in the file's units, or another map.range"
+            "map.fill = {} is no height from {} to {}: give one, in the file's units, or another map.range",
+            plain(fill),
+            plain(low),
+            plain(high)
         )));
     }
     let mut opened = first.map_or_else(|| formats::open(source, map), Ok)?;
@@ -286,16 +290,16 @@ fn read<S: Sink>(
 
 /// How the range is asked for that a file with these heights needs.
 fn guess((low, high): (f64, f64)) -> String {
-    let limits = if low < high { format!("--set map.range={low},{high} or ") } else { String::new() };
+    let limits = if low < high { format!("--set map.range={},{} or ", plain(low), plain(high)) } else { String::new() };
     format!("{limits}--set map.range=auto")
 }
 
 fn missing(seen: &Seen, value: Option<f64>, note: Option<String>, low: f64) -> Error {
     let (count, first) = seen.missing;
     let (x, y) = first.unwrap_or_default();
-    let mark = value.map_or_else(|| "not a number".to_owned(), |value| format!("{value}, or not a number"));
+    let mark = value.map_or_else(|| "not a number".to_owned(), |value| format!("{}, or not a number", plain(value)));
     let why = note.map(|note| format!("; the file has a {note}")).unwrap_or_default();
-    let low = seen.ends.map_or(low, |ends| ends.0);
+    let low = plain(seen.ends.map_or(low, |ends| ends.0));
     Error::input(format!(
         "{count} of {} texels have no data ({mark}), the first is pixel ({x}, {y}){why}: give the height that they take, in the file's units, as --set map.fill={low}",
         seen.texels
@@ -305,15 +309,16 @@ fn missing(seen: &Seen, value: Option<f64>, note: Option<String>, low: f64) -> E
 fn outside((x, y): (usize, usize), sample: f64, (low, high): (f64, f64), map: &MapConfig, seen: &Seen) -> Error {
     let needed = match map.range {
         None => "heights must be in 0 to 1".to_owned(),
-        Some(_) => format!("map.range = [{low}, {high}]"),
+        Some(_) => format!("map.range = [{}, {}]", plain(low), plain(high)),
     };
     let ends = seen.ends.unwrap_or((0.0, 1.0));
     Error::input(format!(
-        "pixel ({x}, {y}) is {sample}: {needed}; {} of {} texels lie outside, and the file's heights go from {} to {}: use {}",
+        "pixel ({x}, {y}) is {}: {needed}; {} of {} texels lie outside, and the file's heights go from {} to {}: use {}",
+        plain(sample),
         seen.outside,
         seen.texels,
-        ends.0,
-        ends.1,
+        plain(ends.0),
+        plain(ends.1),
         guess(ends)
     ))
 }

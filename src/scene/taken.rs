@@ -1,4 +1,5 @@
 //! What was taken of a map's file, for the summary.
+use crate::config::check::plain;
 use serde::Serialize;
 use std::fmt;
 
@@ -47,12 +48,12 @@ impl fmt::Display for Taken {
         }
         write!(f, ", channel {}", self.channel)?;
         if let (Some(lowest), Some(highest)) = (self.lowest, self.highest) {
-            write!(f, ", heights {lowest} to {highest}")?;
+            write!(f, ", heights {} to {}", plain(lowest), plain(highest))?;
         }
-        write!(f, " (range {} to {})", self.range[0], self.range[1])?;
+        write!(f, " (range {} to {})", plain(self.range[0]), plain(self.range[1]))?;
         match (self.nodata_texels, self.fill) {
             (0, _) => f.write_str(", 0 texels without data")?,
-            (count, Some(fill)) => write!(f, ", {count} texels without data filled with {fill}")?,
+            (count, Some(fill)) => write!(f, ", {count} texels without data filled with {}", plain(fill))?,
             (count, None) => write!(f, ", {count} texels without data")?,
         }
         if self.kept != [self.width, self.height] {

@@ -106,7 +106,7 @@ fn how_a_map_is_read() {
     );
     assert_eq!(Config::from_toml(&config.to_commented_toml(), "c.toml").unwrap(), config);
     assert_eq!(with(&["map.range=-1,1"]).map.range, Some(MapRange::Limits([-1.0, 1.0])));
-    assert_eq!(with(&["map.range=auto", "map.range="]).map.range, None);
+    assert_eq!(with(&["map.range=auto", "map.range=none"]).map.range, None);
     let legal = "[low, high] with low below high, or \"auto\" is legal";
     for value in ["[1, 1]", "[2, 1]", "[0]", "[0, nan]", "[0, 1, 2]", "[-1e308, 1e308]", "\"full\"", "5"] {
         let told = parse(&format!("[map]\nrange = {value}"));
@@ -253,7 +253,7 @@ fn what_holds_between_keys() {
         refused(&["map.file=a.png"]),
         "map.file is set but map.kind = \"rocks\" does not read it: set map.kind = \"file\" or remove map.file"
     );
-    with(&["map.file=a.png", "map.file="]).validate().unwrap();
+    with(&["map.file=a.png", "map.file=none"]).validate().unwrap();
     let mut config = Config::default();
     config.map.seed = u64::MAX;
     assert_eq!(sentence(config.validate()), "map.seed = 18446744073709551615 is too large: 0 to 2^63 - 1 are legal");

@@ -74,6 +74,43 @@ fn an_input_is_a_regular_file() {
     assert!(code == Some(2) && text.contains("traverse.levels = 99") && text.contains("line 2"), "{text}");
 }
 
+/// What is wrong, what would be right, and where; no number of hundreds of digits.
+#[test]
+fn a_sentence_says_what_is_right_and_where() {
+    let dir = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &[u8]| std::fs::write(dir.path().join(name), text).unwrap();
+    write("m.asc", format!("ncols 8\nnrows 8\n{}", "1e-300 ".repeat(64)).as_bytes());
+    write("c.toml", b"[map]\nkind = \"file\"\nfile = \"\"\n");
+    write("cut.tif", b"II*\0\x08\0");
+    std::fs::create_dir(dir.path().join("empty")).unwrap();
+    let tree = "name a tree that `build` wrote";
+    let map = ["build", "--map", "m.asc", "--set", "traverse.levels=3"];
+    let cases: [(&[&str], &[&str]); 11] = [
+        (&["check", "--dir", "nodir"], &["--dir nodir is not there", tree]),
+        (&["check", "--dir", "m.asc"], &["--dir m.asc is no directory", tree]),
+        (&["check", "--dir", "empty"], &["--dir empty holds no directory golden", tree]),
+        (&["prove", "--dir", "nodir"], &["--dir nodir is not there", tree]),
+        (&["list", "--set", "map.range="], &["map.range has no value (--set): [low, high]", "none takes it back"]),
+        (&["list", "--set", "map.file="], &["map.file has no value (--set): a path", "none takes it back"]),
+        (&["list", "--set", "traverse.levels="], &["traverse.levels = \"\" is not a whole number"]),
+        (&["list", "--set", "map.range=1e-320,0"], &["map.range = [1e-320, 0] is no range"]),
+        (&["list", "--config", "c.toml"], &["map.file is empty: a path is legal (c.toml, line 3)"]),
+        (&["build", "--map", "cut.tif"], &["cut.tif: not a readable TIFF: its data end early"]),
+        (
+            &[&map[..], &["--set", "map.range=0,1e-320"]].concat(),
+            &["is 1e-300: map.range = [0, 1e-320]", "--set map.range=auto"],
+        ),
+    ];
+    for (args, parts) in cases {
+        let (code, text) = said(dir.path(), args);
+        assert_eq!(code, Some(2), "{args:?}: {text}");
+        parts.iter().for_each(|part| assert!(text.contains(part), "{args:?}: {part:?} is not in {text}"));
+        assert!(text.lines().count() == 1 && text.len() < 400, "{args:?}: {text}");
+    }
+    let (code, text) = said(dir.path(), &[&map[..], &["--set", "map.range=0,2e-300", "--print-map"]].concat());
+    assert!(code == Some(0) && text.contains("heights 1e-300 to 1e-300 (range 0 to 2e-300)"), "{text}");
+}
+
 /// Text files may begin with a byte order mark; text in another code is refused by its name.
 #[test]
 fn a_byte_order_mark_is_no_text() {

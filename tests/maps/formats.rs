@@ -191,6 +191,11 @@ fn tiff_of_several_samples() {
             let told = sentence(decode_codes(&bands, "m.tif", &keys(&[]), 2, 16, false));
             assert!(told.contains("the file has the channels Y, 2, and which one"), "{told}");
             assert_eq!(codes(&bands, "m.tif", 16, &["map.channel=2"]), [7; 16]);
+            for first in ["map.channel=Y", "map.channel=1"] {
+                assert_eq!(codes(&bands, "m.tif", 16, &[first]), words);
+            }
+            let told = sentence(decode_codes(&bands, "m.tif", &keys(&["map.channel=3"]), 2, 16, false));
+            assert!(told.contains("there is no channel \"3\" (map.channel): the file has Y, 2"), "{told}");
             let three: Vec<u64> = words.iter().flat_map(|w| [*w; 3]).collect();
             let rgb = Tiff { samples: 3, photometric: 2, planar, tile, height: 4, ..Tiff::grey(4, 16, &three) };
             assert_eq!(codes(&rgb.bytes(), "m.tif", 16, &[]), words);
@@ -230,6 +235,69 @@ fn tiff_turned_and_mirrored() {
         let there: Vec<u64> = map.samples.iter().map(|h| (h * 255.0).round() as u64).collect();
         assert_eq!(there, seen, "orientation {orientation}");
     }
+}
+
+/// What a tag says and no reader may pass over: read as it says, or refused.
+#[test]
+fn tiff_tags_that_change_what_the_bytes_mean() {
+    for bits in [1, 4, 8, 12, 16] {
+        for compression in [1, 5, 8, 32773, 50000] {
+            let words = ramp(bits);
+            let file = Tiff { fill_order: 2, compression, ..Tiff::grey(4, bits, &words) };
+            let range = format!("map.range=0,{}", (1u64 << bits) - 1);
+            let read = |file: &Tiff| decode_as(&file.bytes(), "m.tif", &keys(&[&range])).unwrap().0.samples;
+            assert_eq!(read(&file), read(&Tiff { fill_order: 1, ..file.clone() }), "{bits} bits, {compression}");
+        }
+    }
+    let grey = Tiff::grey(4, 8, &ramp(8));
+    let tag = |file: &Tiff, tag: u16, from: u16, to: u16| {
+        let mut bytes = file.bytes();
+        let entry = |value: u16| [tag, 3, 1, 0, value].map(u16::to_le_bytes).concat();
+        let at = bytes.windows(10).position(|w| w == entry(from)).unwrap();
+        bytes[at + 8..at + 10].copy_from_slice(&to.to_le_bytes());
+        sentence(decode_as(&bytes, "m.tif", &keys(&[])))
+    };
+    for wrong in [0, 9, 99, 65535] {
+        let told = tag(&grey, 274, 1, wrong);
+        assert_eq!(told, format!("m.tif: its orientation is {wrong}, and 1 (upright) to 8 are legal: save it upright"));
+    }
+    assert!(tag(&grey, 266, 1, 3).contains("its order of bits (FillOrder) is 3, and 1 or 2 are legal"));
+    let told = tag(&grey, 284, 1, 3);
+    assert!(told.contains("planar configuration"), "{told}");
+    let fax = Tiff { fill_order: 2, compression: 4, ..Tiff::grey(4, 1, &ramp(1)) };
+    assert!(
+        sentence(decode_as(&fax.bytes(), "m.tif", &keys(&[]))).contains("(FillOrder 2), which is not read of Fax4")
+    );
+    // Samples of two sizes in a pixel.
+    let two = Tiff { samples: 2, extra: Some(2), height: 4, ..Tiff::grey(4, 8, &[7; 32]) };
+    let mut bytes = two.bytes();
+    let sizes = [258u16, 3, 2, 0, 8, 8].map(u16::to_le_bytes).concat();
+    let at = bytes.windows(12).position(|w| w == sizes).unwrap();
+    bytes[at + 10] = 16;
+    let told = sentence(decode_as(&bytes, "m.tif", &keys(&[])));
+    assert!(told.ends_with("inconsistent bits per sample: [8, 16]"), "{told}");
+}
+
+/// EXIF data of a PNG, whose orientation is 6 or none.
+#[test]
+fn an_orientation_in_exif_data() {
+    let exif = |orientation: u8| {
+        let data =
+            [b"MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0".as_slice(), &[orientation, 0, 0, 0, 0, 0, 0]].concat();
+        let file = png(2, BitDepth::Eight, ColorType::Grayscale, &[1, 2, 3, 4, 5, 6], |_| ());
+        // Behind the header, 8 + 25 bytes.
+        let mut crc = flate2::Crc::new();
+        crc.update(&[b"eXIf".as_slice(), &data].concat());
+        let chunk = [&(data.len() as u32).to_be_bytes()[..], b"eXIf", &data, &crc.sum().to_be_bytes()].concat();
+        [&file[..33], &chunk, &file[33..]].concat()
+    };
+    let read = |orientation| {
+        let map = decode_as(&exif(orientation), "m.png", &keys(&[]));
+        map.map(|(map, _)| map.samples.iter().map(|h| (h * 255.0).round() as u64).collect::<Vec<_>>())
+    };
+    assert_eq!(read(1).unwrap(), [1, 2, 3, 4, 5, 6]);
+    assert_eq!(read(6).unwrap(), [5, 3, 1, 6, 4, 2]);
+    assert!(sentence(read(9)).contains("its orientation is 9, and 1 (upright) to 8 are legal"));
 }
 
 #[test]

@@ -22,6 +22,8 @@ pub struct Tiff {
     pub compression: u16,
     pub predictor: u16,
     pub orientation: u16,
+    /// 2: the lowest bit of a byte comes first.
+    pub fill_order: u16,
     pub nodata: Option<&'static str>,
     pub palette: Option<Vec<u16>>,
     /// Sample words, pixel after pixel.
@@ -49,6 +51,7 @@ impl Tiff {
             compression: 1,
             predictor: 1,
             orientation: 1,
+            fill_order: 1,
             nodata: None,
             palette: None,
             words: words.to_vec(),
@@ -148,7 +151,11 @@ impl Tiff {
                             .collect();
                         bytes.extend(self.row(&words, together));
                     }
-                    out.push(self.pack(&bytes));
+                    let mut packed = self.pack(&bytes);
+                    if self.fill_order == 2 {
+                        packed.iter_mut().for_each(|byte| *byte = byte.reverse_bits());
+                    }
+                    out.push(packed);
                 }
             }
         }
@@ -193,6 +200,7 @@ impl Tiff {
             (258, short(&vec![self.bits.into(); self.samples])),
             (259, short(&[self.compression.into()])),
             (262, short(&[self.photometric.into()])),
+            (266, short(&[self.fill_order.into()])),
             (274, short(&[self.orientation.into()])),
             (277, short(&[self.samples as u64])),
             (284, short(&[if self.planar { 2 } else { 1 }])),

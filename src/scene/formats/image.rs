@@ -1,5 +1,5 @@
 //! Kinds that the crate `image` reads whole: BMP, TGA, WebP, and JPEG where it is asked for.
-use super::orient::upright;
+use super::orient::{of_exif, upright};
 use super::pick::Pick;
 use super::{Info, Opened, Rows, Samples, broken, filled, sized};
 use crate::config::MapConfig;
@@ -25,7 +25,7 @@ pub(super) fn open<'a>(
     let mut decoder = reader.into_decoder().map_err(failed)?;
     let (width, height) = decoder.dimensions();
     let (width, height) = sized(width.into(), height.into(), map)?;
-    let orientation = decoder.orientation().map_or(1, |turn| turn.to_exif());
+    let orientation = of_exif(decoder.exif_metadata().map_err(failed)?.as_deref());
     let colour = decoder.color_type();
     let names: &[&str] = match colour {
         ColorType::L8 | ColorType::L16 => &["Y"],
@@ -54,7 +54,7 @@ pub(super) fn open<'a>(
     decoder.read_image(&mut bytes).map_err(failed)?;
     let info = Info { channel: pick.label(), ..Info::new(kind, width, height, samples) };
     let rows = Whole { bytes, pick, wide, at: 0 };
-    upright(Opened { info, rows: Box::new(rows) }, orientation.into())
+    upright(Opened { info, rows: Box::new(rows) }, orientation)
 }
 
 /// A picture in memory.

@@ -113,9 +113,36 @@ pub(super) struct Opened<'a> {
     pub(super) rows: Box<dyn Rows + 'a>,
 }
 
+/// What libraries say in words that tell nothing of the file, and what is meant.
+const SAID: [(&str, &str); 8] = [
+    ("failed to fill whole buffer", "its data end early"),
+    ("The Decoder limits are exceeded", "it asks for more memory than its pixels need"),
+    ("limits are exceeded", "it asks for more memory than its pixels need"),
+    ("Memory limit exceeded", "it asks for more memory than its pixels need"),
+    ("Image size exceeds limit", "it asks for more memory than its pixels need"),
+    ("invalid: reference to missing bytes", "its data end early"),
+    ("invalid: ", "invalid "),
+    ("unsupported error: ", ""),
+];
+
 /// A sentence about a file that its own kind's reader can't read.
 fn broken(kind: &str, error: impl fmt::Display) -> Error {
-    let text = error.to_string();
+    let mut text = error.to_string();
+    for (theirs, ours) in SAID {
+        text = text.replace(theirs, ours);
+    }
+    for before in ["Format error decoding ", "Format error: ", "format error: "] {
+        if let Some((_, rest)) = text.split_once(before) {
+            // The kind of file was named.
+            text = rest.split_once(": ").filter(|_| before.ends_with("decoding ")).map_or(rest, |r| r.1).to_owned();
+        }
+    }
+    // All that a chunk of a PNG is, for its name.
+    while let Some((head, (name, rest))) =
+        text.split_once("ChunkType { type: ").and_then(|(head, rest)| Some((head, rest.split_once(", ")?)))
+    {
+        text = format!("{head}{name}{}", rest.split_once('}').map_or("", |r| r.1));
+    }
     Error::input(format!("not a readable {kind}: {}", text.trim().trim_end_matches('.').replace(['\n', '\r'], " ")))
 }
 

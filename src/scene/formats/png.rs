@@ -1,11 +1,10 @@
 //! PNG at its own depth, row by row.
-use super::orient::upright;
+use super::orient::{of_exif, upright};
 use super::pick::Pick;
 use super::{Info, Opened, Rows, Samples, broken, filled, sized};
 use crate::config::MapConfig;
 use crate::error::Result;
 use crate::scene::source::Handle;
-use image::metadata::Orientation;
 use png::{ColorType, DecodeOptions, Decoder, Limits, Reader, Transformations};
 
 const KIND: &str = "PNG";
@@ -60,12 +59,11 @@ pub(super) fn open<'a>(handle: Handle<'a>, map: &MapConfig) -> Result<Opened<'a>
         _ => (Pixel::Plain, names, Samples::bits(bits), stored),
     };
     let pick = Pick::new(names, samples.full(), map)?;
-    let orientation =
-        header.exif_metadata.as_deref().and_then(Orientation::from_exif_chunk).map_or(1, |turn| turn.to_exif());
+    let orientation = of_exif(header.exif_metadata.as_deref());
     let info = Info { channel: pick.label(), ..Info::new(KIND, width, height, samples) };
     let opaque = samples.full();
     let rows = PngRows { reader, meaning, pick, bits, stored, opaque, whole: None, at: 0 };
-    upright(Opened { info, rows: Box::new(rows) }, orientation.into())
+    upright(Opened { info, rows: Box::new(rows) }, orientation)
 }
 
 struct PngRows<'a> {

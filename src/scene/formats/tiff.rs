@@ -6,6 +6,7 @@ use super::{Info, Opened, Samples, broken, sized};
 use crate::config::MapConfig;
 use crate::error::{Error, Result};
 use crate::scene::source::Handle;
+use std::borrow::Cow;
 use std::io::{Read, Seek, SeekFrom};
 use tiff::decoder::Decoder;
 use tiff::tags::{CompressionMethod, PhotometricInterpretation as Photo, SampleFormat, Tag};
@@ -29,8 +30,9 @@ pub(super) fn open<'a>(handle: Handle<'a>, len: u64, map: &MapConfig) -> Result<
     let photo = number(&mut tags, Tag::PhotometricInterpretation)?.and_then(|code| Photo::from_u16(code as u16));
     let photo = photo.ok_or_else(|| broken(KIND, "it does not say what its pixels mean"))?;
     let per_pixel = number(&mut tags, Tag::SamplesPerPixel)?.unwrap_or(1) as usize;
-    let bits = first(&mut tags, Tag::BitsPerSample)?.unwrap_or(1);
-    let format = SampleFormat::from_u16_exhaustive(first(&mut tags, Tag::SampleFormat)?.unwrap_or(1) as u16);
+    let bits = of_all(&mut tags, Tag::BitsPerSample, "bits")?.unwrap_or(1);
+    let format = of_all(&mut tags, Tag::SampleFormat, "as their formats")?.unwrap_or(1);
+    let format = SampleFormat::from_u16_exhaustive(format as u16);
     let numbers = match (format, bits) {
         (SampleFormat::Uint | SampleFormat::Void, 1..=32) => Number::Unsigned,
         (SampleFormat::Int, 2..=32) => Number::Signed,
@@ -61,7 +63,7 @@ pub(super) fn open<'a>(handle: Handle<'a>, len: u64, map: &MapConfig) -> Result<
             ));
         }
     };
-    let pick = Pick::new(&names, samples.full(), map)?;
+    let pick = Pick::new(&names, samples.full(), &numbered(map, &names))?;
     let compression = number(&mut tags, Tag::Compression)?.unwrap_or(1) as u16;
     let compression = CompressionMethod::from_u16_exhaustive(compression);
     if matches!(compression, CompressionMethod::JPEG | CompressionMethod::ModernJPEG | CompressionMethod::WebP)
@@ -74,8 +76,13 @@ pub(super) fn open<'a>(handle: Handle<'a>, len: u64, map: &MapConfig) -> Result<
     let orientation = number(&mut tags, Tag::Orientation)?.unwrap_or(1);
     let nodata = nodata(&mut tags)?;
     let info = Info { channel: pick.label(), part, nodata, ..Info::new(KIND, width, height, samples) };
+    let reversed = match number(&mut tags, Tag::FillOrder)?.unwrap_or(1) {
+        1 => false,
+        2 => true,
+        other => return Err(broken(KIND, format!("its order of bits (FillOrder) is {other}, and 1 or 2 are legal"))),
+    };
     let grid = Grid::new(&mut tags, (width, height), per_pixel, bits)?;
-    let chunks = Chunks::new(tags, grid, (numbers, meaning), pick, compression, len)?;
+    let chunks = Chunks::new(tags, grid, (numbers, meaning), pick, (compression, reversed), len)?;
     upright(Opened { info, rows: Box::new(chunks) }, orientation)
 }
 
@@ -126,9 +133,25 @@ fn counted(mut handle: Handle<'_>, len: u64) -> Result<Handle<'_>> {
     Ok(handle)
 }
 
-/// The first number of a tag.
-fn first(tags: &mut Tags<'_>, tag: Tag) -> Result<Option<u32>> {
-    Ok(tags.find_tag_unsigned_vec::<u32>(tag).map_err(failed)?.and_then(|list| list.first().copied()))
+/// The number that a tag gives for all samples of a pixel.
+fn of_all(tags: &mut Tags<'_>, tag: Tag, what: &str) -> Result<Option<u32>> {
+    let list = tags.find_tag_unsigned_vec::<u32>(tag).map_err(failed)?.unwrap_or_default();
+    match list.iter().find(|number| **number != list[0]) {
+        None => Ok(list.first().copied()),
+        Some(other) => Err(broken(
+            KIND,
+            format!("the samples of a pixel have {} and {other} {what}: samples of one kind are read", list[0]),
+        )),
+    }
+}
+
+/// The choice of a channel, where it is by the number of the sample, by its name.
+fn numbered<'a>(map: &'a MapConfig, names: &[&str]) -> Cow<'a, MapConfig> {
+    let number = map.channel.as_ref().filter(|asked| !names.contains(&asked.as_str()));
+    match number.and_then(|asked| names.get(asked.parse::<usize>().ok()?.checked_sub(1)?)) {
+        Some(name) => Cow::Owned(MapConfig { channel: Some((*name).to_owned()), ..map.clone() }),
+        None => Cow::Borrowed(map),
+    }
 }
 
 /// Goes to the page that is asked for, or the only one that is no reduced copy and no mask.
@@ -173,10 +196,11 @@ fn names(tags: &mut Tags<'_>, photo: Photo, per_pixel: usize) -> Result<Vec<Stri
     if per_pixel < own.len() || per_pixel > 64 {
         return Err(broken(KIND, format!("it has {per_pixel} samples a pixel")));
     }
+    let opacity = extra.iter().position(|kind| matches!(kind, 1 | 2));
     let one = |at: usize| match own.get(at) {
         Some(name) => (*name).to_owned(),
+        None if opacity == Some(at - own.len()) => "A".to_owned(),
         // Colours with a fourth sample that nobody explains are taken for colours with opacity.
-        None if matches!(extra.get(at - own.len()), Some(1 | 2)) => "A".to_owned(),
         None if extra.is_empty() && photo == Photo::RGB && at == 3 => "A".to_owned(),
         None => (at + 1).to_string(),
     };

@@ -84,7 +84,11 @@ impl Grid {
             let rows = number(tags, Tag::RowsPerStrip)?.map_or(height, |rows| rows as usize).min(height);
             (width, rows, list(tags, Tag::StripOffsets)?, list(tags, Tag::StripByteCounts)?)
         };
-        let planar = number(tags, Tag::PlanarConfiguration)? == Some(2) && per_pixel > 1;
+        let planes = number(tags, Tag::PlanarConfiguration)?.unwrap_or(1);
+        if !(1..=2).contains(&planes) {
+            return Err(broken(KIND, format!("its planar configuration is {planes}, and 1 or 2 are legal")));
+        }
+        let planar = planes == 2 && per_pixel > 1;
         let predictor = number(tags, Tag::Predictor)?.unwrap_or(1);
         let grid = Self { width, height, columns, rows, tiles, per_pixel, planar, bits, predictor, offsets, counts };
         if columns == 0 || rows == 0 {
@@ -132,6 +136,8 @@ pub(super) struct Chunks<'a> {
     meaning: Meaning,
     pick: Pick,
     compression: CompressionMethod,
+    /// Whether the first bit of each stored byte is its lowest (FillOrder 2), as libtiff reads it: of what is packed, too.
+    reversed: bool,
     /// Bytes of the file.
     len: u64,
     /// The chunks of the present row of them, unpacked, plane after plane; empty where nobody looks.
@@ -149,9 +155,15 @@ impl<'a> Chunks<'a> {
         grid: Grid,
         (number, meaning): (Number, Meaning),
         pick: Pick,
-        compression: CompressionMethod,
+        (compression, reversed): (CompressionMethod, bool),
         len: u64,
     ) -> Result<Self> {
+        if reversed && !unpacked_here(compression) {
+            return Err(broken(
+                KIND,
+                format!("its bits are stored in reverse (FillOrder 2), which is not read of {compression:?}"),
+            ));
+        }
         let difference =
             grid.predictor == 2 && number != Number::Float || grid.predictor == 3 && number == Number::Float;
         if grid.predictor != 1 && !difference {
@@ -168,6 +180,7 @@ impl<'a> Chunks<'a> {
             meaning,
             pick,
             compression,
+            reversed,
             len,
             band: Vec::new(),
             at: 0,
@@ -207,9 +220,13 @@ impl<'a> Chunks<'a> {
             return Err(broken(KIND, format!("chunk {chunk} is not stored")));
         }
         let mut out = filled(0, size)?;
+        if !unpacked_here(self.compression) {
+            self.by_crate(chunk, &mut out)?;
+            return Ok(out);
+        }
         let file = self.tags.inner();
         file.seek(SeekFrom::Start(offset)).map_err(ended)?;
-        let packed = file.take(count);
+        let packed = Turned { from: file.take(count), reversed: self.reversed };
         match self.compression {
             CompressionMethod::None => { packed }.read_exact(&mut out).map_err(ended)?,
             CompressionMethod::Deflate | CompressionMethod::OldDeflate => {
@@ -229,7 +246,7 @@ impl<'a> Chunks<'a> {
                 { packed }.read_to_end(&mut bytes).map_err(ended)?;
                 pack_bits(&bytes, &mut out).map_err(|error| broken(KIND, format!("chunk {chunk}: {error}")))?;
             }
-            _ => self.by_crate(chunk, &mut out)?,
+            _ => unreachable!("the others are the crate's"),
         }
         Ok(out)
     }
@@ -306,6 +323,28 @@ fn word(row: &[u8], at: usize, bits: u32, little: bool) -> u64 {
     let wide = row[first..=last].iter().fold(0u64, |word, byte| word << 8 | u64::from(*byte));
     let behind = (last + 1) * 8 - from - bits as usize;
     wide >> behind & (u64::MAX >> (64 - bits))
+}
+
+/// Whether a compression is one of those that [`Chunks`] unpacks itself.
+const fn unpacked_here(compression: CompressionMethod) -> bool {
+    use CompressionMethod as C;
+    matches!(compression, C::None | C::Deflate | C::OldDeflate | C::ZSTD | C::LZW | C::PackBits)
+}
+
+/// Bytes whose bits may have to be turned round.
+struct Turned<R> {
+    from: R,
+    reversed: bool,
+}
+
+impl<R: Read> Read for Turned<R> {
+    fn read(&mut self, into: &mut [u8]) -> std::io::Result<usize> {
+        let count = self.from.read(into)?;
+        if self.reversed {
+            into[..count].iter_mut().for_each(|byte| *byte = byte.reverse_bits());
+        }
+        Ok(count)
+    }
 }
 
 /// As much LZW as fits.
