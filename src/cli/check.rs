@@ -25,6 +25,7 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
     if a.coverage && a.engine != Engine::Verilator {
         return Err(Error::input("check --coverage is counted by Verilator: add --engine verilator"));
     }
+    a.wave.as_deref().map_or(Ok(()), |wave| super::output::keep_inputs(wave, &[cli.config.as_deref()]))?;
     let wave = a.wave.as_deref().map(|path| super::output::wave_sink(path, None)).transpose()?;
     let campaign = a.campaign.campaign(!alone.is_empty())?;
     let over = parameters(&a.param)?;

@@ -33,6 +33,11 @@ pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
             )));
         }
     }
+    if let Some(out) = &a.out {
+        let named = super::views::inputs(&a.scene);
+        let inputs = named.iter().map(|p| Some(p.as_path())).chain([c.map.file.as_deref(), cli.config.as_deref()]);
+        super::output::keep_inputs(out, &inputs.collect::<Vec<_>>())?;
+    }
     let out = a.out.as_deref().map(super::output::sink).transpose()?;
     let each = a.scene.count().unwrap_or(6000);
     if each == 0 {

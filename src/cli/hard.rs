@@ -1,5 +1,5 @@
 //! `reliefrtl hard`: the hard cases on the configured design.
-use super::args::{Cli, Engine, HardArgs};
+use super::args::{Cli, Engine, HardArgs, MOST_RAYS};
 use super::output::{spinner, table};
 use super::views::{Pixels, Viewed, look};
 use crate::config::{Config, DatapathKind, Design, ModeConfig};
@@ -223,6 +223,11 @@ fn endure(cli: &Cli, ground: &Ground<'_>, tasks: &[Task<'_>], rays: usize) -> Re
         return Err(Error::NothingRan("hard --endure needs at least one ray and a case that fits this design".into()));
     }
     let share = rays.div_ceil(cases.len());
+    if share > MOST_RAYS {
+        return Err(Error::input(format!(
+            "--endure {rays} are {share} rays of each case, more than {MOST_RAYS}, the most at once: ask for fewer, and again with another --seed"
+        )));
+    }
     let bar = spinner(cli, "hard cases");
     let (mut rows, mut values, mut sum) = (Vec::new(), Vec::new(), Endured::default());
     for (k, task) in cases.iter().enumerate() {

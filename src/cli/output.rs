@@ -185,7 +185,7 @@ pub fn write_tree(out: &Path, files: &Files) -> Result<()> {
     fill(OutDir::new(out)?, files)
 }
 
-/// Refuses an output that would replace one of the inputs.
+/// Refuses an output (`--out`, `--wave`) that would replace one of the inputs.
 ///
 /// # Errors
 /// One sentence that names the file.
@@ -195,7 +195,7 @@ pub fn keep_inputs(out: &Path, inputs: &[Option<&Path>]) -> Result<()> {
     let Some(out_file) = whole(out).filter(|file| file.is_file()) else { return Ok(()) };
     if inputs.iter().flatten().any(|i| whole(i).as_deref() == Some(&out_file)) {
         return Err(Error::input(format!(
-            "--out {} would replace the input of that name: choose another file",
+            "{} would replace the input of that name: choose another file",
             out.display()
         )));
     }

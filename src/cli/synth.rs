@@ -124,6 +124,7 @@ pub fn run(cli: &Cli, a: &SynthArgs) -> Result<()> {
     if let Some(file) = &a.refresh {
         return super::restate::refresh(cli, file, if a.unit == ["all"] { &[] } else { &a.unit });
     }
+    super::output::keep_inputs(&a.out, &[a.liberty.as_deref(), cli.config.as_deref()])?;
     if let Some(parent) = a.out.parent().filter(|p| !p.as_os_str().is_empty()) {
         std::fs::create_dir_all(parent).map_err(|e| Error::file("create", parent, e))?;
     }

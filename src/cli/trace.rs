@@ -28,7 +28,9 @@ pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
     }
     let named = super::views::inputs(&seen);
     let inputs = named.iter().map(|p| Some(p.as_path())).chain([c.map.file.as_deref(), cli.config.as_deref()]);
-    super::output::keep_inputs(&a.out, &inputs.collect::<Vec<_>>())?;
+    let inputs: Vec<_> = inputs.collect();
+    super::output::keep_inputs(&a.out, &inputs)?;
+    a.wave.as_deref().map_or(Ok(()), |wave| super::output::keep_inputs(wave, &inputs))?;
     let out = super::output::sink(&a.out)?;
     let wave = a.wave.as_deref().map(|path| super::output::wave_sink(path, Some(&out))).transpose()?;
     if !seen.chosen() {

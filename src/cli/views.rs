@@ -80,7 +80,10 @@ fn named(word: &str) -> Result<RaySet> {
     }
     if !word.ends_with(".toml") {
         let views = View::WORDS.join(", ");
-        return Err(Error::input(format!("--view {word} is none of {views}, nor a camera file ending in .toml")));
+        return Err(Error::input(format!(
+            "--view {} is none of {views}, nor a camera file ending in .toml",
+            if word.is_empty() { "(nothing)" } else { word }
+        )));
     }
     let source = RaySource::Camera(Camera::load(word)?);
     Ok(RaySet { name: stem(Path::new(word)), given: word.to_owned(), source })

@@ -20,6 +20,9 @@ pub(crate) fn problem(key: &Key, value: &Value) -> Option<String> {
             range(path, &shown, legal, *number < low, *number > high)
         }
         (Legal::Real(..), _) => Some(format!("{path} = {shown} is not a number: {legal} are legal")),
+        (Legal::Path | Legal::Text, Value::String(text)) if text.contains('\0') => {
+            Some(format!("{path} = {shown} has a NUL in it, which no name has"))
+        }
         (Legal::Path, Value::String(text)) if text.is_empty() => Some(format!("{path} is empty: a path is legal")),
         (Legal::Flag, Value::Boolean(_)) | (Legal::Path, Value::String(_)) => None,
         (Legal::Flag, _) => Some(format!("{path} = {shown} is neither true nor false")),
@@ -158,7 +161,11 @@ pub(crate) fn plain(number: f64) -> String {
 pub(crate) fn show(value: &Value) -> String {
     let text = match value {
         Value::String(text) => format!("{text:?}"),
-        Value::Float(number) => plain(*number),
+        Value::Float(number) => {
+            let text = plain(*number);
+            // As TOML has it: a whole number is another thing.
+            if text.bytes().all(|byte| byte.is_ascii_digit() || byte == b'-') { text + ".0" } else { text }
+        }
         Value::Array(list) => format!("[{}]", list.iter().map(show).collect::<Vec<_>>().join(", ")),
         other => other.to_string(),
     };

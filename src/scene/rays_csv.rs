@@ -55,7 +55,11 @@ fn columns(header: &csv::StringRecord, name: &str, lod_expected: bool) -> Result
     let mut places = [0; 4];
     for (at, column) in places.iter_mut().zip(COLUMNS) {
         *at = header.iter().position(|name| name == column).ok_or_else(|| {
-            Error::input(format!("{name}, line 1: no column {column}: the header must name u, v, du and dv"))
+            let other = [(';', "semicolons"), ('\t', "tabs"), (' ', "blanks")];
+            let one = header.get(0).filter(|_| header.len() == 1).unwrap_or_default();
+            let by = other.iter().find(|(by, _)| one.contains(*by));
+            let by = by.map_or(String::new(), |(_, by)| format!(", separated by commas, not by {by}"));
+            Error::input(format!("{name}, line 1: no column {column}: the header must name u, v, du and dv{by}"))
         })?;
     }
     Ok((places, lod))

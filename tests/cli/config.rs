@@ -158,7 +158,7 @@ fn out_of_range_names_key_value_and_range() {
         set("traverse.levels=eight"),
         "traverse.levels = \"eight\" is not a whole number: 2 to 12 are legal (--set)"
     );
-    assert_eq!(set("traverse.levels=8.0"), "traverse.levels = 8 is not a whole number: 2 to 12 are legal (--set)");
+    assert_eq!(set("traverse.levels=8.0"), "traverse.levels = 8.0 is not a whole number: 2 to 12 are legal (--set)");
     assert_eq!(set("map.scale=nan"), "map.scale = NaN is not a number: 0 to 1000 are legal (--set)");
     assert_eq!(set("map.scale=inf"), "map.scale = inf is too large: 0 to 1000 are legal (--set)");
     assert_eq!(set("mode.start_level=1"), "mode.start_level = 1 is neither true nor false (--set)");

@@ -3,7 +3,7 @@ mod figures;
 mod scene;
 
 pub use figures::*;
-pub use scene::{RaysArg, SceneArgs};
+pub use scene::{MOST_RAYS, RaysArg, SceneArgs};
 
 use crate::config::Profile;
 use crate::error::{Error, Result};

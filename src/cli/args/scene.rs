@@ -15,7 +15,7 @@ pub struct SceneArgs {
     #[arg(long, visible_alias = "views", value_name = "NAME|CAMERA.toml,...")]
     pub view: Vec<String>,
     /// Rays of a CSV file with the columns u, v, du, dv, instead of those of views, or beside those of `--view`. Or a number: how many rays.
-    #[arg(long, value_name = "R.csv|N", value_parser = OsStringValueParser::new().map(RaysArg::of))]
+    #[arg(long, value_name = "R.csv|N", value_parser = OsStringValueParser::new().try_map(RaysArg::of))]
     pub rays: Option<RaysArg>,
 }
 
@@ -28,12 +28,22 @@ pub enum RaysArg {
     File(PathBuf),
 }
 
+/// Rays that can be asked for at once, which have their place in memory.
+pub const MOST_RAYS: usize = 10_000_000;
+
 impl RaysArg {
     /// A number is a count, everything else names a file (`./100` a file of that name).
-    fn of(text: OsString) -> Self {
-        match text.to_str().and_then(|t| t.parse().ok()) {
-            Some(count) => Self::Count(count),
-            None => Self::File(text.into()),
+    fn of(text: OsString) -> Result<Self, String> {
+        match text.to_str() {
+            Some(digits) if !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit()) => {
+                let count = digits.parse().ok().filter(|count| *count <= MOST_RAYS);
+                count.map(Self::Count).ok_or_else(|| {
+                    format!(
+                        "{digits} rays are more than {MOST_RAYS}, the most at once (./{digits} is a file of that name)"
+                    )
+                })
+            }
+            _ => Ok(Self::File(text.into())),
         }
     }
 }
