@@ -340,6 +340,24 @@ fn portable_maps() {
     ] {
         assert_eq!(codes(&file, "m", 8, &[]), words);
     }
+    // A map is one picture; what stands behind it was meant to be something, but for the end of a line.
+    let bytes: Vec<u8> = words.iter().map(|w| *w as u8).collect();
+    let p5 = |head: &str, tail: &[u8]| [head.as_bytes(), &bytes, tail].concat();
+    for whole in [p5("P5 4 4 255\n", b"\n"), p5("P5\r\n4 4\r\n255\r\n", b"")] {
+        assert_eq!(codes(&whole, "m", 8, &[]), words);
+    }
+    let pfm = [b"Pf\r\n4 4\r\n-1\r\n".as_slice(), &[0.5f32.to_le_bytes(); 16].concat()].concat();
+    assert_eq!(codes(&pfm, "m", 8, &["map.range=0,1"]), [128; 16]);
+    for (file, what) in [
+        (p5("P5 4 4 255\n", b"x"), "1 byte stands behind its last pixel, and a map is one picture"),
+        (p5("P5 4 4 255\n", &p5("P5 4 4 255\n", b"")), "27 bytes stand behind its last pixel"),
+        (p5("P5\r\n4 4\r\n255\r\n", b"\n"), "2 bytes stand behind its last pixel"),
+        (format!("P2 4 4 255{} 7", text(&words)).into_bytes(), "\"7\" stands behind its last pixel"),
+        ([b"P7\nWIDTH 4\nWIDTH 4\nENDHDR\n".as_slice(), &bytes].concat(), "WIDTH stands there twice"),
+    ] {
+        let told = sentence(decode_as(&file, "m", &keys(&[])));
+        assert!(told.contains(what), "{told}");
+    }
     // In a bitmap 1 is black; digits need no space between them.
     let bits: Vec<u64> = [0, 3, 3, 0, 3, 0, 0, 0, 3, 3, 3, 3, 0, 0, 0, 3].to_vec();
     for file in [b"P1 4 4 1001 0111\n0000 1110".to_vec(), b"P4 4 4\n\x90\x70\x00\xe0".to_vec()] {
@@ -420,6 +438,8 @@ fn esri_grids() {
         ("ncols 1\nnrows 2\ncolour red\n1 2", "\"colour\" is no key of its header"),
         ("ncols 1\nncols 2\n1 2", "ncols stands there twice"),
         ("ncols 2\n1 2", "its header lacks nrows"),
+        ("ncols 1\nnrows 2\n0,5 1", "\"0,5\" has a comma where a number has a point"),
+        ("\u{feff}ncols 1\nnrows 2\n1 x", "\"x\" is not a number where pixel (0, 1) should stand"),
         ("ncols 1\nnrows 2\n1 x", "\"x\" is not a number where pixel (0, 1) should stand"),
     ] {
         let told = sentence(decode_as(text.as_bytes(), "m", &keys(&[])));

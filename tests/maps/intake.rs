@@ -111,6 +111,19 @@ fn what_was_taken_is_said() {
 }
 
 #[test]
+fn choices_that_a_file_does_not_have() {
+    let file = Tiff::grey(4, 8, &[1; 16]).bytes();
+    let read = |set: &str| decode_as(&file, "m.tif", &keys(&[set]));
+    read("map.part=0").unwrap();
+    assert!(sentence(read("map.part=1")).contains("there is no page \"1\" (map.part): the file has 0 (4 x 4)"));
+    let pgm = |set: &str| decode_as(b"P5 2 1 255\nab", "m", &keys(&[set]));
+    pgm("map.part=0").unwrap();
+    assert_eq!(sentence(pgm("map.part=1")), "m: there is no part \"1\" (map.part): the PGM is one picture");
+    let told = sentence(pgm("map.byte_order=big"));
+    assert!(told.contains("the PGM says itself in which order its bytes are: leave out map.byte_order"), "{told}");
+}
+
+#[test]
 fn a_size_that_a_header_contradicts() {
     let file = Tiff::grey(4, 8, &[0; 16]).bytes();
     let told = sentence(decode_as(&file, "m.tif", &keys(&["map.size=4,8"])));

@@ -49,6 +49,9 @@ pub(super) fn open<'a>(source: &'a Source, map: &'a MapConfig) -> Result<Opened<
             key if PLACE.contains(&key) => drop(words.next()?),
             _ => {
                 let shown: String = key.chars().take(20).collect();
+                if key.contains(',') && key.replace(',', ".").parse::<f64>().is_ok() {
+                    return Err(broken(KIND, format!("{shown:?} has a comma where a number has a point")));
+                }
                 return Err(broken(KIND, format!("{shown:?} is no key of its header")));
             }
         }

@@ -17,7 +17,7 @@ mod tiff;
 mod tiff_chunks;
 
 use super::source::{Handle, Source};
-use crate::config::MapConfig;
+use crate::config::{ByteOrder, MapConfig};
 use crate::error::{Error, Result};
 use std::fmt;
 use std::io::Read;
@@ -188,6 +188,16 @@ pub(super) fn open<'a>(source: &'a Source, map: &'a MapConfig) -> Result<Opened<
     let mut head = Vec::new();
     source.open()?.take(64).read_to_end(&mut head).map_err(|error| broken("file", error))?;
     let opened = known(source, map, &head)?;
+    let format = opened.info.format;
+    if let (Some(asked), None) = (map.part.as_ref().filter(|asked| *asked != "0"), &opened.info.part) {
+        return Err(Error::input(format!("there is no part {asked:?} (map.part): the {format} is one picture")));
+    }
+    if map.byte_order != ByteOrder::Little && format != raw::RAW && format != raw::HGT {
+        return Err(Error::input(format!(
+            "the {format} says itself in which order its bytes are: leave out map.byte_order = \"{}\", for only files without a header need it",
+            map.byte_order
+        )));
+    }
     if let (Some([width, height]), true) = (map.size, opened.info.format != raw::RAW && opened.info.format != raw::HGT)
     {
         let there = (opened.info.width, opened.info.height);
@@ -234,5 +244,7 @@ fn known<'a>(source: &'a Source, map: &'a MapConfig, head: &[u8]) -> Result<Open
         _ if map.size.is_some() => return raw::open(source, map),
         _ => {}
     }
-    Err(Error::input(format!("not a file of a known kind: {READ} are read")))
+    let wide = head.starts_with(b"\xff\xfe") || head.starts_with(b"\xfe\xff");
+    let hint = if wide { " (it looks like UTF-16 text: text is read as ASCII or UTF-8)" } else { "" };
+    Err(Error::input(format!("not a file of a known kind{hint}: {READ} are read")))
 }

@@ -8,6 +8,7 @@ use super::{Info, Opened, Rows, Samples, broken, sized};
 use crate::config::MapConfig;
 use crate::error::Result;
 use crate::scene::source::Source;
+use std::io::{Read, Seek, SeekFrom};
 
 const GREY: [&str; 1] = ["Y"];
 const COLOURS: [&str; 3] = ["R", "G", "B"];
@@ -46,7 +47,8 @@ pub(super) fn open<'a>(source: &'a Source, map: &'a MapConfig) -> Result<Opened<
         if least > there {
             return Err(announced(kind, width, height, there));
         }
-        return Ok(Opened { info, rows: Box::new(Plain { words, pick, kind, max, bits: digit == b'1', at: 0 }) });
+        let bits = digit == b'1';
+        return Ok(Opened { info, rows: Box::new(Plain { words, pick, kind, max, bits, rows: height, at: 0 }) });
     }
     // One byte of white space ends the header.
     let offset = words.place()? + u64::from(digit != Some(b'7'));
@@ -55,8 +57,31 @@ pub(super) fn open<'a>(source: &'a Source, map: &'a MapConfig) -> Result<Opened<
         (_, 0..=255) => Stored::U8,
         _ => Stored::U16,
     };
-    let layout = Layout { offset, width, height, stored, big: true, upward: false, max: max as f64 };
+    let mut layout = Layout { offset, width, height, stored, big: true, upward: false, max: max as f64 };
+    one_picture(source, &mut layout, pick.channels(), kind)?;
     Ok(Opened { info, rows: Box::new(Packed::new(source, layout, pick, kind)?) })
+}
+
+/// Refuses what stands behind the last pixel, but for the end of a line. Where that is one byte, and the header ends in CR LF, the LF is no pixel.
+fn one_picture(source: &Source, layout: &mut Layout, channels: usize, kind: &str) -> Result<()> {
+    let needed = u128::from(layout.stored.row(layout.width as u64 * channels as u64)) * layout.height as u128;
+    let there = u128::from(source.len().saturating_sub(layout.offset));
+    let Some(surplus) = there.checked_sub(needed).filter(|surplus| *surplus > 0) else { return Ok(()) };
+    let byte = |at: u64| -> Result<u8> {
+        let (mut handle, mut byte) = (source.open()?, [0]);
+        let read = handle.seek(SeekFrom::Start(at)).and_then(|_| handle.read_exact(&mut byte));
+        read.map_err(|error| broken(kind, error))?;
+        Ok(byte[0])
+    };
+    if surplus == 1 && (byte(layout.offset - 1)?, byte(layout.offset)?) == (b'\r', b'\n') {
+        layout.offset += 1;
+        return Ok(());
+    }
+    if surplus == 1 && byte(source.len() - 1)? == b'\n' {
+        return Ok(());
+    }
+    let bytes = if surplus == 1 { "1 byte stands" } else { &format!("{surplus} bytes stand") };
+    Err(broken(kind, format!("{bytes} behind its last pixel, and a map is one picture")))
 }
 
 fn announced(kind: &str, width: usize, height: usize, there: u64) -> crate::error::Error {
@@ -100,7 +125,9 @@ fn pam(words: &mut Words<'_>) -> Result<Header> {
                 ));
             }
         };
-        *place = Some(words.whole(&key)?);
+        if place.replace(words.whole(&key)?).is_some() {
+            return Err(broken("PAM", format!("{key} stands there twice")));
+        }
     }
     let there = |value: Option<u64>, key: &str| value.ok_or_else(|| broken("PAM", format!("its header lacks {key}")));
     let names = match there(depth, "DEPTH")? {
@@ -121,6 +148,7 @@ struct Plain<'a> {
     kind: &'static str,
     max: u64,
     bits: bool,
+    rows: usize,
     at: usize,
 }
 
@@ -146,7 +174,7 @@ impl Rows for Plain<'_> {
             *height = self.pick.take(&pixel, x, y)?;
         }
         self.at += 1;
-        Ok(())
+        if self.at == self.rows { self.words.end() } else { Ok(()) }
     }
 }
 
@@ -163,7 +191,8 @@ pub(super) fn open_pfm<'a>(source: &'a Source, map: &'a MapConfig) -> Result<Ope
     let samples = Samples::Float(32);
     let pick = Pick::new(names, 1.0, map)?;
     let (offset, big) = (words.place()? + 1, scale > 0.0);
-    let layout = Layout { offset, width, height, stored: Stored::F32, big, upward: true, max: f64::INFINITY };
+    let mut layout = Layout { offset, width, height, stored: Stored::F32, big, upward: true, max: f64::INFINITY };
+    one_picture(source, &mut layout, pick.channels(), KIND)?;
     let info = Info { channel: pick.label(), ..Info::new(KIND, width, height, samples) };
     Ok(Opened { info, rows: Box::new(Packed::new(source, layout, pick, KIND)?) })
 }
