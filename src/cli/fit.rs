@@ -2,6 +2,7 @@
 use super::args::{Cli, FitArgs};
 use super::output::{spinner, table};
 use super::views::{Pixels, Viewed, look};
+use crate::config::check::plain;
 use crate::config::{Config, View};
 use crate::error::{Error, Result};
 use crate::project::Scene;
@@ -12,14 +13,17 @@ use serde_json::json;
 pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
     let c = super::config::load(cli)?;
     let budget = match (a.max_wrong_texel, a.max_uv_error) {
-        (Some(share), None) if share > 0.0 && share < 1.0 => Budget::WrongTexel(share),
+        (Some(share), None) if (FEWEST..1.0).contains(&share) => Budget::WrongTexel(share),
         (Some(share), None) => {
             return Err(Error::input(format!(
-                "--max-wrong-texel {share} is no share that rays can show: above 0, below 1"
+                "--max-wrong-texel {} is no share that rays can show: at least {}, below 1",
+                plain(share),
+                plain(FEWEST)
             )));
         }
         (None, Some(e)) if e > 0.0 && e <= 4096.0 => Budget::UvError(e),
         (_, Some(e)) => {
+            let e = plain(e);
             return Err(Error::input(format!("--max-uv-error {e} is no distance in texels: above 0, at most 4096")));
         }
         (None, None) => {
@@ -79,11 +83,14 @@ pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
     print(cli, &found.fit, &found.check, budget, &by_view)
 }
 
+/// The smallest share of wrong rays that can be asked for: a thousand views of the most rays show it.
+const FEWEST: f64 = 3e-10;
+
 /// Whether so many rays to search with can show that a budget is kept: none wrong of N says less than 3 in N. `asked` are those that were asked for of
 /// the pictures of views, each of which has [`SETS`] times as many where it is large enough.
 fn enough(budget: Budget, rays: usize, asked: usize, (views, tables): (usize, usize)) -> Result<()> {
     let Budget::WrongTexel(share) = budget else { return Ok(()) };
-    let needed = (3.0 / share).ceil();
+    let (needed, share) = ((3.0 / share).ceil(), plain(share));
     if rays as f64 >= needed {
         return Ok(());
     }

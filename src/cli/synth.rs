@@ -199,7 +199,7 @@ impl Foreign {
 
 /// Name and files of a module that is not ours, from `TOP=DIR`.
 pub(super) fn foreign(asked: &str) -> Result<Foreign> {
-    let Some((top, dir)) = asked.split_once('=') else {
+    let Some((top, dir)) = asked.split_once('=').filter(|(_, dir)| !dir.is_empty()) else {
         return Err(Error::input(format!("--beside {asked}: write TOP=DIR, a module and the directory of its files")));
     };
     check_module_name(top).map_err(|e| Error::input(format!("--beside {asked:?}: {e}")))?;

@@ -118,7 +118,9 @@ fn a_sentence_says_what_is_right_and_where() {
     write("semi.csv", b"u;v;du;dv\n0,1;0;0;0\n");
     write("tab.csv", b"u\tv\tdu\tdv\n0\t0\t0\t0\n");
     let most = "rays are more than 10000000, the most at once";
-    let cases: [(&[&str], &[&str]); 18] = [
+    let cases: [(&[&str], &[&str]); 20] = [
+        (&["trace", "--out", "h.csv", "--rays="], &["--rays", "it names no file and no number"]),
+        (&["synth", "--unit", "lzc", "--beside", "top="], &["--beside top=: write TOP=DIR"]),
         (&["hard", "--rays", "18446744073709551615"], &["18446744073709551615", most]),
         (&["bench", "--rays", "99999999999999999999999"], &["99999999999999999999999", most]),
         (&["hard", "--endure", "18446744073709551615"], &["rays of each case, more than 10000000, the most at once"]),

@@ -88,6 +88,14 @@ fn a_budget_that_nothing_keeps_is_refused() {
         (vec!["fit", "--max-wrong-texel", "1.5"], "is no share"),
         (vec!["fit", "--max-wrong-texel", "0"], "is no share that rays can show"),
         (
+            vec!["fit", "--max-wrong-texel", "1e-320"],
+            "--max-wrong-texel 1e-320 is no share that rays can show: at least 3e-10",
+        ),
+        (
+            vec!["fit", "--max-uv-error", "1e300"],
+            "--max-uv-error 1e300 is no distance in texels: above 0, at most 4096",
+        ),
+        (
             vec!["fit", "--max-wrong-texel", "0.0001"],
             "30000 are needed to search with, so give at least --rays 10000 (of each view)",
         ),

@@ -43,6 +43,7 @@ impl RaysArg {
                     )
                 })
             }
+            Some("") => Err("it names no file and no number".into()),
             _ => Ok(Self::File(text.into())),
         }
     }
