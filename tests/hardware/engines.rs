@@ -29,8 +29,8 @@ fn tree(planned: bool) -> (Config, TempDir) {
     let mut c = Config::default();
     c.traverse.levels = if planned { 6 } else { 4 };
     c.vectors.planned = planned;
-    c.vectors.arithmetic = 600;
-    c.vectors.rays = 60;
+    c.vectors.arithmetic = 300;
+    c.vectors.rays = 30;
     let dir = tempfile::tempdir().unwrap();
     write(dir.path(), &project(&c, &Scene::new(&c, None, false).unwrap()).unwrap().files);
     (c, dir)

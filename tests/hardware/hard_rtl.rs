@@ -105,7 +105,7 @@ fn same_hits(given: &[Given], all: &[ModeConfig], share: usize) {
         .par_iter()
         .enumerate()
         .map(|(m, mode)| {
-            // 7 divides no number of choices that a mode has, so that each choice meets each case.
+            // 13 divides no number of choices that a mode has, so that each choice meets each case.
             let turn: Vec<usize> = (0..given.len()).filter(|k| (k + m) % share == 0).collect();
             let hits = in_mode(&turn.iter().map(|k| &given[*k]).collect::<Vec<_>>(), *mode);
             for (k, got) in turn.iter().zip(&hits) {
@@ -123,12 +123,12 @@ fn same_hits(given: &[Given], all: &[ModeConfig], share: usize) {
 
 #[test]
 fn watertight_in_every_mode() {
-    every_mode(&config(&[]), 7);
+    every_mode(&config(&[]), 13);
 }
 
 #[test]
 fn fixed_point_in_every_mode() {
-    every_mode(&config(&["datapath.kind=fixed"]), 7);
+    every_mode(&config(&["datapath.kind=fixed"]), 13);
 }
 
 #[test]
@@ -144,7 +144,7 @@ fn in_simulator(sim: Simulator, sets: &[&str]) {
         return;
     }
     let c = config(&[&["traverse.levels=6"][..], sets].concat());
-    let mut given = cases(&c, 20, 6);
+    let mut given = cases(&c, 12, 6);
     given.iter_mut().for_each(|g| leave_short(g, 0));
     let given: Vec<&Given> = given.iter().filter(|g| g.design.traverse == c.traverse && !g.rays.is_empty()).collect();
     assert!(given.len() >= 25, "{} cases", given.len());
@@ -169,7 +169,7 @@ fn in_simulator(sim: Simulator, sets: &[&str]) {
         })
         .sum();
     assert_eq!(checked, given.iter().map(|g| g.rays.len()).sum::<usize>());
-    assert!(checked > 15 * given.len(), "{checked} rays");
+    assert!(checked > 9 * given.len(), "{checked} rays");
 }
 
 #[test]

@@ -82,8 +82,20 @@ fn a_preloaded_map_is_the_loaded_one_in_verilator() {
     let dir = tempfile::tempdir().unwrap();
     let p = tree(dir.path(), &["mode.bilinear=true"]);
     let (tb, name) = (format!("testbench/{p}tb_traverse.v"), format!("{p}tb_traverse"));
-    let head =
-        ["--cc", "--exe", "--build", "-Wno-lint", "--prefix", "Vtb", "-CFLAGS", "-O0", "-MAKEFLAGS", "OPT_FAST=-O0"];
+    let head = [
+        "--cc",
+        "--exe",
+        "--build",
+        "-Wno-lint",
+        "--prefix",
+        "Vtb",
+        "-CFLAGS",
+        "-O0",
+        "-MAKEFLAGS",
+        "OPT_FAST=-O0",
+        "-MAKEFLAGS",
+        "OPT_GLOBAL=-O0",
+    ];
     let rest =
         ["-GMEM_INIT=\"map/memory.hex\"", "--top-module", &name, "-y", "rtl", &tb, "testbench/verilator_main.cpp"];
     let (code, said) = run(dir.path(), "verilator", &[&head[..], &rest].concat());

@@ -25,14 +25,14 @@ fn each_profile_traces_the_same_rays_on_each_datapath() {
             // The published datapath has rays that never end by themselves.
             let few = [
                 "traverse.levels=6",
-                "vectors.rays=100",
+                "vectors.rays=40",
                 "vectors.planned=false",
-                "vectors.arithmetic=100",
+                "vectors.arithmetic=40",
                 "traverse.step_limit=500",
             ];
             let few: Vec<&str> = few.into_iter().flat_map(|s| ["--set", s]).collect();
             let said = ok(dir.path(), &[&["build", "--out", "out", "--set", &kind][..], &few, &chosen].concat());
-            assert!(said.contains("traverse         0 of 300 mismatched"), "{said}");
+            assert!(said.contains("traverse         0 of 120 mismatched"), "{said}");
             hits.push(std::fs::read_to_string(dir.path().join("out/golden/traverse/expected.hex")).unwrap());
         }
         assert!(hits.windows(2).all(|w| w[0] == w[1]), "{kind}: another latency, another hit");
@@ -56,12 +56,12 @@ fn the_deepest_pipeline_is_the_same_in_the_simulators() {
         ),
         (&["--set", "mode.bilinear=true"], "traverse.levels=2", &["icarus"]),
     ] {
-        let few = ["--set", "vectors.rays=100", "--set", "vectors.planned=false", "--set", "vectors.arithmetic=100"];
+        let few = ["--set", "vectors.rays=40", "--set", "vectors.planned=false", "--set", "vectors.arithmetic=40"];
         let design = [&["--profile", "fast", "--set", levels][..], &few, mode].concat();
         ok(dir.path(), &[&["build", "--out", "out"][..], &design].concat());
         for engine in engines {
             let said = ok(dir.path(), &[&["check", "--unit", "traverse", "--engine", engine][..], &design].concat());
-            assert!(said.contains("0 of 300 mismatched"), "{said}");
+            assert!(said.contains("0 of 120 mismatched"), "{said}");
         }
     }
 }
@@ -78,7 +78,7 @@ fn a_bench_sees_the_iterations_of_each_profile() {
         [("published", "watertight"), ("balanced", "fixed"), ("fast", "watertight"), ("fast", "published")]
     {
         let kind = format!("datapath.kind={kind}");
-        let few = ["vectors.rays=20", "vectors.planned=false", "traverse.levels=5", "traverse.step_limit=500"];
+        let few = ["vectors.rays=10", "vectors.planned=false", "traverse.levels=4", "traverse.step_limit=500"];
         let few: Vec<&str> = few.into_iter().flat_map(|s| ["--set", s]).collect();
         let line = ["check", "--unit", "traverse", "--engine", "icarus", "--canary", "flip", "--profile", profile];
         let out = reliefrtl(dir.path(), &[&line[..], &["--set", &kind], &few].concat());

@@ -28,7 +28,7 @@ fn config(sets: &[&str]) -> Config {
     c.datapath.kind = DatapathKind::Published;
     c.latency = Profile::Published.latency(c.datapath.kind);
     c.traverse.step_limit = 300;
-    (c.vectors.arithmetic, c.vectors.rays, c.view.stride) = (500, 60, 16);
+    (c.vectors.arithmetic, c.vectors.rays, c.view.stride) = (250, 30, 16);
     c.vectors.planned = false;
     c.traverse.levels = 4;
     sets.iter().for_each(|s| c.apply_set(s).unwrap());
@@ -152,8 +152,8 @@ fn traverse_at_2_to_7_levels_in_icarus() {
     }
 }
 
-/// Rays of each mode: two of each kind of `hard`, with the long one.
-const RAYS: usize = 48;
+/// Rays of each mode: one of each kind of `hard`, with the long one.
+const RAYS: usize = 24;
 
 /// Rays through the Verilog of one mode; how many.
 fn in_mode(sim: Simulator, mode: ModeConfig) -> usize {
