@@ -9,6 +9,7 @@ mod intake;
 mod limits;
 mod make;
 mod memory;
+mod tiffs;
 
 use reliefrtl::config::{Config, MapConfig};
 use reliefrtl::error::Error;

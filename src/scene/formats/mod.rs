@@ -15,6 +15,7 @@ mod png;
 mod raw;
 mod tiff;
 mod tiff_chunks;
+mod tiff_packed;
 
 use super::source::{Handle, Source};
 use crate::config::{ByteOrder, MapConfig};
