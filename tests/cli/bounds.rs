@@ -27,12 +27,14 @@ fn endless_files_are_refused() {
     sparse.set_len(6 << 30).unwrap();
     let most = |bytes: u64| format!("has more than {bytes} bytes, the most that are read of it");
     let (table, settings) = (most(1 << 30), most(1 << 24));
+    let device = "it is a device, name a regular file";
     for (line, words) in [
-        ("trace --rays /dev/zero --out -", ["/dev/zero", &table]),
+        ("trace --rays /dev/zero --out -", ["/dev/zero", device]),
+        ("trace --rays /dev/stdin --out - < /dev/zero", ["/dev/stdin", &table]),
         ("trace --rays sparse.csv --out -", ["sparse.csv", &table]),
-        ("config --print --config /dev/zero", ["/dev/zero", &settings]),
-        ("config --print --config z.toml", ["z.toml", &settings]),
-        ("render --view z.toml --out v.png", ["z.toml", &settings]),
+        ("config --print --config /dev/stdin < /dev/zero", ["/dev/stdin", &settings]),
+        ("config --print --config z.toml", ["z.toml", device]),
+        ("render --view z.toml --out v.png", ["z.toml", device]),
     ] {
         refused(dir.path(), line, &words);
     }
