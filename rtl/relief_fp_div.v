@@ -92,21 +92,11 @@ module relief_fp_div #(
   reg [SigW:0]         s1_rem_0;
   reg [SigW-1:0]       s1_divisor;
   reg [(QuotW/19)-1:0] s1_digits_0;
-  reg [ExpSumW-1:0]    s1_quot_exp;
-  reg                  s1_is_nan;
-  reg                  s1_is_inf;
-  reg                  s1_is_zero;
-  reg                  s1_quot_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s1_rem_0     <= s0_rem_0;
-      s1_divisor   <= s0_divisor;
-      s1_digits_0  <= s0_digits_0;
-      s1_quot_exp  <= s0_quot_exp;
-      s1_is_nan    <= s0_is_nan;
-      s1_is_inf    <= s0_is_inf;
-      s1_is_zero   <= s0_is_zero;
-      s1_quot_sign <= s0_quot_sign;
+      s1_rem_0    <= s0_rem_0;
+      s1_divisor  <= s0_divisor;
+      s1_digits_0 <= s0_digits_0;
     end
   end
 
@@ -126,21 +116,11 @@ module relief_fp_div #(
   reg [SigW:0]             s2_rem_1;
   reg [SigW-1:0]           s2_divisor;
   reg [((2*QuotW)/19)-1:0] s2_quot_1;
-  reg [ExpSumW-1:0]        s2_quot_exp;
-  reg                      s2_is_nan;
-  reg                      s2_is_inf;
-  reg                      s2_is_zero;
-  reg                      s2_quot_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s2_rem_1     <= s1_rem_1;
-      s2_divisor   <= s1_divisor;
-      s2_quot_1    <= s1_quot_1;
-      s2_quot_exp  <= s1_quot_exp;
-      s2_is_nan    <= s1_is_nan;
-      s2_is_inf    <= s1_is_inf;
-      s2_is_zero   <= s1_is_zero;
-      s2_quot_sign <= s1_quot_sign;
+      s2_rem_1   <= s1_rem_1;
+      s2_divisor <= s1_divisor;
+      s2_quot_1  <= s1_quot_1;
     end
   end
 
@@ -160,21 +140,11 @@ module relief_fp_div #(
   reg [SigW:0]             s3_rem_2;
   reg [SigW-1:0]           s3_divisor;
   reg [((3*QuotW)/19)-1:0] s3_quot_2;
-  reg [ExpSumW-1:0]        s3_quot_exp;
-  reg                      s3_is_nan;
-  reg                      s3_is_inf;
-  reg                      s3_is_zero;
-  reg                      s3_quot_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s3_rem_2     <= s2_rem_2;
-      s3_divisor   <= s2_divisor;
-      s3_quot_2    <= s2_quot_2;
-      s3_quot_exp  <= s2_quot_exp;
-      s3_is_nan    <= s2_is_nan;
-      s3_is_inf    <= s2_is_inf;
-      s3_is_zero   <= s2_is_zero;
-      s3_quot_sign <= s2_quot_sign;
+      s3_rem_2   <= s2_rem_2;
+      s3_divisor <= s2_divisor;
+      s3_quot_2  <= s2_quot_2;
     end
   end
 
@@ -194,21 +164,11 @@ module relief_fp_div #(
   reg [SigW:0]             s4_rem_3;
   reg [SigW-1:0]           s4_divisor;
   reg [((4*QuotW)/19)-1:0] s4_quot_3;
-  reg [ExpSumW-1:0]        s4_quot_exp;
-  reg                      s4_is_nan;
-  reg                      s4_is_inf;
-  reg                      s4_is_zero;
-  reg                      s4_quot_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s4_rem_3     <= s3_rem_3;
-      s4_divisor   <= s3_divisor;
-      s4_quot_3    <= s3_quot_3;
-      s4_quot_exp  <= s3_quot_exp;
-      s4_is_nan    <= s3_is_nan;
-      s4_is_inf    <= s3_is_inf;
-      s4_is_zero   <= s3_is_zero;
-      s4_quot_sign <= s3_quot_sign;
+      s4_rem_3   <= s3_rem_3;
+      s4_divisor <= s3_divisor;
+      s4_quot_3  <= s3_quot_3;
     end
   end
 
@@ -228,21 +188,11 @@ module relief_fp_div #(
   reg [SigW:0]             s5_rem_4;
   reg [SigW-1:0]           s5_divisor;
   reg [((5*QuotW)/19)-1:0] s5_quot_4;
-  reg [ExpSumW-1:0]        s5_quot_exp;
-  reg                      s5_is_nan;
-  reg                      s5_is_inf;
-  reg                      s5_is_zero;
-  reg                      s5_quot_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s5_rem_4     <= s4_rem_4;
-      s5_divisor   <= s4_divisor;
-      s5_quot_4    <= s4_quot_4;
-      s5_quot_exp  <= s4_quot_exp;
-      s5_is_nan    <= s4_is_nan;
-      s5_is_inf    <= s4_is_inf;
-      s5_is_zero   <= s4_is_zero;
-      s5_quot_sign <= s4_quot_sign;
+      s5_rem_4   <= s4_rem_4;
+      s5_divisor <= s4_divisor;
+      s5_quot_4  <= s4_quot_4;
     end
   end
 
@@ -262,21 +212,11 @@ module relief_fp_div #(
   reg [SigW:0]             s6_rem_5;
   reg [SigW-1:0]           s6_divisor;
   reg [((6*QuotW)/19)-1:0] s6_quot_5;
-  reg [ExpSumW-1:0]        s6_quot_exp;
-  reg                      s6_is_nan;
-  reg                      s6_is_inf;
-  reg                      s6_is_zero;
-  reg                      s6_quot_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s6_rem_5     <= s5_rem_5;
-      s6_divisor   <= s5_divisor;
-      s6_quot_5    <= s5_quot_5;
-      s6_quot_exp  <= s5_quot_exp;
-      s6_is_nan    <= s5_is_nan;
-      s6_is_inf    <= s5_is_inf;
-      s6_is_zero   <= s5_is_zero;
-      s6_quot_sign <= s5_quot_sign;
+      s6_rem_5   <= s5_rem_5;
+      s6_divisor <= s5_divisor;
+      s6_quot_5  <= s5_quot_5;
     end
   end
 
@@ -296,21 +236,11 @@ module relief_fp_div #(
   reg [SigW:0]             s7_rem_6;
   reg [SigW-1:0]           s7_divisor;
   reg [((7*QuotW)/19)-1:0] s7_quot_6;
-  reg [ExpSumW-1:0]        s7_quot_exp;
-  reg                      s7_is_nan;
-  reg                      s7_is_inf;
-  reg                      s7_is_zero;
-  reg                      s7_quot_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s7_rem_6     <= s6_rem_6;
-      s7_divisor   <= s6_divisor;
-      s7_quot_6    <= s6_quot_6;
-      s7_quot_exp  <= s6_quot_exp;
-      s7_is_nan    <= s6_is_nan;
-      s7_is_inf    <= s6_is_inf;
-      s7_is_zero   <= s6_is_zero;
-      s7_quot_sign <= s6_quot_sign;
+      s7_rem_6   <= s6_rem_6;
+      s7_divisor <= s6_divisor;
+      s7_quot_6  <= s6_quot_6;
     end
   end
 
@@ -330,21 +260,11 @@ module relief_fp_div #(
   reg [SigW:0]             s8_rem_7;
   reg [SigW-1:0]           s8_divisor;
   reg [((8*QuotW)/19)-1:0] s8_quot_7;
-  reg [ExpSumW-1:0]        s8_quot_exp;
-  reg                      s8_is_nan;
-  reg                      s8_is_inf;
-  reg                      s8_is_zero;
-  reg                      s8_quot_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s8_rem_7     <= s7_rem_7;
-      s8_divisor   <= s7_divisor;
-      s8_quot_7    <= s7_quot_7;
-      s8_quot_exp  <= s7_quot_exp;
-      s8_is_nan    <= s7_is_nan;
-      s8_is_inf    <= s7_is_inf;
-      s8_is_zero   <= s7_is_zero;
-      s8_quot_sign <= s7_quot_sign;
+      s8_rem_7   <= s7_rem_7;
+      s8_divisor <= s7_divisor;
+      s8_quot_7  <= s7_quot_7;
     end
   end
 
@@ -364,21 +284,11 @@ module relief_fp_div #(
   reg [SigW:0]             s9_rem_8;
   reg [SigW-1:0]           s9_divisor;
   reg [((9*QuotW)/19)-1:0] s9_quot_8;
-  reg [ExpSumW-1:0]        s9_quot_exp;
-  reg                      s9_is_nan;
-  reg                      s9_is_inf;
-  reg                      s9_is_zero;
-  reg                      s9_quot_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s9_rem_8     <= s8_rem_8;
-      s9_divisor   <= s8_divisor;
-      s9_quot_8    <= s8_quot_8;
-      s9_quot_exp  <= s8_quot_exp;
-      s9_is_nan    <= s8_is_nan;
-      s9_is_inf    <= s8_is_inf;
-      s9_is_zero   <= s8_is_zero;
-      s9_quot_sign <= s8_quot_sign;
+      s9_rem_8   <= s8_rem_8;
+      s9_divisor <= s8_divisor;
+      s9_quot_8  <= s8_quot_8;
     end
   end
 
@@ -398,21 +308,11 @@ module relief_fp_div #(
   reg [SigW:0]              s10_rem_9;
   reg [SigW-1:0]            s10_divisor;
   reg [((10*QuotW)/19)-1:0] s10_quot_9;
-  reg [ExpSumW-1:0]         s10_quot_exp;
-  reg                       s10_is_nan;
-  reg                       s10_is_inf;
-  reg                       s10_is_zero;
-  reg                       s10_quot_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s10_rem_9     <= s9_rem_9;
-      s10_divisor   <= s9_divisor;
-      s10_quot_9    <= s9_quot_9;
-      s10_quot_exp  <= s9_quot_exp;
-      s10_is_nan    <= s9_is_nan;
-      s10_is_inf    <= s9_is_inf;
-      s10_is_zero   <= s9_is_zero;
-      s10_quot_sign <= s9_quot_sign;
+      s10_rem_9   <= s9_rem_9;
+      s10_divisor <= s9_divisor;
+      s10_quot_9  <= s9_quot_9;
     end
   end
 
@@ -432,21 +332,11 @@ module relief_fp_div #(
   reg [SigW:0]              s11_rem_10;
   reg [SigW-1:0]            s11_divisor;
   reg [((11*QuotW)/19)-1:0] s11_quot_10;
-  reg [ExpSumW-1:0]         s11_quot_exp;
-  reg                       s11_is_nan;
-  reg                       s11_is_inf;
-  reg                       s11_is_zero;
-  reg                       s11_quot_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s11_rem_10    <= s10_rem_10;
-      s11_divisor   <= s10_divisor;
-      s11_quot_10   <= s10_quot_10;
-      s11_quot_exp  <= s10_quot_exp;
-      s11_is_nan    <= s10_is_nan;
-      s11_is_inf    <= s10_is_inf;
-      s11_is_zero   <= s10_is_zero;
-      s11_quot_sign <= s10_quot_sign;
+      s11_rem_10  <= s10_rem_10;
+      s11_divisor <= s10_divisor;
+      s11_quot_10 <= s10_quot_10;
     end
   end
 
@@ -466,21 +356,11 @@ module relief_fp_div #(
   reg [SigW:0]              s12_rem_11;
   reg [SigW-1:0]            s12_divisor;
   reg [((12*QuotW)/19)-1:0] s12_quot_11;
-  reg [ExpSumW-1:0]         s12_quot_exp;
-  reg                       s12_is_nan;
-  reg                       s12_is_inf;
-  reg                       s12_is_zero;
-  reg                       s12_quot_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s12_rem_11    <= s11_rem_11;
-      s12_divisor   <= s11_divisor;
-      s12_quot_11   <= s11_quot_11;
-      s12_quot_exp  <= s11_quot_exp;
-      s12_is_nan    <= s11_is_nan;
-      s12_is_inf    <= s11_is_inf;
-      s12_is_zero   <= s11_is_zero;
-      s12_quot_sign <= s11_quot_sign;
+      s12_rem_11  <= s11_rem_11;
+      s12_divisor <= s11_divisor;
+      s12_quot_11 <= s11_quot_11;
     end
   end
 
@@ -500,21 +380,11 @@ module relief_fp_div #(
   reg [SigW:0]              s13_rem_12;
   reg [SigW-1:0]            s13_divisor;
   reg [((13*QuotW)/19)-1:0] s13_quot_12;
-  reg [ExpSumW-1:0]         s13_quot_exp;
-  reg                       s13_is_nan;
-  reg                       s13_is_inf;
-  reg                       s13_is_zero;
-  reg                       s13_quot_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s13_rem_12    <= s12_rem_12;
-      s13_divisor   <= s12_divisor;
-      s13_quot_12   <= s12_quot_12;
-      s13_quot_exp  <= s12_quot_exp;
-      s13_is_nan    <= s12_is_nan;
-      s13_is_inf    <= s12_is_inf;
-      s13_is_zero   <= s12_is_zero;
-      s13_quot_sign <= s12_quot_sign;
+      s13_rem_12  <= s12_rem_12;
+      s13_divisor <= s12_divisor;
+      s13_quot_12 <= s12_quot_12;
     end
   end
 
@@ -534,21 +404,11 @@ module relief_fp_div #(
   reg [SigW:0]              s14_rem_13;
   reg [SigW-1:0]            s14_divisor;
   reg [((14*QuotW)/19)-1:0] s14_quot_13;
-  reg [ExpSumW-1:0]         s14_quot_exp;
-  reg                       s14_is_nan;
-  reg                       s14_is_inf;
-  reg                       s14_is_zero;
-  reg                       s14_quot_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s14_rem_13    <= s13_rem_13;
-      s14_divisor   <= s13_divisor;
-      s14_quot_13   <= s13_quot_13;
-      s14_quot_exp  <= s13_quot_exp;
-      s14_is_nan    <= s13_is_nan;
-      s14_is_inf    <= s13_is_inf;
-      s14_is_zero   <= s13_is_zero;
-      s14_quot_sign <= s13_quot_sign;
+      s14_rem_13  <= s13_rem_13;
+      s14_divisor <= s13_divisor;
+      s14_quot_13 <= s13_quot_13;
     end
   end
 
@@ -568,21 +428,11 @@ module relief_fp_div #(
   reg [SigW:0]              s15_rem_14;
   reg [SigW-1:0]            s15_divisor;
   reg [((15*QuotW)/19)-1:0] s15_quot_14;
-  reg [ExpSumW-1:0]         s15_quot_exp;
-  reg                       s15_is_nan;
-  reg                       s15_is_inf;
-  reg                       s15_is_zero;
-  reg                       s15_quot_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s15_rem_14    <= s14_rem_14;
-      s15_divisor   <= s14_divisor;
-      s15_quot_14   <= s14_quot_14;
-      s15_quot_exp  <= s14_quot_exp;
-      s15_is_nan    <= s14_is_nan;
-      s15_is_inf    <= s14_is_inf;
-      s15_is_zero   <= s14_is_zero;
-      s15_quot_sign <= s14_quot_sign;
+      s15_rem_14  <= s14_rem_14;
+      s15_divisor <= s14_divisor;
+      s15_quot_14 <= s14_quot_14;
     end
   end
 
@@ -602,21 +452,11 @@ module relief_fp_div #(
   reg [SigW:0]              s16_rem_15;
   reg [SigW-1:0]            s16_divisor;
   reg [((16*QuotW)/19)-1:0] s16_quot_15;
-  reg [ExpSumW-1:0]         s16_quot_exp;
-  reg                       s16_is_nan;
-  reg                       s16_is_inf;
-  reg                       s16_is_zero;
-  reg                       s16_quot_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s16_rem_15    <= s15_rem_15;
-      s16_divisor   <= s15_divisor;
-      s16_quot_15   <= s15_quot_15;
-      s16_quot_exp  <= s15_quot_exp;
-      s16_is_nan    <= s15_is_nan;
-      s16_is_inf    <= s15_is_inf;
-      s16_is_zero   <= s15_is_zero;
-      s16_quot_sign <= s15_quot_sign;
+      s16_rem_15  <= s15_rem_15;
+      s16_divisor <= s15_divisor;
+      s16_quot_15 <= s15_quot_15;
     end
   end
 
@@ -636,21 +476,11 @@ module relief_fp_div #(
   reg [SigW:0]              s17_rem_16;
   reg [SigW-1:0]            s17_divisor;
   reg [((17*QuotW)/19)-1:0] s17_quot_16;
-  reg [ExpSumW-1:0]         s17_quot_exp;
-  reg                       s17_is_nan;
-  reg                       s17_is_inf;
-  reg                       s17_is_zero;
-  reg                       s17_quot_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s17_rem_16    <= s16_rem_16;
-      s17_divisor   <= s16_divisor;
-      s17_quot_16   <= s16_quot_16;
-      s17_quot_exp  <= s16_quot_exp;
-      s17_is_nan    <= s16_is_nan;
-      s17_is_inf    <= s16_is_inf;
-      s17_is_zero   <= s16_is_zero;
-      s17_quot_sign <= s16_quot_sign;
+      s17_rem_16  <= s16_rem_16;
+      s17_divisor <= s16_divisor;
+      s17_quot_16 <= s16_quot_16;
     end
   end
 
@@ -670,21 +500,20 @@ module relief_fp_div #(
   reg [SigW:0]              s18_rem_17;
   reg [SigW-1:0]            s18_divisor;
   reg [((18*QuotW)/19)-1:0] s18_quot_17;
-  reg [ExpSumW-1:0]         s18_quot_exp;
-  reg                       s18_is_nan;
-  reg                       s18_is_inf;
-  reg                       s18_is_zero;
-  reg                       s18_quot_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s18_rem_17    <= s17_rem_17;
-      s18_divisor   <= s17_divisor;
-      s18_quot_17   <= s17_quot_17;
-      s18_quot_exp  <= s17_quot_exp;
-      s18_is_nan    <= s17_is_nan;
-      s18_is_inf    <= s17_is_inf;
-      s18_is_zero   <= s17_is_zero;
-      s18_quot_sign <= s17_quot_sign;
+      s18_rem_17  <= s17_rem_17;
+      s18_divisor <= s17_divisor;
+      s18_quot_17 <= s17_quot_17;
+    end
+  end
+  // Delay of 18 clocks: stage 0 to 18.
+  reg [ExpSumW-1:0]    s18_quot_exp;
+  reg [17*ExpSumW-1:0] s0_to_s18;
+  always @(posedge clk) begin
+    if (ce) begin
+      {s18_quot_exp, s0_to_s18} <=
+          {s0_to_s18, s0_quot_exp};
     end
   end
 
@@ -711,19 +540,23 @@ module relief_fp_div #(
   reg [ExpSumW-1:0] s19_norm_exp;
   reg [MAN_W-1:0]   s19_frac;
   reg               s19_guard;
-  reg               s19_is_nan;
-  reg               s19_is_inf;
-  reg               s19_is_zero;
-  reg               s19_quot_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s19_norm_exp  <= s18_norm_exp;
-      s19_frac      <= s18_frac;
-      s19_guard     <= s18_guard;
-      s19_is_nan    <= s18_is_nan;
-      s19_is_inf    <= s18_is_inf;
-      s19_is_zero   <= s18_is_zero;
-      s19_quot_sign <= s18_quot_sign;
+      s19_norm_exp <= s18_norm_exp;
+      s19_frac     <= s18_frac;
+      s19_guard    <= s18_guard;
+    end
+  end
+  // Delay of 19 clocks: stage 0 to 19.
+  reg        s19_is_nan;
+  reg        s19_is_inf;
+  reg        s19_is_zero;
+  reg        s19_quot_sign;
+  reg [71:0] s0_to_s19;
+  always @(posedge clk) begin
+    if (ce) begin
+      {s19_is_nan, s19_is_inf, s19_is_zero, s19_quot_sign, s0_to_s19} <=
+          {s0_to_s19, s0_is_nan, s0_is_inf, s0_is_zero, s0_quot_sign};
     end
   end
 

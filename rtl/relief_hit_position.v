@@ -75,21 +75,17 @@ module relief_hit_position #(
 
   // ---- stage 1: registers --------------------------------------------- hit_position.rs
   reg [FloatW-1:0] s1_p;
-  reg [IDX_W-1:0]  s1_x;
   always @(posedge clk) begin
     if (ce) begin
       s1_p <= p;
-      s1_x <= x;
     end
   end
 
   // ---- stage 2: registers --------------------------------------------- hit_position.rs
   reg [FloatW-1:0] s2_p;
-  reg [IDX_W-1:0]  s2_x;
   always @(posedge clk) begin
     if (ce) begin
       s2_p <= s1_p;
-      s2_x <= s1_x;
     end
   end
 
@@ -104,28 +100,10 @@ module relief_hit_position #(
   );
 
   // ---- stage 3: registers --------------------------------------------- hit_position.rs
-  reg [IDX_W-1:0] s3_x;
-  always @(posedge clk) begin
-    if (ce) begin
-      s3_x <= s2_x;
-    end
-  end
 
   // ---- stage 4: registers --------------------------------------------- hit_position.rs
-  reg [IDX_W-1:0] s4_x;
-  always @(posedge clk) begin
-    if (ce) begin
-      s4_x <= s3_x;
-    end
-  end
 
   // ---- stage 5: registers --------------------------------------------- hit_position.rs
-  reg [IDX_W-1:0] s5_x;
-  always @(posedge clk) begin
-    if (ce) begin
-      s5_x <= s4_x;
-    end
-  end
 
   // ---- stage 5: position ---------------------------------------------- hit_position.rs
   wire [FRAC_W+IDX_W-1:0] s7_fixed;
@@ -144,18 +122,15 @@ module relief_hit_position #(
   );
 
   // ---- stage 6: registers --------------------------------------------- hit_position.rs
-  reg [IDX_W-1:0] s6_x;
-  always @(posedge clk) begin
-    if (ce) begin
-      s6_x <= s5_x;
-    end
-  end
 
   // ---- stage 7: registers --------------------------------------------- hit_position.rs
-  reg [IDX_W-1:0] s7_x;
+  // Delay of 7 clocks: stage 0 to 7.
+  reg [IDX_W-1:0]   s7_x;
+  reg [6*IDX_W-1:0] s0_to_s7;
   always @(posedge clk) begin
     if (ce) begin
-      s7_x <= s6_x;
+      {s7_x, s0_to_s7} <=
+          {s0_to_s7, x};
     end
   end
 

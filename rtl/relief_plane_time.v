@@ -72,24 +72,20 @@ module relief_plane_time #(
   // ---- stage 1: registers ----------------------------------------------- plane_time.rs
   reg [FloatW-1:0] s1_minus_p;
   reg [FloatW-1:0] s1_r;
-  reg              s1_never;
   always @(posedge clk) begin
     if (ce) begin
       s1_minus_p <= s0_minus_p;
       s1_r       <= r;
-      s1_never   <= never;
     end
   end
 
   // ---- stage 2: registers ----------------------------------------------- plane_time.rs
   reg [FloatW-1:0] s2_minus_p;
   reg [FloatW-1:0] s2_r;
-  reg              s2_never;
   always @(posedge clk) begin
     if (ce) begin
       s2_minus_p <= s1_minus_p;
       s2_r       <= s1_r;
-      s2_never   <= s1_never;
     end
   end
 
@@ -105,31 +101,25 @@ module relief_plane_time #(
 
   // ---- stage 3: registers ----------------------------------------------- plane_time.rs
   reg [FloatW-1:0] s3_r;
-  reg              s3_never;
   always @(posedge clk) begin
     if (ce) begin
-      s3_r     <= s2_r;
-      s3_never <= s2_never;
+      s3_r <= s2_r;
     end
   end
 
   // ---- stage 4: registers ----------------------------------------------- plane_time.rs
   reg [FloatW-1:0] s4_r;
-  reg              s4_never;
   always @(posedge clk) begin
     if (ce) begin
-      s4_r     <= s3_r;
-      s4_never <= s3_never;
+      s4_r <= s3_r;
     end
   end
 
   // ---- stage 5: registers ----------------------------------------------- plane_time.rs
   reg [FloatW-1:0] s5_r;
-  reg              s5_never;
   always @(posedge clk) begin
     if (ce) begin
-      s5_r     <= s4_r;
-      s5_never <= s4_never;
+      s5_r <= s4_r;
     end
   end
 
@@ -144,18 +134,15 @@ module relief_plane_time #(
   );
 
   // ---- stage 6: registers ----------------------------------------------- plane_time.rs
-  reg s6_never;
-  always @(posedge clk) begin
-    if (ce) begin
-      s6_never <= s5_never;
-    end
-  end
 
   // ---- stage 7: registers ----------------------------------------------- plane_time.rs
-  reg s7_never;
+  // Delay of 7 clocks: stage 0 to 7.
+  reg       s7_never;
+  reg [5:0] s0_to_s7;
   always @(posedge clk) begin
     if (ce) begin
-      s7_never <= s6_never;
+      {s7_never, s0_to_s7} <=
+          {s0_to_s7, never};
     end
   end
 

@@ -200,27 +200,19 @@ module relief_ray_setup #(
   // ---- stage 1: registers ------------------------------------------------ ray_setup.rs
   reg [FloatW-1:0] s1_x_p;
   reg [FloatW-1:0] s1_x_dn;
-  reg              s1_x_d_in_is_zero;
   reg              s1_x_forward;
   reg [FloatW-1:0] s1_y_p;
   reg [FloatW-1:0] s1_y_dn;
-  reg              s1_y_d_in_is_zero;
   reg              s1_y_forward;
   reg              s1_is_ok;
-  reg              s1_x_d_in_sign;
-  reg              s1_y_d_in_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s1_x_p            <= s0_x_p;
-      s1_x_dn           <= s0_x_dn;
-      s1_x_d_in_is_zero <= s0_x_d_in_is_zero;
-      s1_x_forward      <= s0_x_forward;
-      s1_y_p            <= s0_y_p;
-      s1_y_dn           <= s0_y_dn;
-      s1_y_d_in_is_zero <= s0_y_d_in_is_zero;
-      s1_y_forward      <= s0_y_forward;
-      s1_x_d_in_sign    <= s0_x_d_in_sign;
-      s1_y_d_in_sign    <= s0_y_d_in_sign;
+      s1_x_p       <= s0_x_p;
+      s1_x_dn      <= s0_x_dn;
+      s1_x_forward <= s0_x_forward;
+      s1_y_p       <= s0_y_p;
+      s1_y_dn      <= s0_y_dn;
+      s1_y_forward <= s0_y_forward;
     end
   end
   // An unknown bit of a simulation counts as 0: none reaches a handshake.
@@ -333,26 +325,16 @@ module relief_ray_setup #(
   );
 
   // ---- stage 2: registers ------------------------------------------------ ray_setup.rs
-  reg              s2_x_d_in_is_zero;
   reg [FloatW-1:0] s2_x_bias;
   reg [FloatW-1:0] s2_x_p;
-  reg              s2_y_d_in_is_zero;
   reg [FloatW-1:0] s2_y_bias;
   reg [FloatW-1:0] s2_y_p;
-  reg              s2_is_ok;
-  reg              s2_x_d_in_sign;
-  reg              s2_y_d_in_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s2_x_d_in_is_zero <= s1_x_d_in_is_zero;
-      s2_x_bias         <= s1_x_bias;
-      s2_x_p            <= s1_x_p;
-      s2_y_d_in_is_zero <= s1_y_d_in_is_zero;
-      s2_y_bias         <= s1_y_bias;
-      s2_y_p            <= s1_y_p;
-      s2_is_ok          <= s1_is_ok;
-      s2_x_d_in_sign    <= s1_x_d_in_sign;
-      s2_y_d_in_sign    <= s1_y_d_in_sign;
+      s2_x_bias <= s1_x_bias;
+      s2_x_p    <= s1_x_p;
+      s2_y_bias <= s1_y_bias;
+      s2_y_p    <= s1_y_p;
     end
   end
 
@@ -379,52 +361,8 @@ module relief_ray_setup #(
   );
 
   // ---- stage 3: registers ------------------------------------------------ ray_setup.rs
-  reg              s3_x_d_in_is_zero;
-  reg              s3_y_d_in_is_zero;
-  reg              s3_is_ok;
-  reg [FloatW-1:0] s3_x_p;
-  reg              s3_x_d_in_sign;
-  reg [FloatW-1:0] s3_y_p;
-  reg              s3_y_d_in_sign;
-  always @(posedge clk) begin
-    if (ce) begin
-      s3_x_d_in_is_zero <= s2_x_d_in_is_zero;
-      s3_y_d_in_is_zero <= s2_y_d_in_is_zero;
-      s3_is_ok          <= s2_is_ok;
-      s3_x_p            <= s2_x_p;
-      s3_x_d_in_sign    <= s2_x_d_in_sign;
-      s3_y_p            <= s2_y_p;
-      s3_y_d_in_sign    <= s2_y_d_in_sign;
-    end
-  end
 
   // ---- stage 4: registers ------------------------------------------------ ray_setup.rs
-  reg              s4_x_d_in_is_zero;
-  reg              s4_y_d_in_is_zero;
-  reg [IdxW-1:0]   s4_x_first;
-  reg [IdxW-1:0]   s4_y_first;
-  reg              s4_is_ok;
-  reg [FloatW-1:0] s4_x_p;
-  reg [FloatW-1:0] s4_x_d;
-  reg              s4_x_d_in_sign;
-  reg [FloatW-1:0] s4_y_p;
-  reg [FloatW-1:0] s4_y_d;
-  reg              s4_y_d_in_sign;
-  always @(posedge clk) begin
-    if (ce) begin
-      s4_x_d_in_is_zero <= s3_x_d_in_is_zero;
-      s4_y_d_in_is_zero <= s3_y_d_in_is_zero;
-      s4_x_first        <= s3_x_first;
-      s4_y_first        <= s3_y_first;
-      s4_is_ok          <= s3_is_ok;
-      s4_x_p            <= s3_x_p;
-      s4_x_d            <= s3_x_d;
-      s4_x_d_in_sign    <= s3_x_d_in_sign;
-      s4_y_p            <= s3_y_p;
-      s4_y_d            <= s3_y_d;
-      s4_y_d_in_sign    <= s3_y_d_in_sign;
-    end
-  end
 
   // ---- stage 4: x_texels ------------------------------------------------- ray_setup.rs
   wire [IdxW-1:0] s6_x_last;
@@ -457,62 +395,16 @@ module relief_ray_setup #(
   );
 
   // ---- stage 5: registers ------------------------------------------------ ray_setup.rs
-  reg              s5_x_d_in_is_zero;
-  reg              s5_y_d_in_is_zero;
-  reg [IdxW-1:0]   s5_x_first;
-  reg [IdxW-1:0]   s5_y_first;
-  reg              s5_is_ok;
-  reg [FloatW-1:0] s5_x_p;
-  reg [FloatW-1:0] s5_x_d;
-  reg              s5_x_d_in_sign;
-  reg [FloatW-1:0] s5_y_p;
-  reg [FloatW-1:0] s5_y_d;
-  reg              s5_y_d_in_sign;
-  always @(posedge clk) begin
-    if (ce) begin
-      s5_x_d_in_is_zero <= s4_x_d_in_is_zero;
-      s5_y_d_in_is_zero <= s4_y_d_in_is_zero;
-      s5_x_first        <= s4_x_first;
-      s5_y_first        <= s4_y_first;
-      s5_is_ok          <= s4_is_ok;
-      s5_x_p            <= s4_x_p;
-      s5_x_d            <= s4_x_d;
-      s5_x_d_in_sign    <= s4_x_d_in_sign;
-      s5_y_p            <= s4_y_p;
-      s5_y_d            <= s4_y_d;
-      s5_y_d_in_sign    <= s4_y_d_in_sign;
-    end
-  end
 
   // ---- stage 6: registers ------------------------------------------------ ray_setup.rs
-  reg              s6_x_d_in_is_zero;
-  reg              s6_y_d_in_is_zero;
+  // Delay of 3 clocks: stage 3 to 6.
   reg [IdxW-1:0]   s6_x_first;
   reg [IdxW-1:0]   s6_y_first;
-  reg              s6_is_ok;
-  reg [FloatW-1:0] s6_x_p;
-  reg [FloatW-1:0] s6_x_pb;
-  reg [FloatW-1:0] s6_x_d;
-  reg              s6_x_d_in_sign;
-  reg [FloatW-1:0] s6_y_p;
-  reg [FloatW-1:0] s6_y_pb;
-  reg [FloatW-1:0] s6_y_d;
-  reg              s6_y_d_in_sign;
+  reg [4*IdxW-1:0] s3_to_s6;
   always @(posedge clk) begin
     if (ce) begin
-      s6_x_d_in_is_zero <= s5_x_d_in_is_zero;
-      s6_y_d_in_is_zero <= s5_y_d_in_is_zero;
-      s6_x_first        <= s5_x_first;
-      s6_y_first        <= s5_y_first;
-      s6_is_ok          <= s5_is_ok;
-      s6_x_p            <= s5_x_p;
-      s6_x_pb           <= s5_x_pb;
-      s6_x_d            <= s5_x_d;
-      s6_x_d_in_sign    <= s5_x_d_in_sign;
-      s6_y_p            <= s5_y_p;
-      s6_y_pb           <= s5_y_pb;
-      s6_y_d            <= s5_y_d;
-      s6_y_d_in_sign    <= s5_y_d_in_sign;
+      {s6_x_first, s6_y_first, s3_to_s6} <=
+          {s3_to_s6, s3_x_first, s3_y_first};
     end
   end
 
@@ -532,512 +424,94 @@ module relief_ray_setup #(
   );
 
   // ---- stage 7: registers ------------------------------------------------ ray_setup.rs
-  reg              s7_x_d_in_is_zero;
-  reg              s7_y_d_in_is_zero;
-  reg              s7_is_ok;
-  reg [LevelW-1:0] s7_start;
-  reg [FloatW-1:0] s7_x_p;
-  reg [FloatW-1:0] s7_x_pb;
-  reg [FloatW-1:0] s7_x_d;
-  reg              s7_x_d_in_sign;
-  reg [IdxW-1:0]   s7_x_first;
-  reg [FloatW-1:0] s7_y_p;
-  reg [FloatW-1:0] s7_y_pb;
-  reg [FloatW-1:0] s7_y_d;
-  reg              s7_y_d_in_sign;
-  reg [IdxW-1:0]   s7_y_first;
-  always @(posedge clk) begin
-    if (ce) begin
-      s7_x_d_in_is_zero <= s6_x_d_in_is_zero;
-      s7_y_d_in_is_zero <= s6_y_d_in_is_zero;
-      s7_is_ok          <= s6_is_ok;
-      s7_start          <= s6_start;
-      s7_x_p            <= s6_x_p;
-      s7_x_pb           <= s6_x_pb;
-      s7_x_d            <= s6_x_d;
-      s7_x_d_in_sign    <= s6_x_d_in_sign;
-      s7_x_first        <= s6_x_first;
-      s7_y_p            <= s6_y_p;
-      s7_y_pb           <= s6_y_pb;
-      s7_y_d            <= s6_y_d;
-      s7_y_d_in_sign    <= s6_y_d_in_sign;
-      s7_y_first        <= s6_y_first;
-    end
-  end
 
   // ---- stage 8: registers ------------------------------------------------ ray_setup.rs
-  reg              s8_x_d_in_is_zero;
-  reg              s8_y_d_in_is_zero;
-  reg              s8_is_ok;
-  reg [LevelW-1:0] s8_start;
-  reg [FloatW-1:0] s8_x_p;
-  reg [FloatW-1:0] s8_x_pb;
-  reg [FloatW-1:0] s8_x_d;
-  reg              s8_x_d_in_sign;
-  reg [IdxW-1:0]   s8_x_first;
-  reg [FloatW-1:0] s8_y_p;
-  reg [FloatW-1:0] s8_y_pb;
-  reg [FloatW-1:0] s8_y_d;
-  reg              s8_y_d_in_sign;
-  reg [IdxW-1:0]   s8_y_first;
-  always @(posedge clk) begin
-    if (ce) begin
-      s8_x_d_in_is_zero <= s7_x_d_in_is_zero;
-      s8_y_d_in_is_zero <= s7_y_d_in_is_zero;
-      s8_is_ok          <= s7_is_ok;
-      s8_start          <= s7_start;
-      s8_x_p            <= s7_x_p;
-      s8_x_pb           <= s7_x_pb;
-      s8_x_d            <= s7_x_d;
-      s8_x_d_in_sign    <= s7_x_d_in_sign;
-      s8_x_first        <= s7_x_first;
-      s8_y_p            <= s7_y_p;
-      s8_y_pb           <= s7_y_pb;
-      s8_y_d            <= s7_y_d;
-      s8_y_d_in_sign    <= s7_y_d_in_sign;
-      s8_y_first        <= s7_y_first;
-    end
-  end
 
   // ---- stage 9: registers ------------------------------------------------ ray_setup.rs
-  reg              s9_x_d_in_is_zero;
-  reg              s9_y_d_in_is_zero;
-  reg              s9_is_ok;
-  reg [LevelW-1:0] s9_start;
-  reg [FloatW-1:0] s9_x_p;
-  reg [FloatW-1:0] s9_x_pb;
-  reg [FloatW-1:0] s9_x_d;
-  reg              s9_x_d_in_sign;
-  reg [IdxW-1:0]   s9_x_first;
-  reg [FloatW-1:0] s9_y_p;
-  reg [FloatW-1:0] s9_y_pb;
-  reg [FloatW-1:0] s9_y_d;
-  reg              s9_y_d_in_sign;
-  reg [IdxW-1:0]   s9_y_first;
-  always @(posedge clk) begin
-    if (ce) begin
-      s9_x_d_in_is_zero <= s8_x_d_in_is_zero;
-      s9_y_d_in_is_zero <= s8_y_d_in_is_zero;
-      s9_is_ok          <= s8_is_ok;
-      s9_start          <= s8_start;
-      s9_x_p            <= s8_x_p;
-      s9_x_pb           <= s8_x_pb;
-      s9_x_d            <= s8_x_d;
-      s9_x_d_in_sign    <= s8_x_d_in_sign;
-      s9_x_first        <= s8_x_first;
-      s9_y_p            <= s8_y_p;
-      s9_y_pb           <= s8_y_pb;
-      s9_y_d            <= s8_y_d;
-      s9_y_d_in_sign    <= s8_y_d_in_sign;
-      s9_y_first        <= s8_y_first;
-    end
-  end
 
   // ---- stage 10: registers ----------------------------------------------- ray_setup.rs
-  reg              s10_x_d_in_is_zero;
-  reg              s10_y_d_in_is_zero;
-  reg              s10_is_ok;
-  reg [LevelW-1:0] s10_start;
-  reg [FloatW-1:0] s10_x_p;
-  reg [FloatW-1:0] s10_x_pb;
-  reg [FloatW-1:0] s10_x_d;
-  reg              s10_x_d_in_sign;
-  reg [IdxW-1:0]   s10_x_first;
-  reg [FloatW-1:0] s10_y_p;
-  reg [FloatW-1:0] s10_y_pb;
-  reg [FloatW-1:0] s10_y_d;
-  reg              s10_y_d_in_sign;
-  reg [IdxW-1:0]   s10_y_first;
-  always @(posedge clk) begin
-    if (ce) begin
-      s10_x_d_in_is_zero <= s9_x_d_in_is_zero;
-      s10_y_d_in_is_zero <= s9_y_d_in_is_zero;
-      s10_is_ok          <= s9_is_ok;
-      s10_start          <= s9_start;
-      s10_x_p            <= s9_x_p;
-      s10_x_pb           <= s9_x_pb;
-      s10_x_d            <= s9_x_d;
-      s10_x_d_in_sign    <= s9_x_d_in_sign;
-      s10_x_first        <= s9_x_first;
-      s10_y_p            <= s9_y_p;
-      s10_y_pb           <= s9_y_pb;
-      s10_y_d            <= s9_y_d;
-      s10_y_d_in_sign    <= s9_y_d_in_sign;
-      s10_y_first        <= s9_y_first;
-    end
-  end
 
   // ---- stage 11: registers ----------------------------------------------- ray_setup.rs
-  reg              s11_x_d_in_is_zero;
-  reg              s11_y_d_in_is_zero;
-  reg              s11_is_ok;
-  reg [LevelW-1:0] s11_start;
-  reg [FloatW-1:0] s11_x_p;
-  reg [FloatW-1:0] s11_x_pb;
-  reg [FloatW-1:0] s11_x_d;
-  reg              s11_x_d_in_sign;
-  reg [IdxW-1:0]   s11_x_first;
-  reg [FloatW-1:0] s11_y_p;
-  reg [FloatW-1:0] s11_y_pb;
-  reg [FloatW-1:0] s11_y_d;
-  reg              s11_y_d_in_sign;
-  reg [IdxW-1:0]   s11_y_first;
-  always @(posedge clk) begin
-    if (ce) begin
-      s11_x_d_in_is_zero <= s10_x_d_in_is_zero;
-      s11_y_d_in_is_zero <= s10_y_d_in_is_zero;
-      s11_is_ok          <= s10_is_ok;
-      s11_start          <= s10_start;
-      s11_x_p            <= s10_x_p;
-      s11_x_pb           <= s10_x_pb;
-      s11_x_d            <= s10_x_d;
-      s11_x_d_in_sign    <= s10_x_d_in_sign;
-      s11_x_first        <= s10_x_first;
-      s11_y_p            <= s10_y_p;
-      s11_y_pb           <= s10_y_pb;
-      s11_y_d            <= s10_y_d;
-      s11_y_d_in_sign    <= s10_y_d_in_sign;
-      s11_y_first        <= s10_y_first;
-    end
-  end
 
   // ---- stage 12: registers ----------------------------------------------- ray_setup.rs
-  reg              s12_x_d_in_is_zero;
-  reg              s12_y_d_in_is_zero;
-  reg              s12_is_ok;
-  reg [LevelW-1:0] s12_start;
-  reg [FloatW-1:0] s12_x_p;
-  reg [FloatW-1:0] s12_x_pb;
-  reg [FloatW-1:0] s12_x_d;
-  reg              s12_x_d_in_sign;
-  reg [IdxW-1:0]   s12_x_first;
-  reg [FloatW-1:0] s12_y_p;
-  reg [FloatW-1:0] s12_y_pb;
-  reg [FloatW-1:0] s12_y_d;
-  reg              s12_y_d_in_sign;
-  reg [IdxW-1:0]   s12_y_first;
-  always @(posedge clk) begin
-    if (ce) begin
-      s12_x_d_in_is_zero <= s11_x_d_in_is_zero;
-      s12_y_d_in_is_zero <= s11_y_d_in_is_zero;
-      s12_is_ok          <= s11_is_ok;
-      s12_start          <= s11_start;
-      s12_x_p            <= s11_x_p;
-      s12_x_pb           <= s11_x_pb;
-      s12_x_d            <= s11_x_d;
-      s12_x_d_in_sign    <= s11_x_d_in_sign;
-      s12_x_first        <= s11_x_first;
-      s12_y_p            <= s11_y_p;
-      s12_y_pb           <= s11_y_pb;
-      s12_y_d            <= s11_y_d;
-      s12_y_d_in_sign    <= s11_y_d_in_sign;
-      s12_y_first        <= s11_y_first;
-    end
-  end
 
   // ---- stage 13: registers ----------------------------------------------- ray_setup.rs
-  reg              s13_x_d_in_is_zero;
-  reg              s13_y_d_in_is_zero;
-  reg              s13_is_ok;
-  reg [LevelW-1:0] s13_start;
-  reg [FloatW-1:0] s13_x_p;
-  reg [FloatW-1:0] s13_x_pb;
-  reg [FloatW-1:0] s13_x_d;
-  reg              s13_x_d_in_sign;
-  reg [IdxW-1:0]   s13_x_first;
-  reg [FloatW-1:0] s13_y_p;
-  reg [FloatW-1:0] s13_y_pb;
-  reg [FloatW-1:0] s13_y_d;
-  reg              s13_y_d_in_sign;
-  reg [IdxW-1:0]   s13_y_first;
-  always @(posedge clk) begin
-    if (ce) begin
-      s13_x_d_in_is_zero <= s12_x_d_in_is_zero;
-      s13_y_d_in_is_zero <= s12_y_d_in_is_zero;
-      s13_is_ok          <= s12_is_ok;
-      s13_start          <= s12_start;
-      s13_x_p            <= s12_x_p;
-      s13_x_pb           <= s12_x_pb;
-      s13_x_d            <= s12_x_d;
-      s13_x_d_in_sign    <= s12_x_d_in_sign;
-      s13_x_first        <= s12_x_first;
-      s13_y_p            <= s12_y_p;
-      s13_y_pb           <= s12_y_pb;
-      s13_y_d            <= s12_y_d;
-      s13_y_d_in_sign    <= s12_y_d_in_sign;
-      s13_y_first        <= s12_y_first;
-    end
-  end
 
   // ---- stage 14: registers ----------------------------------------------- ray_setup.rs
-  reg              s14_x_d_in_is_zero;
-  reg              s14_y_d_in_is_zero;
-  reg              s14_is_ok;
-  reg [LevelW-1:0] s14_start;
-  reg [FloatW-1:0] s14_x_p;
-  reg [FloatW-1:0] s14_x_pb;
-  reg [FloatW-1:0] s14_x_d;
-  reg              s14_x_d_in_sign;
-  reg [IdxW-1:0]   s14_x_first;
-  reg [FloatW-1:0] s14_y_p;
-  reg [FloatW-1:0] s14_y_pb;
-  reg [FloatW-1:0] s14_y_d;
-  reg              s14_y_d_in_sign;
-  reg [IdxW-1:0]   s14_y_first;
-  always @(posedge clk) begin
-    if (ce) begin
-      s14_x_d_in_is_zero <= s13_x_d_in_is_zero;
-      s14_y_d_in_is_zero <= s13_y_d_in_is_zero;
-      s14_is_ok          <= s13_is_ok;
-      s14_start          <= s13_start;
-      s14_x_p            <= s13_x_p;
-      s14_x_pb           <= s13_x_pb;
-      s14_x_d            <= s13_x_d;
-      s14_x_d_in_sign    <= s13_x_d_in_sign;
-      s14_x_first        <= s13_x_first;
-      s14_y_p            <= s13_y_p;
-      s14_y_pb           <= s13_y_pb;
-      s14_y_d            <= s13_y_d;
-      s14_y_d_in_sign    <= s13_y_d_in_sign;
-      s14_y_first        <= s13_y_first;
-    end
-  end
 
   // ---- stage 15: registers ----------------------------------------------- ray_setup.rs
-  reg              s15_x_d_in_is_zero;
-  reg              s15_y_d_in_is_zero;
-  reg              s15_is_ok;
-  reg [LevelW-1:0] s15_start;
-  reg [FloatW-1:0] s15_x_p;
-  reg [FloatW-1:0] s15_x_pb;
-  reg [FloatW-1:0] s15_x_d;
-  reg              s15_x_d_in_sign;
-  reg [IdxW-1:0]   s15_x_first;
-  reg [FloatW-1:0] s15_y_p;
-  reg [FloatW-1:0] s15_y_pb;
-  reg [FloatW-1:0] s15_y_d;
-  reg              s15_y_d_in_sign;
-  reg [IdxW-1:0]   s15_y_first;
-  always @(posedge clk) begin
-    if (ce) begin
-      s15_x_d_in_is_zero <= s14_x_d_in_is_zero;
-      s15_y_d_in_is_zero <= s14_y_d_in_is_zero;
-      s15_is_ok          <= s14_is_ok;
-      s15_start          <= s14_start;
-      s15_x_p            <= s14_x_p;
-      s15_x_pb           <= s14_x_pb;
-      s15_x_d            <= s14_x_d;
-      s15_x_d_in_sign    <= s14_x_d_in_sign;
-      s15_x_first        <= s14_x_first;
-      s15_y_p            <= s14_y_p;
-      s15_y_pb           <= s14_y_pb;
-      s15_y_d            <= s14_y_d;
-      s15_y_d_in_sign    <= s14_y_d_in_sign;
-      s15_y_first        <= s14_y_first;
-    end
-  end
 
   // ---- stage 16: registers ----------------------------------------------- ray_setup.rs
-  reg              s16_x_d_in_is_zero;
-  reg              s16_y_d_in_is_zero;
-  reg              s16_is_ok;
-  reg [LevelW-1:0] s16_start;
-  reg [FloatW-1:0] s16_x_p;
-  reg [FloatW-1:0] s16_x_pb;
-  reg [FloatW-1:0] s16_x_d;
-  reg              s16_x_d_in_sign;
-  reg [IdxW-1:0]   s16_x_first;
-  reg [FloatW-1:0] s16_y_p;
-  reg [FloatW-1:0] s16_y_pb;
-  reg [FloatW-1:0] s16_y_d;
-  reg              s16_y_d_in_sign;
-  reg [IdxW-1:0]   s16_y_first;
-  always @(posedge clk) begin
-    if (ce) begin
-      s16_x_d_in_is_zero <= s15_x_d_in_is_zero;
-      s16_y_d_in_is_zero <= s15_y_d_in_is_zero;
-      s16_is_ok          <= s15_is_ok;
-      s16_start          <= s15_start;
-      s16_x_p            <= s15_x_p;
-      s16_x_pb           <= s15_x_pb;
-      s16_x_d            <= s15_x_d;
-      s16_x_d_in_sign    <= s15_x_d_in_sign;
-      s16_x_first        <= s15_x_first;
-      s16_y_p            <= s15_y_p;
-      s16_y_pb           <= s15_y_pb;
-      s16_y_d            <= s15_y_d;
-      s16_y_d_in_sign    <= s15_y_d_in_sign;
-      s16_y_first        <= s15_y_first;
-    end
-  end
 
   // ---- stage 17: registers ----------------------------------------------- ray_setup.rs
-  reg              s17_x_d_in_is_zero;
-  reg              s17_y_d_in_is_zero;
-  reg              s17_is_ok;
-  reg [LevelW-1:0] s17_start;
-  reg [FloatW-1:0] s17_x_p;
-  reg [FloatW-1:0] s17_x_pb;
-  reg [FloatW-1:0] s17_x_d;
-  reg              s17_x_d_in_sign;
-  reg [IdxW-1:0]   s17_x_first;
-  reg [FloatW-1:0] s17_y_p;
-  reg [FloatW-1:0] s17_y_pb;
-  reg [FloatW-1:0] s17_y_d;
-  reg              s17_y_d_in_sign;
-  reg [IdxW-1:0]   s17_y_first;
-  always @(posedge clk) begin
-    if (ce) begin
-      s17_x_d_in_is_zero <= s16_x_d_in_is_zero;
-      s17_y_d_in_is_zero <= s16_y_d_in_is_zero;
-      s17_is_ok          <= s16_is_ok;
-      s17_start          <= s16_start;
-      s17_x_p            <= s16_x_p;
-      s17_x_pb           <= s16_x_pb;
-      s17_x_d            <= s16_x_d;
-      s17_x_d_in_sign    <= s16_x_d_in_sign;
-      s17_x_first        <= s16_x_first;
-      s17_y_p            <= s16_y_p;
-      s17_y_pb           <= s16_y_pb;
-      s17_y_d            <= s16_y_d;
-      s17_y_d_in_sign    <= s16_y_d_in_sign;
-      s17_y_first        <= s16_y_first;
-    end
-  end
 
   // ---- stage 18: registers ----------------------------------------------- ray_setup.rs
-  reg              s18_x_d_in_is_zero;
-  reg              s18_y_d_in_is_zero;
-  reg              s18_is_ok;
-  reg [LevelW-1:0] s18_start;
-  reg [FloatW-1:0] s18_x_p;
-  reg [FloatW-1:0] s18_x_pb;
-  reg [FloatW-1:0] s18_x_d;
-  reg              s18_x_d_in_sign;
-  reg [IdxW-1:0]   s18_x_first;
-  reg [FloatW-1:0] s18_y_p;
-  reg [FloatW-1:0] s18_y_pb;
-  reg [FloatW-1:0] s18_y_d;
-  reg              s18_y_d_in_sign;
-  reg [IdxW-1:0]   s18_y_first;
-  always @(posedge clk) begin
-    if (ce) begin
-      s18_x_d_in_is_zero <= s17_x_d_in_is_zero;
-      s18_y_d_in_is_zero <= s17_y_d_in_is_zero;
-      s18_is_ok          <= s17_is_ok;
-      s18_start          <= s17_start;
-      s18_x_p            <= s17_x_p;
-      s18_x_pb           <= s17_x_pb;
-      s18_x_d            <= s17_x_d;
-      s18_x_d_in_sign    <= s17_x_d_in_sign;
-      s18_x_first        <= s17_x_first;
-      s18_y_p            <= s17_y_p;
-      s18_y_pb           <= s17_y_pb;
-      s18_y_d            <= s17_y_d;
-      s18_y_d_in_sign    <= s17_y_d_in_sign;
-      s18_y_first        <= s17_y_first;
-    end
-  end
 
   // ---- stage 19: registers ----------------------------------------------- ray_setup.rs
-  reg              s19_x_d_in_is_zero;
-  reg              s19_y_d_in_is_zero;
-  reg              s19_is_ok;
-  reg [LevelW-1:0] s19_start;
-  reg [FloatW-1:0] s19_x_p;
-  reg [FloatW-1:0] s19_x_pb;
-  reg [FloatW-1:0] s19_x_d;
-  reg              s19_x_d_in_sign;
-  reg [IdxW-1:0]   s19_x_first;
-  reg [FloatW-1:0] s19_y_p;
-  reg [FloatW-1:0] s19_y_pb;
-  reg [FloatW-1:0] s19_y_d;
-  reg              s19_y_d_in_sign;
-  reg [IdxW-1:0]   s19_y_first;
-  always @(posedge clk) begin
-    if (ce) begin
-      s19_x_d_in_is_zero <= s18_x_d_in_is_zero;
-      s19_y_d_in_is_zero <= s18_y_d_in_is_zero;
-      s19_is_ok          <= s18_is_ok;
-      s19_start          <= s18_start;
-      s19_x_p            <= s18_x_p;
-      s19_x_pb           <= s18_x_pb;
-      s19_x_d            <= s18_x_d;
-      s19_x_d_in_sign    <= s18_x_d_in_sign;
-      s19_x_first        <= s18_x_first;
-      s19_y_p            <= s18_y_p;
-      s19_y_pb           <= s18_y_pb;
-      s19_y_d            <= s18_y_d;
-      s19_y_d_in_sign    <= s18_y_d_in_sign;
-      s19_y_first        <= s18_y_first;
-    end
-  end
 
   // ---- stage 20: registers ----------------------------------------------- ray_setup.rs
-  reg              s20_x_d_in_is_zero;
-  reg              s20_y_d_in_is_zero;
-  reg              s20_is_ok;
-  reg [LevelW-1:0] s20_start;
-  reg [FloatW-1:0] s20_x_p;
-  reg [FloatW-1:0] s20_x_pb;
-  reg [FloatW-1:0] s20_x_d;
-  reg              s20_x_d_in_sign;
-  reg [IdxW-1:0]   s20_x_first;
-  reg [FloatW-1:0] s20_y_p;
-  reg [FloatW-1:0] s20_y_pb;
-  reg [FloatW-1:0] s20_y_d;
-  reg              s20_y_d_in_sign;
-  reg [IdxW-1:0]   s20_y_first;
-  always @(posedge clk) begin
-    if (ce) begin
-      s20_x_d_in_is_zero <= s19_x_d_in_is_zero;
-      s20_y_d_in_is_zero <= s19_y_d_in_is_zero;
-      s20_is_ok          <= s19_is_ok;
-      s20_start          <= s19_start;
-      s20_x_p            <= s19_x_p;
-      s20_x_pb           <= s19_x_pb;
-      s20_x_d            <= s19_x_d;
-      s20_x_d_in_sign    <= s19_x_d_in_sign;
-      s20_x_first        <= s19_x_first;
-      s20_y_p            <= s19_y_p;
-      s20_y_pb           <= s19_y_pb;
-      s20_y_d            <= s19_y_d;
-      s20_y_d_in_sign    <= s19_y_d_in_sign;
-      s20_y_first        <= s19_y_first;
-    end
-  end
 
   // ---- stage 21: registers ----------------------------------------------- ray_setup.rs
-  reg              s21_x_d_in_is_zero;
-  reg              s21_y_d_in_is_zero;
-  reg              s21_is_ok;
-  reg [LevelW-1:0] s21_start;
-  reg [FloatW-1:0] s21_x_p;
-  reg [FloatW-1:0] s21_x_pb;
-  reg [FloatW-1:0] s21_x_d;
-  reg              s21_x_d_in_sign;
-  reg [IdxW-1:0]   s21_x_first;
-  reg [FloatW-1:0] s21_y_p;
-  reg [FloatW-1:0] s21_y_pb;
-  reg [FloatW-1:0] s21_y_d;
-  reg              s21_y_d_in_sign;
-  reg [IdxW-1:0]   s21_y_first;
+  // Delay of 21 clocks: stage 0 to 21.
+  reg        s21_x_d_in_is_zero;
+  reg        s21_y_d_in_is_zero;
+  reg        s21_x_d_in_sign;
+  reg        s21_y_d_in_sign;
+  reg [79:0] s0_to_s21;
   always @(posedge clk) begin
     if (ce) begin
-      s21_x_d_in_is_zero <= s20_x_d_in_is_zero;
-      s21_y_d_in_is_zero <= s20_y_d_in_is_zero;
-      s21_is_ok          <= s20_is_ok;
-      s21_start          <= s20_start;
-      s21_x_p            <= s20_x_p;
-      s21_x_pb           <= s20_x_pb;
-      s21_x_d            <= s20_x_d;
-      s21_x_d_in_sign    <= s20_x_d_in_sign;
-      s21_x_first        <= s20_x_first;
-      s21_y_p            <= s20_y_p;
-      s21_y_pb           <= s20_y_pb;
-      s21_y_d            <= s20_y_d;
-      s21_y_d_in_sign    <= s20_y_d_in_sign;
-      s21_y_first        <= s20_y_first;
+      {s21_x_d_in_is_zero, s21_y_d_in_is_zero, s21_x_d_in_sign, s21_y_d_in_sign, s0_to_s21} <=
+          {s0_to_s21, s0_x_d_in_is_zero, s0_y_d_in_is_zero, s0_x_d_in_sign, s0_y_d_in_sign};
+    end
+  end
+  // Delay of 20 clocks: stage 1 to 21.
+  reg        s21_is_ok;
+  reg [18:0] s1_to_s21;
+  always @(posedge clk) begin
+    if (ce) begin
+      {s21_is_ok, s1_to_s21} <=
+          {s1_to_s21, s1_is_ok};
+    end
+  end
+  // Delay of 19 clocks: stage 2 to 21.
+  reg [FloatW-1:0]    s21_x_p;
+  reg [FloatW-1:0]    s21_y_p;
+  reg [36*FloatW-1:0] s2_to_s21;
+  always @(posedge clk) begin
+    if (ce) begin
+      {s21_x_p, s21_y_p, s2_to_s21} <=
+          {s2_to_s21, s2_x_p, s2_y_p};
+    end
+  end
+  // Delay of 18 clocks: stage 3 to 21.
+  reg [FloatW-1:0]    s21_x_d;
+  reg [FloatW-1:0]    s21_y_d;
+  reg [34*FloatW-1:0] s3_to_s21;
+  always @(posedge clk) begin
+    if (ce) begin
+      {s21_x_d, s21_y_d, s3_to_s21} <=
+          {s3_to_s21, s3_x_d, s3_y_d};
+    end
+  end
+  // Delay of 16 clocks: stage 5 to 21.
+  reg [FloatW-1:0]    s21_x_pb;
+  reg [FloatW-1:0]    s21_y_pb;
+  reg [30*FloatW-1:0] s5_to_s21;
+  always @(posedge clk) begin
+    if (ce) begin
+      {s21_x_pb, s21_y_pb, s5_to_s21} <=
+          {s5_to_s21, s5_x_pb, s5_y_pb};
+    end
+  end
+  // Delay of 15 clocks: stage 6 to 21.
+  reg [LevelW-1:0]            s21_start;
+  reg [IdxW-1:0]              s21_x_first;
+  reg [IdxW-1:0]              s21_y_first;
+  reg [28*IdxW+14*LevelW-1:0] s6_to_s21;
+  always @(posedge clk) begin
+    if (ce) begin
+      {s21_start, s21_x_first, s21_y_first, s6_to_s21} <=
+          {s6_to_s21, s6_start, s6_x_first, s6_y_first};
     end
   end
 

@@ -780,54 +780,24 @@ module relief_traverse #(
   // ---- stage 2: registers ------------------------------------------------- traverse.rs
   reg              s2_valid;
   reg [TAG_W-1:0]  s2_tag;
-  reg [FloatW-1:0] s2_p_x;
-  reg [FloatW-1:0] s2_pb_x;
-  reg [FloatW-1:0] s2_d_x;
-  reg [FloatW-1:0] s2_r_x;
-  reg              s2_never_x;
   reg              s2_neg_x;
-  reg [FloatW-1:0] s2_p_y;
-  reg [FloatW-1:0] s2_pb_y;
-  reg [FloatW-1:0] s2_d_y;
-  reg [FloatW-1:0] s2_r_y;
-  reg              s2_never_y;
   reg              s2_neg_y;
   reg [LevelW-1:0] s2_level;
   reg [IdxW-1:0]   s2_x;
   reg [IdxW-1:0]   s2_y;
   reg [FloatW-1:0] s2_t;
   reg              s2_done;
-  reg              s2_wall;
-  reg              s2_limit;
   reg [15:0]       s2_steps;
-  reg [15:0]       s2_crossings;
-  reg [15:0]       s2_ups;
-  reg              s2_has_crossed;
   always @(posedge clk) begin
-    s2_tag         <= s1_tag;
-    s2_p_x         <= s1_p_x;
-    s2_pb_x        <= s1_pb_x;
-    s2_d_x         <= s1_d_x;
-    s2_r_x         <= s1_r_x;
-    s2_never_x     <= s1_never_x;
-    s2_neg_x       <= s1_neg_x;
-    s2_p_y         <= s1_p_y;
-    s2_pb_y        <= s1_pb_y;
-    s2_d_y         <= s1_d_y;
-    s2_r_y         <= s1_r_y;
-    s2_never_y     <= s1_never_y;
-    s2_neg_y       <= s1_neg_y;
-    s2_level       <= s1_level;
-    s2_x           <= s1_x;
-    s2_y           <= s1_y;
-    s2_t           <= s1_t;
-    s2_done        <= s1_done;
-    s2_wall        <= s1_wall;
-    s2_limit       <= s1_limit;
-    s2_steps       <= s1_steps;
-    s2_crossings   <= s1_crossings;
-    s2_ups         <= s1_ups;
-    s2_has_crossed <= s1_has_crossed;
+    s2_tag   <= s1_tag;
+    s2_neg_x <= s1_neg_x;
+    s2_neg_y <= s1_neg_y;
+    s2_level <= s1_level;
+    s2_x     <= s1_x;
+    s2_y     <= s1_y;
+    s2_t     <= s1_t;
+    s2_done  <= s1_done;
+    s2_steps <= s1_steps;
   end
   always @(posedge clk) begin
     if (rst) begin
@@ -895,82 +865,18 @@ module relief_traverse #(
   wire        s2_last_step = s2_steps == StepsBeforeLast[15:0];
 
   // ---- stage 3: registers ------------------------------------------------- traverse.rs
-  reg [IdxW-1:0]   s3_x_low;
-  reg [IdxW-1:0]   s3_x_high;
   reg [IdxW-1:0]   s3_x_plane;
-  reg [IdxW-1:0]   s3_x_beyond;
-  reg              s3_x_even;
-  reg [IdxW-1:0]   s3_y_low;
-  reg [IdxW-1:0]   s3_y_high;
   reg [IdxW-1:0]   s3_y_plane;
-  reg [IdxW-1:0]   s3_y_beyond;
-  reg              s3_y_even;
   reg [2*LEVELS:0] s3_address;
-  reg [FloatW-1:0] s3_p_x;
-  reg [FloatW-1:0] s3_r_x;
-  reg              s3_never_x;
-  reg [FloatW-1:0] s3_p_y;
-  reg [FloatW-1:0] s3_r_y;
-  reg              s3_never_y;
   reg [FloatW-1:0] s3_t;
-  reg [FloatW-1:0] s3_pb_x;
-  reg [FloatW-1:0] s3_d_x;
-  reg [FloatW-1:0] s3_pb_y;
-  reg [FloatW-1:0] s3_d_y;
-  reg [LevelW-1:0] s3_level;
-  reg              s3_has_crossed;
-  reg [IdxW-1:0]   s3_x;
-  reg [IdxW-1:0]   s3_y;
-  reg              s3_last_step;
-  reg              s3_moves;
-  reg              s3_done;
-  reg              s3_wall;
-  reg              s3_limit;
-  reg [15:0]       s3_crossings;
-  reg [15:0]       s3_ups;
   reg              s3_valid;
   reg [TAG_W-1:0]  s3_tag;
-  reg              s3_neg_x;
-  reg              s3_neg_y;
-  reg [15:0]       s3_steps_next;
   always @(posedge clk) begin
-    s3_x_low       <= s2_x_low;
-    s3_x_high      <= s2_x_high;
-    s3_x_plane     <= s2_x_plane;
-    s3_x_beyond    <= s2_x_beyond;
-    s3_x_even      <= s2_x_even;
-    s3_y_low       <= s2_y_low;
-    s3_y_high      <= s2_y_high;
-    s3_y_plane     <= s2_y_plane;
-    s3_y_beyond    <= s2_y_beyond;
-    s3_y_even      <= s2_y_even;
-    s3_address     <= s2_address;
-    s3_p_x         <= s2_p_x;
-    s3_r_x         <= s2_r_x;
-    s3_never_x     <= s2_never_x;
-    s3_p_y         <= s2_p_y;
-    s3_r_y         <= s2_r_y;
-    s3_never_y     <= s2_never_y;
-    s3_t           <= s2_t;
-    s3_pb_x        <= s2_pb_x;
-    s3_d_x         <= s2_d_x;
-    s3_pb_y        <= s2_pb_y;
-    s3_d_y         <= s2_d_y;
-    s3_level       <= s2_level;
-    s3_has_crossed <= s2_has_crossed;
-    s3_x           <= s2_x;
-    s3_y           <= s2_y;
-    s3_last_step   <= s2_last_step;
-    s3_moves       <= s2_moves;
-    s3_done        <= s2_done;
-    s3_wall        <= s2_wall;
-    s3_limit       <= s2_limit;
-    s3_crossings   <= s2_crossings;
-    s3_ups         <= s2_ups;
-    s3_tag         <= s2_tag;
-    s3_neg_x       <= s2_neg_x;
-    s3_neg_y       <= s2_neg_y;
-    s3_steps_next  <= s2_steps_next;
+    s3_x_plane <= s2_x_plane;
+    s3_y_plane <= s2_y_plane;
+    s3_address <= s2_address;
+    s3_t       <= s2_t;
+    s3_tag     <= s2_tag;
   end
   always @(posedge clk) begin
     if (rst) begin
@@ -978,6 +884,18 @@ module relief_traverse #(
     end else begin
       s3_valid <= s2_valid;
     end
+  end
+  // Delay of 2 clocks: stage 1 to 3.
+  reg [FloatW-1:0]   s3_p_x;
+  reg [FloatW-1:0]   s3_r_x;
+  reg                s3_never_x;
+  reg [FloatW-1:0]   s3_p_y;
+  reg [FloatW-1:0]   s3_r_y;
+  reg                s3_never_y;
+  reg [4*FloatW+1:0] s1_to_s3;
+  always @(posedge clk) begin
+    {s3_p_x, s3_r_x, s3_never_x, s3_p_y, s3_r_y, s3_never_y, s1_to_s3} <=
+        {s1_to_s3, s1_p_x, s1_r_x, s1_never_x, s1_p_y, s1_r_y, s1_never_y};
   end
 
   // ---- stage 3: height ---------------------------------------------------- traverse.rs
@@ -1033,75 +951,11 @@ module relief_traverse #(
 
   // ---- stage 4: registers ------------------------------------------------- traverse.rs
   reg [FloatW-1:0] s4_t;
-  reg [FloatW-1:0] s4_pb_x;
-  reg [FloatW-1:0] s4_d_x;
-  reg [FloatW-1:0] s4_pb_y;
-  reg [FloatW-1:0] s4_d_y;
-  reg [LevelW-1:0] s4_level;
-  reg              s4_has_crossed;
-  reg [IdxW-1:0]   s4_x_low;
-  reg [IdxW-1:0]   s4_x_high;
-  reg [IdxW-1:0]   s4_y_low;
-  reg [IdxW-1:0]   s4_y_high;
-  reg              s4_x_even;
-  reg              s4_y_even;
-  reg [IdxW-1:0]   s4_x;
-  reg [IdxW-1:0]   s4_y;
-  reg [IdxW-1:0]   s4_x_beyond;
-  reg [IdxW-1:0]   s4_y_beyond;
-  reg              s4_last_step;
-  reg              s4_moves;
-  reg              s4_done;
-  reg              s4_wall;
-  reg              s4_limit;
-  reg [15:0]       s4_crossings;
-  reg [15:0]       s4_ups;
   reg              s4_valid;
   reg [TAG_W-1:0]  s4_tag;
-  reg [FloatW-1:0] s4_p_x;
-  reg [FloatW-1:0] s4_r_x;
-  reg              s4_never_x;
-  reg              s4_neg_x;
-  reg [FloatW-1:0] s4_p_y;
-  reg [FloatW-1:0] s4_r_y;
-  reg              s4_never_y;
-  reg              s4_neg_y;
-  reg [15:0]       s4_steps_next;
   always @(posedge clk) begin
-    s4_t           <= s3_t;
-    s4_pb_x        <= s3_pb_x;
-    s4_d_x         <= s3_d_x;
-    s4_pb_y        <= s3_pb_y;
-    s4_d_y         <= s3_d_y;
-    s4_level       <= s3_level;
-    s4_has_crossed <= s3_has_crossed;
-    s4_x_low       <= s3_x_low;
-    s4_x_high      <= s3_x_high;
-    s4_y_low       <= s3_y_low;
-    s4_y_high      <= s3_y_high;
-    s4_x_even      <= s3_x_even;
-    s4_y_even      <= s3_y_even;
-    s4_x           <= s3_x;
-    s4_y           <= s3_y;
-    s4_x_beyond    <= s3_x_beyond;
-    s4_y_beyond    <= s3_y_beyond;
-    s4_last_step   <= s3_last_step;
-    s4_moves       <= s3_moves;
-    s4_done        <= s3_done;
-    s4_wall        <= s3_wall;
-    s4_limit       <= s3_limit;
-    s4_crossings   <= s3_crossings;
-    s4_ups         <= s3_ups;
-    s4_tag         <= s3_tag;
-    s4_p_x         <= s3_p_x;
-    s4_r_x         <= s3_r_x;
-    s4_never_x     <= s3_never_x;
-    s4_neg_x       <= s3_neg_x;
-    s4_p_y         <= s3_p_y;
-    s4_r_y         <= s3_r_y;
-    s4_never_y     <= s3_never_y;
-    s4_neg_y       <= s3_neg_y;
-    s4_steps_next  <= s3_steps_next;
+    s4_t   <= s3_t;
+    s4_tag <= s3_tag;
   end
   always @(posedge clk) begin
     if (rst) begin
@@ -1113,75 +967,11 @@ module relief_traverse #(
 
   // ---- stage 5: registers ------------------------------------------------- traverse.rs
   reg [FloatW-1:0] s5_t;
-  reg [FloatW-1:0] s5_pb_x;
-  reg [FloatW-1:0] s5_d_x;
-  reg [FloatW-1:0] s5_pb_y;
-  reg [FloatW-1:0] s5_d_y;
-  reg [LevelW-1:0] s5_level;
-  reg              s5_has_crossed;
-  reg [IdxW-1:0]   s5_x_low;
-  reg [IdxW-1:0]   s5_x_high;
-  reg [IdxW-1:0]   s5_y_low;
-  reg [IdxW-1:0]   s5_y_high;
-  reg              s5_x_even;
-  reg              s5_y_even;
-  reg [IdxW-1:0]   s5_x;
-  reg [IdxW-1:0]   s5_y;
-  reg [IdxW-1:0]   s5_x_beyond;
-  reg [IdxW-1:0]   s5_y_beyond;
-  reg              s5_last_step;
-  reg              s5_moves;
-  reg              s5_done;
-  reg              s5_wall;
-  reg              s5_limit;
-  reg [15:0]       s5_crossings;
-  reg [15:0]       s5_ups;
   reg              s5_valid;
   reg [TAG_W-1:0]  s5_tag;
-  reg [FloatW-1:0] s5_p_x;
-  reg [FloatW-1:0] s5_r_x;
-  reg              s5_never_x;
-  reg              s5_neg_x;
-  reg [FloatW-1:0] s5_p_y;
-  reg [FloatW-1:0] s5_r_y;
-  reg              s5_never_y;
-  reg              s5_neg_y;
-  reg [15:0]       s5_steps_next;
   always @(posedge clk) begin
-    s5_t           <= s4_t;
-    s5_pb_x        <= s4_pb_x;
-    s5_d_x         <= s4_d_x;
-    s5_pb_y        <= s4_pb_y;
-    s5_d_y         <= s4_d_y;
-    s5_level       <= s4_level;
-    s5_has_crossed <= s4_has_crossed;
-    s5_x_low       <= s4_x_low;
-    s5_x_high      <= s4_x_high;
-    s5_y_low       <= s4_y_low;
-    s5_y_high      <= s4_y_high;
-    s5_x_even      <= s4_x_even;
-    s5_y_even      <= s4_y_even;
-    s5_x           <= s4_x;
-    s5_y           <= s4_y;
-    s5_x_beyond    <= s4_x_beyond;
-    s5_y_beyond    <= s4_y_beyond;
-    s5_last_step   <= s4_last_step;
-    s5_moves       <= s4_moves;
-    s5_done        <= s4_done;
-    s5_wall        <= s4_wall;
-    s5_limit       <= s4_limit;
-    s5_crossings   <= s4_crossings;
-    s5_ups         <= s4_ups;
-    s5_tag         <= s4_tag;
-    s5_p_x         <= s4_p_x;
-    s5_r_x         <= s4_r_x;
-    s5_never_x     <= s4_never_x;
-    s5_neg_x       <= s4_neg_x;
-    s5_p_y         <= s4_p_y;
-    s5_r_y         <= s4_r_y;
-    s5_never_y     <= s4_never_y;
-    s5_neg_y       <= s4_neg_y;
-    s5_steps_next  <= s4_steps_next;
+    s5_t   <= s4_t;
+    s5_tag <= s4_tag;
   end
   always @(posedge clk) begin
     if (rst) begin
@@ -1194,76 +984,12 @@ module relief_traverse #(
   // ---- stage 6: registers ------------------------------------------------- traverse.rs
   reg [HEIGHT_W-1:0] s6_height;
   reg [FloatW-1:0]   s6_t;
-  reg [FloatW-1:0]   s6_pb_x;
-  reg [FloatW-1:0]   s6_d_x;
-  reg [FloatW-1:0]   s6_pb_y;
-  reg [FloatW-1:0]   s6_d_y;
-  reg [LevelW-1:0]   s6_level;
-  reg                s6_has_crossed;
-  reg [IdxW-1:0]     s6_x_low;
-  reg [IdxW-1:0]     s6_x_high;
-  reg [IdxW-1:0]     s6_y_low;
-  reg [IdxW-1:0]     s6_y_high;
-  reg                s6_x_even;
-  reg                s6_y_even;
-  reg [IdxW-1:0]     s6_x;
-  reg [IdxW-1:0]     s6_y;
-  reg [IdxW-1:0]     s6_x_beyond;
-  reg [IdxW-1:0]     s6_y_beyond;
-  reg                s6_last_step;
-  reg                s6_moves;
-  reg                s6_done;
-  reg                s6_wall;
-  reg                s6_limit;
-  reg [15:0]         s6_crossings;
-  reg [15:0]         s6_ups;
   reg                s6_valid;
   reg [TAG_W-1:0]    s6_tag;
-  reg [FloatW-1:0]   s6_p_x;
-  reg [FloatW-1:0]   s6_r_x;
-  reg                s6_never_x;
-  reg                s6_neg_x;
-  reg [FloatW-1:0]   s6_p_y;
-  reg [FloatW-1:0]   s6_r_y;
-  reg                s6_never_y;
-  reg                s6_neg_y;
-  reg [15:0]         s6_steps_next;
   always @(posedge clk) begin
-    s6_height      <= s5_height;
-    s6_t           <= s5_t;
-    s6_pb_x        <= s5_pb_x;
-    s6_d_x         <= s5_d_x;
-    s6_pb_y        <= s5_pb_y;
-    s6_d_y         <= s5_d_y;
-    s6_level       <= s5_level;
-    s6_has_crossed <= s5_has_crossed;
-    s6_x_low       <= s5_x_low;
-    s6_x_high      <= s5_x_high;
-    s6_y_low       <= s5_y_low;
-    s6_y_high      <= s5_y_high;
-    s6_x_even      <= s5_x_even;
-    s6_y_even      <= s5_y_even;
-    s6_x           <= s5_x;
-    s6_y           <= s5_y;
-    s6_x_beyond    <= s5_x_beyond;
-    s6_y_beyond    <= s5_y_beyond;
-    s6_last_step   <= s5_last_step;
-    s6_moves       <= s5_moves;
-    s6_done        <= s5_done;
-    s6_wall        <= s5_wall;
-    s6_limit       <= s5_limit;
-    s6_crossings   <= s5_crossings;
-    s6_ups         <= s5_ups;
-    s6_tag         <= s5_tag;
-    s6_p_x         <= s5_p_x;
-    s6_r_x         <= s5_r_x;
-    s6_never_x     <= s5_never_x;
-    s6_neg_x       <= s5_neg_x;
-    s6_p_y         <= s5_p_y;
-    s6_r_y         <= s5_r_y;
-    s6_never_y     <= s5_never_y;
-    s6_neg_y       <= s5_neg_y;
-    s6_steps_next  <= s5_steps_next;
+    s6_height <= s5_height;
+    s6_t      <= s5_t;
+    s6_tag    <= s5_tag;
   end
   always @(posedge clk) begin
     if (rst) begin
@@ -1292,76 +1018,12 @@ module relief_traverse #(
   );
 
   // ---- stage 7: registers ------------------------------------------------- traverse.rs
-  reg [FloatW-1:0] s7_pb_x;
-  reg [FloatW-1:0] s7_d_x;
-  reg [FloatW-1:0] s7_pb_y;
-  reg [FloatW-1:0] s7_d_y;
   reg [FloatW-1:0] s7_t;
-  reg [LevelW-1:0] s7_level;
-  reg              s7_has_crossed;
-  reg [IdxW-1:0]   s7_x_low;
-  reg [IdxW-1:0]   s7_x_high;
-  reg [IdxW-1:0]   s7_y_low;
-  reg [IdxW-1:0]   s7_y_high;
-  reg              s7_x_even;
-  reg              s7_y_even;
-  reg [IdxW-1:0]   s7_x;
-  reg [IdxW-1:0]   s7_y;
-  reg [IdxW-1:0]   s7_x_beyond;
-  reg [IdxW-1:0]   s7_y_beyond;
-  reg              s7_last_step;
-  reg              s7_moves;
-  reg              s7_done;
-  reg              s7_wall;
-  reg              s7_limit;
-  reg [15:0]       s7_crossings;
-  reg [15:0]       s7_ups;
   reg              s7_valid;
   reg [TAG_W-1:0]  s7_tag;
-  reg [FloatW-1:0] s7_p_x;
-  reg [FloatW-1:0] s7_r_x;
-  reg              s7_never_x;
-  reg              s7_neg_x;
-  reg [FloatW-1:0] s7_p_y;
-  reg [FloatW-1:0] s7_r_y;
-  reg              s7_never_y;
-  reg              s7_neg_y;
-  reg [15:0]       s7_steps_next;
   always @(posedge clk) begin
-    s7_pb_x        <= s6_pb_x;
-    s7_d_x         <= s6_d_x;
-    s7_pb_y        <= s6_pb_y;
-    s7_d_y         <= s6_d_y;
-    s7_t           <= s6_t;
-    s7_level       <= s6_level;
-    s7_has_crossed <= s6_has_crossed;
-    s7_x_low       <= s6_x_low;
-    s7_x_high      <= s6_x_high;
-    s7_y_low       <= s6_y_low;
-    s7_y_high      <= s6_y_high;
-    s7_x_even      <= s6_x_even;
-    s7_y_even      <= s6_y_even;
-    s7_x           <= s6_x;
-    s7_y           <= s6_y;
-    s7_x_beyond    <= s6_x_beyond;
-    s7_y_beyond    <= s6_y_beyond;
-    s7_last_step   <= s6_last_step;
-    s7_moves       <= s6_moves;
-    s7_done        <= s6_done;
-    s7_wall        <= s6_wall;
-    s7_limit       <= s6_limit;
-    s7_crossings   <= s6_crossings;
-    s7_ups         <= s6_ups;
-    s7_tag         <= s6_tag;
-    s7_p_x         <= s6_p_x;
-    s7_r_x         <= s6_r_x;
-    s7_never_x     <= s6_never_x;
-    s7_neg_x       <= s6_neg_x;
-    s7_p_y         <= s6_p_y;
-    s7_r_y         <= s6_r_y;
-    s7_never_y     <= s6_never_y;
-    s7_neg_y       <= s6_neg_y;
-    s7_steps_next  <= s6_steps_next;
+    s7_t   <= s6_t;
+    s7_tag <= s6_tag;
   end
   always @(posedge clk) begin
     if (rst) begin
@@ -1372,76 +1034,12 @@ module relief_traverse #(
   end
 
   // ---- stage 8: registers ------------------------------------------------- traverse.rs
-  reg [FloatW-1:0] s8_pb_x;
-  reg [FloatW-1:0] s8_d_x;
-  reg [FloatW-1:0] s8_pb_y;
-  reg [FloatW-1:0] s8_d_y;
   reg [FloatW-1:0] s8_t;
-  reg [LevelW-1:0] s8_level;
-  reg              s8_has_crossed;
-  reg [IdxW-1:0]   s8_x_low;
-  reg [IdxW-1:0]   s8_x_high;
-  reg [IdxW-1:0]   s8_y_low;
-  reg [IdxW-1:0]   s8_y_high;
-  reg              s8_x_even;
-  reg              s8_y_even;
-  reg [IdxW-1:0]   s8_x;
-  reg [IdxW-1:0]   s8_y;
-  reg [IdxW-1:0]   s8_x_beyond;
-  reg [IdxW-1:0]   s8_y_beyond;
-  reg              s8_last_step;
-  reg              s8_moves;
-  reg              s8_done;
-  reg              s8_wall;
-  reg              s8_limit;
-  reg [15:0]       s8_crossings;
-  reg [15:0]       s8_ups;
   reg              s8_valid;
   reg [TAG_W-1:0]  s8_tag;
-  reg [FloatW-1:0] s8_p_x;
-  reg [FloatW-1:0] s8_r_x;
-  reg              s8_never_x;
-  reg              s8_neg_x;
-  reg [FloatW-1:0] s8_p_y;
-  reg [FloatW-1:0] s8_r_y;
-  reg              s8_never_y;
-  reg              s8_neg_y;
-  reg [15:0]       s8_steps_next;
   always @(posedge clk) begin
-    s8_pb_x        <= s7_pb_x;
-    s8_d_x         <= s7_d_x;
-    s8_pb_y        <= s7_pb_y;
-    s8_d_y         <= s7_d_y;
-    s8_t           <= s7_t;
-    s8_level       <= s7_level;
-    s8_has_crossed <= s7_has_crossed;
-    s8_x_low       <= s7_x_low;
-    s8_x_high      <= s7_x_high;
-    s8_y_low       <= s7_y_low;
-    s8_y_high      <= s7_y_high;
-    s8_x_even      <= s7_x_even;
-    s8_y_even      <= s7_y_even;
-    s8_x           <= s7_x;
-    s8_y           <= s7_y;
-    s8_x_beyond    <= s7_x_beyond;
-    s8_y_beyond    <= s7_y_beyond;
-    s8_last_step   <= s7_last_step;
-    s8_moves       <= s7_moves;
-    s8_done        <= s7_done;
-    s8_wall        <= s7_wall;
-    s8_limit       <= s7_limit;
-    s8_crossings   <= s7_crossings;
-    s8_ups         <= s7_ups;
-    s8_tag         <= s7_tag;
-    s8_p_x         <= s7_p_x;
-    s8_r_x         <= s7_r_x;
-    s8_never_x     <= s7_never_x;
-    s8_neg_x       <= s7_neg_x;
-    s8_p_y         <= s7_p_y;
-    s8_r_y         <= s7_r_y;
-    s8_never_y     <= s7_never_y;
-    s8_neg_y       <= s7_neg_y;
-    s8_steps_next  <= s7_steps_next;
+    s8_t   <= s7_t;
+    s8_tag <= s7_tag;
   end
   always @(posedge clk) begin
     if (rst) begin
@@ -1452,76 +1050,12 @@ module relief_traverse #(
   end
 
   // ---- stage 9: registers ------------------------------------------------- traverse.rs
-  reg [FloatW-1:0] s9_pb_x;
-  reg [FloatW-1:0] s9_d_x;
-  reg [FloatW-1:0] s9_pb_y;
-  reg [FloatW-1:0] s9_d_y;
   reg [FloatW-1:0] s9_t;
-  reg [LevelW-1:0] s9_level;
-  reg              s9_has_crossed;
-  reg [IdxW-1:0]   s9_x_low;
-  reg [IdxW-1:0]   s9_x_high;
-  reg [IdxW-1:0]   s9_y_low;
-  reg [IdxW-1:0]   s9_y_high;
-  reg              s9_x_even;
-  reg              s9_y_even;
-  reg [IdxW-1:0]   s9_x;
-  reg [IdxW-1:0]   s9_y;
-  reg [IdxW-1:0]   s9_x_beyond;
-  reg [IdxW-1:0]   s9_y_beyond;
-  reg              s9_last_step;
-  reg              s9_moves;
-  reg              s9_done;
-  reg              s9_wall;
-  reg              s9_limit;
-  reg [15:0]       s9_crossings;
-  reg [15:0]       s9_ups;
   reg              s9_valid;
   reg [TAG_W-1:0]  s9_tag;
-  reg [FloatW-1:0] s9_p_x;
-  reg [FloatW-1:0] s9_r_x;
-  reg              s9_never_x;
-  reg              s9_neg_x;
-  reg [FloatW-1:0] s9_p_y;
-  reg [FloatW-1:0] s9_r_y;
-  reg              s9_never_y;
-  reg              s9_neg_y;
-  reg [15:0]       s9_steps_next;
   always @(posedge clk) begin
-    s9_pb_x        <= s8_pb_x;
-    s9_d_x         <= s8_d_x;
-    s9_pb_y        <= s8_pb_y;
-    s9_d_y         <= s8_d_y;
-    s9_t           <= s8_t;
-    s9_level       <= s8_level;
-    s9_has_crossed <= s8_has_crossed;
-    s9_x_low       <= s8_x_low;
-    s9_x_high      <= s8_x_high;
-    s9_y_low       <= s8_y_low;
-    s9_y_high      <= s8_y_high;
-    s9_x_even      <= s8_x_even;
-    s9_y_even      <= s8_y_even;
-    s9_x           <= s8_x;
-    s9_y           <= s8_y;
-    s9_x_beyond    <= s8_x_beyond;
-    s9_y_beyond    <= s8_y_beyond;
-    s9_last_step   <= s8_last_step;
-    s9_moves       <= s8_moves;
-    s9_done        <= s8_done;
-    s9_wall        <= s8_wall;
-    s9_limit       <= s8_limit;
-    s9_crossings   <= s8_crossings;
-    s9_ups         <= s8_ups;
-    s9_tag         <= s8_tag;
-    s9_p_x         <= s8_p_x;
-    s9_r_x         <= s8_r_x;
-    s9_never_x     <= s8_never_x;
-    s9_neg_x       <= s8_neg_x;
-    s9_p_y         <= s8_p_y;
-    s9_r_y         <= s8_r_y;
-    s9_never_y     <= s8_never_y;
-    s9_neg_y       <= s8_neg_y;
-    s9_steps_next  <= s8_steps_next;
+    s9_t   <= s8_t;
+    s9_tag <= s8_tag;
   end
   always @(posedge clk) begin
     if (rst) begin
@@ -1532,76 +1066,12 @@ module relief_traverse #(
   end
 
   // ---- stage 10: registers ------------------------------------------------ traverse.rs
-  reg [FloatW-1:0] s10_pb_x;
-  reg [FloatW-1:0] s10_d_x;
-  reg [FloatW-1:0] s10_pb_y;
-  reg [FloatW-1:0] s10_d_y;
   reg [FloatW-1:0] s10_t;
-  reg [LevelW-1:0] s10_level;
-  reg              s10_has_crossed;
-  reg [IdxW-1:0]   s10_x_low;
-  reg [IdxW-1:0]   s10_x_high;
-  reg [IdxW-1:0]   s10_y_low;
-  reg [IdxW-1:0]   s10_y_high;
-  reg              s10_x_even;
-  reg              s10_y_even;
-  reg [IdxW-1:0]   s10_x;
-  reg [IdxW-1:0]   s10_y;
-  reg [IdxW-1:0]   s10_x_beyond;
-  reg [IdxW-1:0]   s10_y_beyond;
-  reg              s10_last_step;
-  reg              s10_moves;
-  reg              s10_done;
-  reg              s10_wall;
-  reg              s10_limit;
-  reg [15:0]       s10_crossings;
-  reg [15:0]       s10_ups;
   reg              s10_valid;
   reg [TAG_W-1:0]  s10_tag;
-  reg [FloatW-1:0] s10_p_x;
-  reg [FloatW-1:0] s10_r_x;
-  reg              s10_never_x;
-  reg              s10_neg_x;
-  reg [FloatW-1:0] s10_p_y;
-  reg [FloatW-1:0] s10_r_y;
-  reg              s10_never_y;
-  reg              s10_neg_y;
-  reg [15:0]       s10_steps_next;
   always @(posedge clk) begin
-    s10_pb_x        <= s9_pb_x;
-    s10_d_x         <= s9_d_x;
-    s10_pb_y        <= s9_pb_y;
-    s10_d_y         <= s9_d_y;
-    s10_t           <= s9_t;
-    s10_level       <= s9_level;
-    s10_has_crossed <= s9_has_crossed;
-    s10_x_low       <= s9_x_low;
-    s10_x_high      <= s9_x_high;
-    s10_y_low       <= s9_y_low;
-    s10_y_high      <= s9_y_high;
-    s10_x_even      <= s9_x_even;
-    s10_y_even      <= s9_y_even;
-    s10_x           <= s9_x;
-    s10_y           <= s9_y;
-    s10_x_beyond    <= s9_x_beyond;
-    s10_y_beyond    <= s9_y_beyond;
-    s10_last_step   <= s9_last_step;
-    s10_moves       <= s9_moves;
-    s10_done        <= s9_done;
-    s10_wall        <= s9_wall;
-    s10_limit       <= s9_limit;
-    s10_crossings   <= s9_crossings;
-    s10_ups         <= s9_ups;
-    s10_tag         <= s9_tag;
-    s10_p_x         <= s9_p_x;
-    s10_r_x         <= s9_r_x;
-    s10_never_x     <= s9_never_x;
-    s10_neg_x       <= s9_neg_x;
-    s10_p_y         <= s9_p_y;
-    s10_r_y         <= s9_r_y;
-    s10_never_y     <= s9_never_y;
-    s10_neg_y       <= s9_neg_y;
-    s10_steps_next  <= s9_steps_next;
+    s10_t   <= s9_t;
+    s10_tag <= s9_tag;
   end
   always @(posedge clk) begin
     if (rst) begin
@@ -1609,6 +1079,16 @@ module relief_traverse #(
     end else begin
       s10_valid <= s9_valid;
     end
+  end
+  // Delay of 9 clocks: stage 1 to 10.
+  reg [FloatW-1:0]    s10_pb_x;
+  reg [FloatW-1:0]    s10_d_x;
+  reg [FloatW-1:0]    s10_pb_y;
+  reg [FloatW-1:0]    s10_d_y;
+  reg [32*FloatW-1:0] s1_to_s10;
+  always @(posedge clk) begin
+    {s10_pb_x, s10_d_x, s10_pb_y, s10_d_y, s1_to_s10} <=
+        {s1_to_s10, s1_pb_x, s1_d_x, s1_pb_y, s1_d_y};
   end
 
   // ---- stage 10: predicted hit -------------------------------------------- traverse.rs
@@ -1646,78 +1126,12 @@ module relief_traverse #(
   // ---- stage 11: registers ------------------------------------------------ traverse.rs
   reg [FloatW-1:0] s11_t;
   reg [FloatW-1:0] s11_m;
-  reg [LevelW-1:0] s11_level;
-  reg              s11_has_crossed;
-  reg [IdxW-1:0]   s11_x_low;
-  reg [IdxW-1:0]   s11_x_high;
-  reg [IdxW-1:0]   s11_y_low;
-  reg [IdxW-1:0]   s11_y_high;
-  reg              s11_x_even;
-  reg              s11_y_even;
-  reg [IdxW-1:0]   s11_x;
-  reg [IdxW-1:0]   s11_y;
-  reg [IdxW-1:0]   s11_x_beyond;
-  reg [IdxW-1:0]   s11_y_beyond;
-  reg              s11_last_step;
-  reg              s11_moves;
-  reg              s11_done;
-  reg              s11_below;
-  reg              s11_wall;
-  reg              s11_limit;
-  reg [15:0]       s11_crossings;
-  reg [15:0]       s11_ups;
   reg              s11_valid;
   reg [TAG_W-1:0]  s11_tag;
-  reg [FloatW-1:0] s11_p_x;
-  reg [FloatW-1:0] s11_pb_x;
-  reg [FloatW-1:0] s11_d_x;
-  reg [FloatW-1:0] s11_r_x;
-  reg              s11_never_x;
-  reg              s11_neg_x;
-  reg [FloatW-1:0] s11_p_y;
-  reg [FloatW-1:0] s11_pb_y;
-  reg [FloatW-1:0] s11_d_y;
-  reg [FloatW-1:0] s11_r_y;
-  reg              s11_never_y;
-  reg              s11_neg_y;
-  reg [15:0]       s11_steps_next;
   always @(posedge clk) begin
-    s11_t           <= s10_t;
-    s11_m           <= s10_m;
-    s11_level       <= s10_level;
-    s11_has_crossed <= s10_has_crossed;
-    s11_x_low       <= s10_x_low;
-    s11_x_high      <= s10_x_high;
-    s11_y_low       <= s10_y_low;
-    s11_y_high      <= s10_y_high;
-    s11_x_even      <= s10_x_even;
-    s11_y_even      <= s10_y_even;
-    s11_x           <= s10_x;
-    s11_y           <= s10_y;
-    s11_x_beyond    <= s10_x_beyond;
-    s11_y_beyond    <= s10_y_beyond;
-    s11_last_step   <= s10_last_step;
-    s11_moves       <= s10_moves;
-    s11_done        <= s10_done;
-    s11_below       <= s10_below;
-    s11_wall        <= s10_wall;
-    s11_limit       <= s10_limit;
-    s11_crossings   <= s10_crossings;
-    s11_ups         <= s10_ups;
-    s11_tag         <= s10_tag;
-    s11_p_x         <= s10_p_x;
-    s11_pb_x        <= s10_pb_x;
-    s11_d_x         <= s10_d_x;
-    s11_r_x         <= s10_r_x;
-    s11_never_x     <= s10_never_x;
-    s11_neg_x       <= s10_neg_x;
-    s11_p_y         <= s10_p_y;
-    s11_pb_y        <= s10_pb_y;
-    s11_d_y         <= s10_d_y;
-    s11_r_y         <= s10_r_y;
-    s11_never_y     <= s10_never_y;
-    s11_neg_y       <= s10_neg_y;
-    s11_steps_next  <= s10_steps_next;
+    s11_t   <= s10_t;
+    s11_m   <= s10_m;
+    s11_tag <= s10_tag;
   end
   always @(posedge clk) begin
     if (rst) begin
@@ -1749,80 +1163,10 @@ module relief_traverse #(
   );
 
   // ---- stage 12: registers ------------------------------------------------ traverse.rs
-  reg [LevelW-1:0] s12_level;
-  reg              s12_has_crossed;
-  reg [IdxW-1:0]   s12_x_low;
-  reg [IdxW-1:0]   s12_x_high;
-  reg [IdxW-1:0]   s12_y_low;
-  reg [IdxW-1:0]   s12_y_high;
-  reg              s12_x_even;
-  reg              s12_y_even;
-  reg [IdxW-1:0]   s12_x;
-  reg [IdxW-1:0]   s12_y;
-  reg [FloatW-1:0] s12_m;
-  reg [IdxW-1:0]   s12_x_beyond;
-  reg [IdxW-1:0]   s12_y_beyond;
-  reg              s12_last_step;
-  reg              s12_moves;
-  reg              s12_done;
-  reg [FloatW-1:0] s12_t;
-  reg              s12_below;
-  reg              s12_wall;
-  reg              s12_limit;
-  reg [15:0]       s12_crossings;
-  reg [15:0]       s12_ups;
-  reg              s12_valid;
-  reg [TAG_W-1:0]  s12_tag;
-  reg [FloatW-1:0] s12_p_x;
-  reg [FloatW-1:0] s12_pb_x;
-  reg [FloatW-1:0] s12_d_x;
-  reg [FloatW-1:0] s12_r_x;
-  reg              s12_never_x;
-  reg              s12_neg_x;
-  reg [FloatW-1:0] s12_p_y;
-  reg [FloatW-1:0] s12_pb_y;
-  reg [FloatW-1:0] s12_d_y;
-  reg [FloatW-1:0] s12_r_y;
-  reg              s12_never_y;
-  reg              s12_neg_y;
-  reg [15:0]       s12_steps_next;
+  reg             s12_valid;
+  reg [TAG_W-1:0] s12_tag;
   always @(posedge clk) begin
-    s12_level       <= s11_level;
-    s12_has_crossed <= s11_has_crossed;
-    s12_x_low       <= s11_x_low;
-    s12_x_high      <= s11_x_high;
-    s12_y_low       <= s11_y_low;
-    s12_y_high      <= s11_y_high;
-    s12_x_even      <= s11_x_even;
-    s12_y_even      <= s11_y_even;
-    s12_x           <= s11_x;
-    s12_y           <= s11_y;
-    s12_m           <= s11_m;
-    s12_x_beyond    <= s11_x_beyond;
-    s12_y_beyond    <= s11_y_beyond;
-    s12_last_step   <= s11_last_step;
-    s12_moves       <= s11_moves;
-    s12_done        <= s11_done;
-    s12_t           <= s11_t;
-    s12_below       <= s11_below;
-    s12_wall        <= s11_wall;
-    s12_limit       <= s11_limit;
-    s12_crossings   <= s11_crossings;
-    s12_ups         <= s11_ups;
-    s12_tag         <= s11_tag;
-    s12_p_x         <= s11_p_x;
-    s12_pb_x        <= s11_pb_x;
-    s12_d_x         <= s11_d_x;
-    s12_r_x         <= s11_r_x;
-    s12_never_x     <= s11_never_x;
-    s12_neg_x       <= s11_neg_x;
-    s12_p_y         <= s11_p_y;
-    s12_pb_y        <= s11_pb_y;
-    s12_d_y         <= s11_d_y;
-    s12_r_y         <= s11_r_y;
-    s12_never_y     <= s11_never_y;
-    s12_neg_y       <= s11_neg_y;
-    s12_steps_next  <= s11_steps_next;
+    s12_tag <= s11_tag;
   end
   always @(posedge clk) begin
     if (rst) begin
@@ -1833,80 +1177,10 @@ module relief_traverse #(
   end
 
   // ---- stage 13: registers ------------------------------------------------ traverse.rs
-  reg [LevelW-1:0] s13_level;
-  reg              s13_has_crossed;
-  reg [IdxW-1:0]   s13_x_low;
-  reg [IdxW-1:0]   s13_x_high;
-  reg [IdxW-1:0]   s13_y_low;
-  reg [IdxW-1:0]   s13_y_high;
-  reg              s13_x_even;
-  reg              s13_y_even;
-  reg [IdxW-1:0]   s13_x;
-  reg [IdxW-1:0]   s13_y;
-  reg [FloatW-1:0] s13_m;
-  reg [IdxW-1:0]   s13_x_beyond;
-  reg [IdxW-1:0]   s13_y_beyond;
-  reg              s13_last_step;
-  reg              s13_moves;
-  reg              s13_done;
-  reg [FloatW-1:0] s13_t;
-  reg              s13_below;
-  reg              s13_wall;
-  reg              s13_limit;
-  reg [15:0]       s13_crossings;
-  reg [15:0]       s13_ups;
-  reg              s13_valid;
-  reg [TAG_W-1:0]  s13_tag;
-  reg [FloatW-1:0] s13_p_x;
-  reg [FloatW-1:0] s13_pb_x;
-  reg [FloatW-1:0] s13_d_x;
-  reg [FloatW-1:0] s13_r_x;
-  reg              s13_never_x;
-  reg              s13_neg_x;
-  reg [FloatW-1:0] s13_p_y;
-  reg [FloatW-1:0] s13_pb_y;
-  reg [FloatW-1:0] s13_d_y;
-  reg [FloatW-1:0] s13_r_y;
-  reg              s13_never_y;
-  reg              s13_neg_y;
-  reg [15:0]       s13_steps_next;
+  reg             s13_valid;
+  reg [TAG_W-1:0] s13_tag;
   always @(posedge clk) begin
-    s13_level       <= s12_level;
-    s13_has_crossed <= s12_has_crossed;
-    s13_x_low       <= s12_x_low;
-    s13_x_high      <= s12_x_high;
-    s13_y_low       <= s12_y_low;
-    s13_y_high      <= s12_y_high;
-    s13_x_even      <= s12_x_even;
-    s13_y_even      <= s12_y_even;
-    s13_x           <= s12_x;
-    s13_y           <= s12_y;
-    s13_m           <= s12_m;
-    s13_x_beyond    <= s12_x_beyond;
-    s13_y_beyond    <= s12_y_beyond;
-    s13_last_step   <= s12_last_step;
-    s13_moves       <= s12_moves;
-    s13_done        <= s12_done;
-    s13_t           <= s12_t;
-    s13_below       <= s12_below;
-    s13_wall        <= s12_wall;
-    s13_limit       <= s12_limit;
-    s13_crossings   <= s12_crossings;
-    s13_ups         <= s12_ups;
-    s13_tag         <= s12_tag;
-    s13_p_x         <= s12_p_x;
-    s13_pb_x        <= s12_pb_x;
-    s13_d_x         <= s12_d_x;
-    s13_r_x         <= s12_r_x;
-    s13_never_x     <= s12_never_x;
-    s13_neg_x       <= s12_neg_x;
-    s13_p_y         <= s12_p_y;
-    s13_pb_y        <= s12_pb_y;
-    s13_d_y         <= s12_d_y;
-    s13_r_y         <= s12_r_y;
-    s13_never_y     <= s12_never_y;
-    s13_neg_y       <= s12_neg_y;
-    s13_steps_next  <= s12_steps_next;
+    s13_tag <= s12_tag;
   end
   always @(posedge clk) begin
     if (rst) begin
@@ -1915,89 +1189,25 @@ module relief_traverse #(
       s13_valid <= s12_valid;
     end
   end
+  // Delay of 11 clocks: stage 2 to 13.
+  reg        s13_x_even;
+  reg        s13_y_even;
+  reg [19:0] s2_to_s13;
+  always @(posedge clk) begin
+    {s13_x_even, s13_y_even, s2_to_s13} <=
+        {s2_to_s13, s2_x_even, s2_y_even};
+  end
 
   // ---- stage 13: level up ------------------------------------------------- traverse.rs
   wire s13_even = s13_x_first ? s13_x_even : s13_y_even;
 
   // ---- stage 14: registers ------------------------------------------------ traverse.rs
-  reg [LevelW-1:0] s14_level;
-  reg              s14_has_crossed;
-  reg [IdxW-1:0]   s14_x_low;
-  reg [IdxW-1:0]   s14_x_high;
-  reg [IdxW-1:0]   s14_y_low;
-  reg [IdxW-1:0]   s14_y_high;
-  reg              s14_even;
-  reg [IdxW-1:0]   s14_x;
-  reg [IdxW-1:0]   s14_y;
-  reg              s14_is_inside;
-  reg              s14_x_first;
-  reg [FloatW-1:0] s14_t_next;
-  reg [FloatW-1:0] s14_m;
-  reg [IdxW-1:0]   s14_x_beyond;
-  reg [IdxW-1:0]   s14_y_beyond;
-  reg              s14_last_step;
-  reg              s14_moves;
-  reg              s14_done;
-  reg [FloatW-1:0] s14_t;
-  reg              s14_below;
-  reg              s14_wall;
-  reg              s14_limit;
-  reg [15:0]       s14_crossings;
-  reg [15:0]       s14_ups;
-  reg              s14_valid;
-  reg [TAG_W-1:0]  s14_tag;
-  reg [FloatW-1:0] s14_p_x;
-  reg [FloatW-1:0] s14_pb_x;
-  reg [FloatW-1:0] s14_d_x;
-  reg [FloatW-1:0] s14_r_x;
-  reg              s14_never_x;
-  reg              s14_neg_x;
-  reg [FloatW-1:0] s14_p_y;
-  reg [FloatW-1:0] s14_pb_y;
-  reg [FloatW-1:0] s14_d_y;
-  reg [FloatW-1:0] s14_r_y;
-  reg              s14_never_y;
-  reg              s14_neg_y;
-  reg [15:0]       s14_steps_next;
+  reg             s14_even;
+  reg             s14_valid;
+  reg [TAG_W-1:0] s14_tag;
   always @(posedge clk) begin
-    s14_level       <= s13_level;
-    s14_has_crossed <= s13_has_crossed;
-    s14_x_low       <= s13_x_low;
-    s14_x_high      <= s13_x_high;
-    s14_y_low       <= s13_y_low;
-    s14_y_high      <= s13_y_high;
-    s14_even        <= s13_even;
-    s14_x           <= s13_x;
-    s14_y           <= s13_y;
-    s14_is_inside   <= s13_is_inside;
-    s14_x_first     <= s13_x_first;
-    s14_t_next      <= s13_t_next;
-    s14_m           <= s13_m;
-    s14_x_beyond    <= s13_x_beyond;
-    s14_y_beyond    <= s13_y_beyond;
-    s14_last_step   <= s13_last_step;
-    s14_moves       <= s13_moves;
-    s14_done        <= s13_done;
-    s14_t           <= s13_t;
-    s14_below       <= s13_below;
-    s14_wall        <= s13_wall;
-    s14_limit       <= s13_limit;
-    s14_crossings   <= s13_crossings;
-    s14_ups         <= s13_ups;
-    s14_tag         <= s13_tag;
-    s14_p_x         <= s13_p_x;
-    s14_pb_x        <= s13_pb_x;
-    s14_d_x         <= s13_d_x;
-    s14_r_x         <= s13_r_x;
-    s14_never_x     <= s13_never_x;
-    s14_neg_x       <= s13_neg_x;
-    s14_p_y         <= s13_p_y;
-    s14_pb_y        <= s13_pb_y;
-    s14_d_y         <= s13_d_y;
-    s14_r_y         <= s13_r_y;
-    s14_never_y     <= s13_never_y;
-    s14_neg_y       <= s13_neg_y;
-    s14_steps_next  <= s13_steps_next;
+    s14_even <= s13_even;
+    s14_tag  <= s13_tag;
   end
   always @(posedge clk) begin
     if (rst) begin
@@ -2008,84 +1218,12 @@ module relief_traverse #(
   end
 
   // ---- stage 15: registers ------------------------------------------------ traverse.rs
-  reg [LevelW-1:0] s15_level;
-  reg              s15_has_crossed;
-  reg [IdxW-1:0]   s15_x_low;
-  reg [IdxW-1:0]   s15_x_high;
-  reg [IdxW-1:0]   s15_y_low;
-  reg [IdxW-1:0]   s15_y_high;
-  reg              s15_even;
-  reg [IdxW-1:0]   s15_x;
-  reg [IdxW-1:0]   s15_y;
-  reg              s15_is_inside;
-  reg              s15_x_first;
-  reg [FloatW-1:0] s15_m;
-  reg [FloatW-1:0] s15_t_next;
-  reg [IdxW-1:0]   s15_x_beyond;
-  reg [IdxW-1:0]   s15_y_beyond;
-  reg              s15_last_step;
-  reg              s15_moves;
-  reg              s15_done;
-  reg [FloatW-1:0] s15_t;
-  reg              s15_below;
-  reg              s15_wall;
-  reg              s15_limit;
-  reg [15:0]       s15_crossings;
-  reg [15:0]       s15_ups;
-  reg              s15_valid;
-  reg [TAG_W-1:0]  s15_tag;
-  reg [FloatW-1:0] s15_p_x;
-  reg [FloatW-1:0] s15_pb_x;
-  reg [FloatW-1:0] s15_d_x;
-  reg [FloatW-1:0] s15_r_x;
-  reg              s15_never_x;
-  reg              s15_neg_x;
-  reg [FloatW-1:0] s15_p_y;
-  reg [FloatW-1:0] s15_pb_y;
-  reg [FloatW-1:0] s15_d_y;
-  reg [FloatW-1:0] s15_r_y;
-  reg              s15_never_y;
-  reg              s15_neg_y;
-  reg [15:0]       s15_steps_next;
+  reg             s15_even;
+  reg             s15_valid;
+  reg [TAG_W-1:0] s15_tag;
   always @(posedge clk) begin
-    s15_level       <= s14_level;
-    s15_has_crossed <= s14_has_crossed;
-    s15_x_low       <= s14_x_low;
-    s15_x_high      <= s14_x_high;
-    s15_y_low       <= s14_y_low;
-    s15_y_high      <= s14_y_high;
-    s15_even        <= s14_even;
-    s15_x           <= s14_x;
-    s15_y           <= s14_y;
-    s15_is_inside   <= s14_is_inside;
-    s15_x_first     <= s14_x_first;
-    s15_m           <= s14_m;
-    s15_t_next      <= s14_t_next;
-    s15_x_beyond    <= s14_x_beyond;
-    s15_y_beyond    <= s14_y_beyond;
-    s15_last_step   <= s14_last_step;
-    s15_moves       <= s14_moves;
-    s15_done        <= s14_done;
-    s15_t           <= s14_t;
-    s15_below       <= s14_below;
-    s15_wall        <= s14_wall;
-    s15_limit       <= s14_limit;
-    s15_crossings   <= s14_crossings;
-    s15_ups         <= s14_ups;
-    s15_tag         <= s14_tag;
-    s15_p_x         <= s14_p_x;
-    s15_pb_x        <= s14_pb_x;
-    s15_d_x         <= s14_d_x;
-    s15_r_x         <= s14_r_x;
-    s15_never_x     <= s14_never_x;
-    s15_neg_x       <= s14_neg_x;
-    s15_p_y         <= s14_p_y;
-    s15_pb_y        <= s14_pb_y;
-    s15_d_y         <= s14_d_y;
-    s15_r_y         <= s14_r_y;
-    s15_never_y     <= s14_never_y;
-    s15_neg_y       <= s14_neg_y;
-    s15_steps_next  <= s14_steps_next;
+    s15_even <= s14_even;
+    s15_tag  <= s14_tag;
   end
   always @(posedge clk) begin
     if (rst) begin
@@ -2096,84 +1234,12 @@ module relief_traverse #(
   end
 
   // ---- stage 16: registers ------------------------------------------------ traverse.rs
-  reg [LevelW-1:0] s16_level;
-  reg              s16_has_crossed;
-  reg [IdxW-1:0]   s16_x_low;
-  reg [IdxW-1:0]   s16_x_high;
-  reg [IdxW-1:0]   s16_y_low;
-  reg [IdxW-1:0]   s16_y_high;
-  reg              s16_even;
-  reg [IdxW-1:0]   s16_x;
-  reg [IdxW-1:0]   s16_y;
-  reg              s16_is_inside;
-  reg              s16_x_first;
-  reg [FloatW-1:0] s16_m;
-  reg [FloatW-1:0] s16_t_next;
-  reg [IdxW-1:0]   s16_x_beyond;
-  reg [IdxW-1:0]   s16_y_beyond;
-  reg              s16_last_step;
-  reg              s16_moves;
-  reg              s16_done;
-  reg [FloatW-1:0] s16_t;
-  reg              s16_below;
-  reg              s16_wall;
-  reg              s16_limit;
-  reg [15:0]       s16_crossings;
-  reg [15:0]       s16_ups;
-  reg              s16_valid;
-  reg [TAG_W-1:0]  s16_tag;
-  reg [FloatW-1:0] s16_p_x;
-  reg [FloatW-1:0] s16_pb_x;
-  reg [FloatW-1:0] s16_d_x;
-  reg [FloatW-1:0] s16_r_x;
-  reg              s16_never_x;
-  reg              s16_neg_x;
-  reg [FloatW-1:0] s16_p_y;
-  reg [FloatW-1:0] s16_pb_y;
-  reg [FloatW-1:0] s16_d_y;
-  reg [FloatW-1:0] s16_r_y;
-  reg              s16_never_y;
-  reg              s16_neg_y;
-  reg [15:0]       s16_steps_next;
+  reg             s16_even;
+  reg             s16_valid;
+  reg [TAG_W-1:0] s16_tag;
   always @(posedge clk) begin
-    s16_level       <= s15_level;
-    s16_has_crossed <= s15_has_crossed;
-    s16_x_low       <= s15_x_low;
-    s16_x_high      <= s15_x_high;
-    s16_y_low       <= s15_y_low;
-    s16_y_high      <= s15_y_high;
-    s16_even        <= s15_even;
-    s16_x           <= s15_x;
-    s16_y           <= s15_y;
-    s16_is_inside   <= s15_is_inside;
-    s16_x_first     <= s15_x_first;
-    s16_m           <= s15_m;
-    s16_t_next      <= s15_t_next;
-    s16_x_beyond    <= s15_x_beyond;
-    s16_y_beyond    <= s15_y_beyond;
-    s16_last_step   <= s15_last_step;
-    s16_moves       <= s15_moves;
-    s16_done        <= s15_done;
-    s16_t           <= s15_t;
-    s16_below       <= s15_below;
-    s16_wall        <= s15_wall;
-    s16_limit       <= s15_limit;
-    s16_crossings   <= s15_crossings;
-    s16_ups         <= s15_ups;
-    s16_tag         <= s15_tag;
-    s16_p_x         <= s15_p_x;
-    s16_pb_x        <= s15_pb_x;
-    s16_d_x         <= s15_d_x;
-    s16_r_x         <= s15_r_x;
-    s16_never_x     <= s15_never_x;
-    s16_neg_x       <= s15_neg_x;
-    s16_p_y         <= s15_p_y;
-    s16_pb_y        <= s15_pb_y;
-    s16_d_y         <= s15_d_y;
-    s16_r_y         <= s15_r_y;
-    s16_never_y     <= s15_never_y;
-    s16_neg_y       <= s15_neg_y;
-    s16_steps_next  <= s15_steps_next;
+    s16_even <= s15_even;
+    s16_tag  <= s15_tag;
   end
   always @(posedge clk) begin
     if (rst) begin
@@ -2184,84 +1250,12 @@ module relief_traverse #(
   end
 
   // ---- stage 17: registers ------------------------------------------------ traverse.rs
-  reg [LevelW-1:0] s17_level;
-  reg              s17_has_crossed;
-  reg [IdxW-1:0]   s17_x_low;
-  reg [IdxW-1:0]   s17_x_high;
-  reg [IdxW-1:0]   s17_y_low;
-  reg [IdxW-1:0]   s17_y_high;
-  reg              s17_even;
-  reg [IdxW-1:0]   s17_x;
-  reg [IdxW-1:0]   s17_y;
-  reg              s17_is_inside;
-  reg              s17_x_first;
-  reg [FloatW-1:0] s17_m;
-  reg [FloatW-1:0] s17_t_next;
-  reg [IdxW-1:0]   s17_x_beyond;
-  reg [IdxW-1:0]   s17_y_beyond;
-  reg              s17_last_step;
-  reg              s17_moves;
-  reg              s17_done;
-  reg [FloatW-1:0] s17_t;
-  reg              s17_below;
-  reg              s17_wall;
-  reg              s17_limit;
-  reg [15:0]       s17_crossings;
-  reg [15:0]       s17_ups;
-  reg              s17_valid;
-  reg [TAG_W-1:0]  s17_tag;
-  reg [FloatW-1:0] s17_p_x;
-  reg [FloatW-1:0] s17_pb_x;
-  reg [FloatW-1:0] s17_d_x;
-  reg [FloatW-1:0] s17_r_x;
-  reg              s17_never_x;
-  reg              s17_neg_x;
-  reg [FloatW-1:0] s17_p_y;
-  reg [FloatW-1:0] s17_pb_y;
-  reg [FloatW-1:0] s17_d_y;
-  reg [FloatW-1:0] s17_r_y;
-  reg              s17_never_y;
-  reg              s17_neg_y;
-  reg [15:0]       s17_steps_next;
+  reg             s17_even;
+  reg             s17_valid;
+  reg [TAG_W-1:0] s17_tag;
   always @(posedge clk) begin
-    s17_level       <= s16_level;
-    s17_has_crossed <= s16_has_crossed;
-    s17_x_low       <= s16_x_low;
-    s17_x_high      <= s16_x_high;
-    s17_y_low       <= s16_y_low;
-    s17_y_high      <= s16_y_high;
-    s17_even        <= s16_even;
-    s17_x           <= s16_x;
-    s17_y           <= s16_y;
-    s17_is_inside   <= s16_is_inside;
-    s17_x_first     <= s16_x_first;
-    s17_m           <= s16_m;
-    s17_t_next      <= s16_t_next;
-    s17_x_beyond    <= s16_x_beyond;
-    s17_y_beyond    <= s16_y_beyond;
-    s17_last_step   <= s16_last_step;
-    s17_moves       <= s16_moves;
-    s17_done        <= s16_done;
-    s17_t           <= s16_t;
-    s17_below       <= s16_below;
-    s17_wall        <= s16_wall;
-    s17_limit       <= s16_limit;
-    s17_crossings   <= s16_crossings;
-    s17_ups         <= s16_ups;
-    s17_tag         <= s16_tag;
-    s17_p_x         <= s16_p_x;
-    s17_pb_x        <= s16_pb_x;
-    s17_d_x         <= s16_d_x;
-    s17_r_x         <= s16_r_x;
-    s17_never_x     <= s16_never_x;
-    s17_neg_x       <= s16_neg_x;
-    s17_p_y         <= s16_p_y;
-    s17_pb_y        <= s16_pb_y;
-    s17_d_y         <= s16_d_y;
-    s17_r_y         <= s16_r_y;
-    s17_never_y     <= s16_never_y;
-    s17_neg_y       <= s16_neg_y;
-    s17_steps_next  <= s16_steps_next;
+    s17_even <= s16_even;
+    s17_tag  <= s16_tag;
   end
   always @(posedge clk) begin
     if (rst) begin
@@ -2269,6 +1263,26 @@ module relief_traverse #(
     end else begin
       s17_valid <= s16_valid;
     end
+  end
+  // Delay of 16 clocks: stage 1 to 17.
+  reg        s17_has_crossed;
+  reg [14:0] s1_to_s17;
+  always @(posedge clk) begin
+    {s17_has_crossed, s1_to_s17} <=
+        {s1_to_s17, s1_has_crossed};
+  end
+  // Delay of 15 clocks: stage 2 to 17.
+  reg [IdxW-1:0]              s17_x_low;
+  reg [IdxW-1:0]              s17_x_high;
+  reg [IdxW-1:0]              s17_y_low;
+  reg [IdxW-1:0]              s17_y_high;
+  reg [LevelW-1:0]            s17_level;
+  reg [IdxW-1:0]              s17_x;
+  reg [IdxW-1:0]              s17_y;
+  reg [84*IdxW+14*LevelW-1:0] s2_to_s17;
+  always @(posedge clk) begin
+    {s17_x_low, s17_x_high, s17_y_low, s17_y_high, s17_level, s17_x, s17_y, s2_to_s17} <=
+        {s2_to_s17, s2_x_low, s2_x_high, s2_y_low, s2_y_high, s2_level, s2_x, s2_y};
   end
 
   // ---- stage 17: multi-level down ----------------------------------------- traverse.rs
@@ -2311,78 +1325,22 @@ module relief_traverse #(
   reg [LevelW-1:0] s18_level_down;
   reg [IdxW-1:0]   s18_x_down;
   reg [IdxW-1:0]   s18_y_down;
-  reg              s18_is_inside;
-  reg              s18_x_first;
   reg [LevelW-1:0] s18_level;
-  reg [FloatW-1:0] s18_m;
-  reg [FloatW-1:0] s18_t_next;
   reg [IdxW-1:0]   s18_x;
-  reg [IdxW-1:0]   s18_x_beyond;
   reg [IdxW-1:0]   s18_y;
-  reg [IdxW-1:0]   s18_y_beyond;
-  reg              s18_last_step;
-  reg              s18_moves;
-  reg              s18_done;
-  reg [FloatW-1:0] s18_t;
   reg              s18_has_crossed;
-  reg              s18_below;
-  reg              s18_wall;
-  reg              s18_limit;
-  reg [15:0]       s18_crossings;
-  reg [15:0]       s18_ups;
   reg              s18_valid;
   reg [TAG_W-1:0]  s18_tag;
-  reg [FloatW-1:0] s18_p_x;
-  reg [FloatW-1:0] s18_pb_x;
-  reg [FloatW-1:0] s18_d_x;
-  reg [FloatW-1:0] s18_r_x;
-  reg              s18_never_x;
-  reg              s18_neg_x;
-  reg [FloatW-1:0] s18_p_y;
-  reg [FloatW-1:0] s18_pb_y;
-  reg [FloatW-1:0] s18_d_y;
-  reg [FloatW-1:0] s18_r_y;
-  reg              s18_never_y;
-  reg              s18_neg_y;
-  reg [15:0]       s18_steps_next;
   always @(posedge clk) begin
     s18_up          <= s17_up;
     s18_level_down  <= s17_level_down;
     s18_x_down      <= s17_x_down;
     s18_y_down      <= s17_y_down;
-    s18_is_inside   <= s17_is_inside;
-    s18_x_first     <= s17_x_first;
     s18_level       <= s17_level;
-    s18_m           <= s17_m;
-    s18_t_next      <= s17_t_next;
     s18_x           <= s17_x;
-    s18_x_beyond    <= s17_x_beyond;
     s18_y           <= s17_y;
-    s18_y_beyond    <= s17_y_beyond;
-    s18_last_step   <= s17_last_step;
-    s18_moves       <= s17_moves;
-    s18_done        <= s17_done;
-    s18_t           <= s17_t;
     s18_has_crossed <= s17_has_crossed;
-    s18_below       <= s17_below;
-    s18_wall        <= s17_wall;
-    s18_limit       <= s17_limit;
-    s18_crossings   <= s17_crossings;
-    s18_ups         <= s17_ups;
     s18_tag         <= s17_tag;
-    s18_p_x         <= s17_p_x;
-    s18_pb_x        <= s17_pb_x;
-    s18_d_x         <= s17_d_x;
-    s18_r_x         <= s17_r_x;
-    s18_never_x     <= s17_never_x;
-    s18_neg_x       <= s17_neg_x;
-    s18_p_y         <= s17_p_y;
-    s18_pb_y        <= s17_pb_y;
-    s18_d_y         <= s17_d_y;
-    s18_r_y         <= s17_r_y;
-    s18_never_y     <= s17_never_y;
-    s18_neg_y       <= s17_neg_y;
-    s18_steps_next  <= s17_steps_next;
   end
   always @(posedge clk) begin
     if (rst) begin
@@ -2390,6 +1348,72 @@ module relief_traverse #(
     end else begin
       s18_valid <= s17_valid;
     end
+  end
+  // Delay of 17 clocks: stage 1 to 18.
+  reg         s18_wall;
+  reg         s18_limit;
+  reg [15:0]  s18_crossings;
+  reg [15:0]  s18_ups;
+  reg [543:0] s1_to_s18;
+  always @(posedge clk) begin
+    {s18_wall, s18_limit, s18_crossings, s18_ups, s1_to_s18} <=
+        {s1_to_s18, s1_wall, s1_limit, s1_crossings, s1_ups};
+  end
+  // Delay of 16 clocks: stage 2 to 18.
+  reg [IdxW-1:0]      s18_x_beyond;
+  reg [IdxW-1:0]      s18_y_beyond;
+  reg                 s18_last_step;
+  reg                 s18_moves;
+  reg                 s18_done;
+  reg                 s18_neg_x;
+  reg                 s18_neg_y;
+  reg [15:0]          s18_steps_next;
+  reg [30*IdxW+314:0] s2_to_s18;
+  always @(posedge clk) begin
+    {s18_x_beyond, s18_y_beyond, s18_last_step, s18_moves, s18_done, s18_neg_x, s18_neg_y,
+     s18_steps_next, s2_to_s18} <=
+        {s2_to_s18, s2_x_beyond, s2_y_beyond, s2_last_step, s2_moves, s2_done, s2_neg_x, s2_neg_y,
+         s2_steps_next};
+  end
+  // Delay of 15 clocks: stage 3 to 18.
+  reg [FloatW-1:0]     s18_p_x;
+  reg [FloatW-1:0]     s18_r_x;
+  reg                  s18_never_x;
+  reg [FloatW-1:0]     s18_p_y;
+  reg [FloatW-1:0]     s18_r_y;
+  reg                  s18_never_y;
+  reg [56*FloatW+27:0] s3_to_s18;
+  always @(posedge clk) begin
+    {s18_p_x, s18_r_x, s18_never_x, s18_p_y, s18_r_y, s18_never_y, s3_to_s18} <=
+        {s3_to_s18, s3_p_x, s3_r_x, s3_never_x, s3_p_y, s3_r_y, s3_never_y};
+  end
+  // Delay of 8 clocks: stage 10 to 18.
+  reg                 s18_below;
+  reg [FloatW-1:0]    s18_pb_x;
+  reg [FloatW-1:0]    s18_d_x;
+  reg [FloatW-1:0]    s18_pb_y;
+  reg [FloatW-1:0]    s18_d_y;
+  reg [28*FloatW+6:0] s10_to_s18;
+  always @(posedge clk) begin
+    {s18_below, s18_pb_x, s18_d_x, s18_pb_y, s18_d_y, s10_to_s18} <=
+        {s10_to_s18, s10_below, s10_pb_x, s10_d_x, s10_pb_y, s10_d_y};
+  end
+  // Delay of 7 clocks: stage 11 to 18.
+  reg [FloatW-1:0]    s18_m;
+  reg [FloatW-1:0]    s18_t;
+  reg [12*FloatW-1:0] s11_to_s18;
+  always @(posedge clk) begin
+    {s18_m, s18_t, s11_to_s18} <=
+        {s11_to_s18, s11_m, s11_t};
+  end
+  // Delay of 5 clocks: stage 13 to 18.
+  reg                s18_is_inside;
+  reg                s18_x_first;
+  reg [FloatW-1:0]   s18_t_next;
+  reg [4*FloatW+7:0] s13_to_s18;
+  always @(posedge clk) begin
+    {s18_is_inside, s18_x_first, s18_t_next, s13_to_s18} <=
+        {s13_to_s18, s13_is_inside, s13_x_first, s13_t_next};
   end
 
   // ---- stage 18: level decision ------------------------------------------- traverse.rs

@@ -47,6 +47,7 @@ impl Builder {
             insts: vec![],
             outputs: vec![],
             unused: vec![],
+            visible: vec![],
             sections: vec![Section::default()],
             latency: None,
             throughput: "one result per clock".into(),
@@ -185,6 +186,11 @@ impl Builder {
         if let Some(s) = st.plan.get(title).copied() {
             st.min_stage = s;
         }
+    }
+
+    /// Keeps the value of this base name a net in every stage through which it passes, where the text would otherwise let it wait in a bundle.
+    pub fn visible(&self, name: &str) {
+        self.st.borrow_mut().m.visible.push(name.into());
     }
 
     /// All zeros.

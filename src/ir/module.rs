@@ -295,6 +295,8 @@ pub struct Module {
     pub outputs: Vec<(usize, NodeId)>,
     /// Values (or parts of them) that are deliberately not used.
     pub unused: Vec<NodeId>,
+    /// Base names of values that have a net in every stage through which they pass, for waveforms and proofs.
+    pub visible: Vec<String>,
     /// Headings.
     pub sections: Vec<Section>,
     /// Clocks from input to output; `None` for handshaked modules.

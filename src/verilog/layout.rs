@@ -125,3 +125,18 @@ fn breaks_well(before: &str, after: &str) -> bool {
         .any(|e| before.ends_with(&format!(" {e}")) || (*e == "," && before.ends_with(',')));
     ends || after.starts_with(": ")
 }
+
+/// A concatenation over as many lines as it takes: what opens it, its members, what closes it.
+pub fn filled<'a>(open: &str, members: impl IntoIterator<Item = &'a String>, close: &str) -> String {
+    let (mut out, mut line) = (String::new(), open.to_string());
+    let mut members = members.into_iter().peekable();
+    while let Some(m) = members.next() {
+        let end = if members.peek().is_some() { "," } else { close };
+        if line.len() + m.len() + end.len() > COLUMNS && line.trim_start().len() > 1 {
+            out += &format!("{}\n", line.trim_end());
+            line = " ".repeat(open.len());
+        }
+        line += &format!("{m}{end} ");
+    }
+    out + line.trim_end() + "\n"
+}

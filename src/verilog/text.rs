@@ -1,15 +1,18 @@
 //! The whole text of a module: what stands before the body, then stages, loop, outputs.
 use super::align::aligned;
+use super::carry::{Bundle, Bundles};
 use super::expr::{Binds, Expressions};
 use super::header::has_word;
-use super::layout::{COLUMNS, bare, range, wrap};
+use super::layout::{COLUMNS, bare, filled, range, wrap};
 use super::prim;
 use super::style::Style;
 use crate::ir::{Atom, Body, Expr, Module, Names, NodeId, Op};
 
 /// Prints a module. The same module gives the same bytes: no date, path, host or hash order reaches the text.
 pub fn print_module(m: &Module, style: &Style) -> String {
-    let mut p = Printer { names: Names::new(m), m, style, out: String::new() };
+    let names = Names::new(m);
+    let bundles = Bundles::of(&names);
+    let mut p = Printer { names, bundles, m, style, out: String::new() };
     let body = match m.body {
         Body::Graph => {
             p.graph();
@@ -27,6 +30,7 @@ pub fn print_module(m: &Module, style: &Style) -> String {
 
 pub(super) struct Printer<'m> {
     pub(super) names: Names<'m>,
+    bundles: Bundles,
     pub(super) m: &'m Module,
     pub(super) style: &'m Style,
     pub(super) out: String,
@@ -41,12 +45,16 @@ impl Printer<'_> {
 
     /// The range of a width in the body: by the `localparam` that has the same value everywhere, where there is one.
     fn range(&self, w: &Expr) -> String {
+        range(&self.named(w))
+    }
+
+    fn named(&self, w: &Expr) -> Expr {
         let named = |e: &Expr| e.parts().0.iter().any(|(a, _)| matches!(a, Atom::Local(..)));
         let flat = w.expanded();
         // A number and a parameter alone say more than a name for them.
         let plain = matches!(flat.parts(), ([], _) | ([(Atom::Param(_), 1)], 0));
         let same = self.m.locals.iter().find(|(_, e)| !plain && !named(w) && e.expanded() == flat);
-        same.map_or_else(|| range(w), |(name, e)| range(&Expr::local(name, e.clone())))
+        same.map_or_else(|| w.clone(), |(name, e)| Expr::local(name, e.clone()))
     }
 
     fn heading(&mut self, stage: u32, title: &str, reason: &str) {
@@ -161,9 +169,30 @@ impl Printer<'_> {
     }
 
     fn registers(&mut self, stage: u32) {
-        let ids = self.regs(|wrap, s| !wrap && s == stage);
+        let mut ids = self.regs(|wrap, s| !wrap && s == stage);
+        ids.retain(|id| !self.bundles.holds(*id));
         let nets: Vec<(String, NodeId)> = ids.into_iter().map(|id| (self.declare_reg(id), id)).collect();
         self.clocked(&nets);
+        let bundles = std::mem::take(&mut self.bundles.list);
+        bundles.iter().filter(|b| b.to == stage).for_each(|b| self.bundle(b));
+        self.bundles.list = bundles;
+    }
+
+    /// Values that wait the same clocks: one shift register, whose oldest word stands in the nets of its last stage.
+    fn bundle(&mut self, b: &Bundle) {
+        let (clocks, inner) = (b.to - b.from, b.net());
+        self.out += &format!("  // Delay of {clocks} clocks: stage {} to {}.\n", b.from, b.to);
+        let last: Vec<String> = b.values.iter().map(|(_, last)| self.declare_reg(*last)).collect();
+        let first: Vec<String> = b.values.iter().map(|(first, _)| self.names.operand(*first).0).collect();
+        self.out += &format!("  reg {} {inner};\n", b.range(self.m, |w| self.named(w)));
+        let enable = self.m.ce.map(|p| self.m.ports[p].name.clone());
+        let (open, pad, close) = match enable {
+            Some(ce) => (format!("    if ({ce}) begin\n"), "      ", "    end\n"),
+            None => (String::new(), "    ", ""),
+        };
+        let oldest = filled(&format!("{pad}{{"), last.iter().chain([&inner]), "} <=");
+        let newest = filled(&format!("{pad}    {{"), [&inner].into_iter().chain(&first), "};");
+        self.out += &format!("  always @(posedge clk) begin\n{open}{oldest}{newest}{close}  end\n");
     }
 
     fn loop_registers(&mut self) {

@@ -39,6 +39,8 @@ pub fn traverse(d: &Design) -> Traverse {
 
 fn in_registers(d: &Design) -> Traverse {
     let b = Builder::new(NAME, file!(), "traces rays against a height field: a looping pipeline, one node a clock");
+    // The proof of the handshake follows each ray by its tag.
+    b.visible("tag");
     b.throughput("one iteration (one node) per clock; a ray takes as many iterations as its path needs");
     b.choice("datapath", d.datapath.kind.word());
     b.choice("levels_down", d.mode.levels_down);
