@@ -65,7 +65,7 @@ pub(super) fn load_ranges(cli: &Cli, units: &[String]) -> Result<Config> {
                 c.emit.clock_mhz
             )));
         }
-        super::output::note(choice.certainty(mhz, &c.design(), scope));
+        super::output::note(choice.provenance(mhz, &c.design(), scope));
     }
     Ok(c)
 }

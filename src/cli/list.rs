@@ -5,7 +5,7 @@ use crate::config::{DatapathKind, Design};
 use crate::error::Result;
 use crate::ir::Module;
 use crate::units;
-use crate::units::traversal::{PUBLISHED, Traverse, census, difference, traverse};
+use crate::units::traversal::{PUBLISHED, Traverse, difference, loop_resources, traverse};
 use serde_json::json;
 use std::sync::Arc;
 
@@ -81,7 +81,7 @@ fn more(d: &Design) -> Vec<Arc<Module>> {
 
 /// Floating-point units and stages of the loop beside the published ones, with the reason where they differ.
 fn in_loop(d: &Design, t: &Traverse) -> Vec<serde_json::Value> {
-    let rows = census(d, t).rows().into_iter().zip(PUBLISHED.rows());
+    let rows = loop_resources(d, t).rows().into_iter().zip(PUBLISHED.rows());
     rows.map(|((what, here), (_, published))| {
         let why = if here == published { "" } else { difference(d.datapath.kind, what) };
         json!({"what": what, "here": here, "published": published, "why": why})

@@ -205,7 +205,7 @@ fn pick(latency: &mut LatencyConfig, c: &Curve, asked: u32, mhz: u32) -> Result<
 impl Choice {
     /// One sentence about the latencies that a design ended up with, which `--set` may have changed since: what they were measured at, and what
     /// is not known.
-    pub fn certainty(&self, mhz: u32, d: &Design, scope: Scope) -> String {
+    pub fn provenance(&self, mhz: u32, d: &Design, scope: Scope) -> String {
         let how = |e: &Entry| format!("on an ECP5, speed grade 8, at 1/7/16, {}", seeds(e));
         let mut said = match self.placed {
             None if scope == Scope::Traversal && between(self.latency) != between(d.latency) => format!(
@@ -377,9 +377,9 @@ mod tests {
             let mut d = Design::default();
             let choice = for_clock(mhz, &d, Scope::Traversal).unwrap();
             d.latency = choice.latency;
-            assert!(!choice.certainty(mhz, &d, Scope::Traversal).contains("less than"), "{mhz}");
+            assert!(!choice.provenance(mhz, &d, Scope::Traversal).contains("less than"), "{mhz}");
             d.latency.add = 1;
-            let said = choice.certainty(mhz, &d, Scope::Traversal);
+            let said = choice.provenance(mhz, &d, Scope::Traversal);
             let counted = of("fp_add", 1) * choice.share / 100;
             assert_eq!(said.contains("less than"), counted < mhz, "{said}");
             assert!(counted >= mhz || said.contains("fp_add in 1 clock,"), "{said}");
@@ -387,16 +387,16 @@ mod tests {
         let mut d = Design::default();
         let choice = for_clock(160, &d, Scope::Traversal).unwrap();
         d.latency = choice.latency;
-        assert!(choice.certainty(160, &d, Scope::Traversal).contains("profile fast"));
+        assert!(choice.provenance(160, &d, Scope::Traversal).contains("profile fast"));
         d.latency.mul = 0;
-        assert!(choice.certainty(160, &d, Scope::Traversal).contains("nothing is promised"));
+        assert!(choice.provenance(160, &d, Scope::Traversal).contains("nothing is promised"));
         d.latency = choice.latency;
-        assert!(choice.certainty(160, &d, Scope::Traversal).contains("profile fast"));
+        assert!(choice.provenance(160, &d, Scope::Traversal).contains("profile fast"));
         d.datapath.fraction_bits += 1;
-        assert!(choice.certainty(160, &d, Scope::Traversal).contains("this design: place it"));
+        assert!(choice.provenance(160, &d, Scope::Traversal).contains("this design: place it"));
         d.datapath = Design::default().datapath;
         d.mode.bilinear = true;
-        assert!(choice.certainty(160, &d, Scope::Traversal).contains("this design: place it"));
+        assert!(choice.provenance(160, &d, Scope::Traversal).contains("this design: place it"));
     }
 
     /// A promise is of what was measured, not of a latency near it, nor of other registers between the units.
@@ -405,15 +405,15 @@ mod tests {
         let mut d = Design::default();
         let choice = for_clock(120, &d, Scope::Traversal).unwrap();
         (d.latency, d.latency.handshake) = (choice.latency, 0);
-        assert!(choice.certainty(120, &d, Scope::Traversal).contains("registers between the units were changed"));
+        assert!(choice.provenance(120, &d, Scope::Traversal).contains("registers between the units were changed"));
         let unit = ["fp_div".to_string()];
         let choice = for_clock(250, &d, Scope::Alone(&unit)).unwrap();
         (d.latency, d.latency.div) = (choice.latency, 22);
-        assert!(choice.certainty(250, &d, Scope::Alone(&unit)).contains("fp_div in 22 clocks was not measured"));
+        assert!(choice.provenance(250, &d, Scope::Alone(&unit)).contains("fp_div in 22 clocks was not measured"));
         let unit = ["fp_from_int".to_string()];
         let choice = for_clock(130, &d, Scope::Alone(&unit)).unwrap();
         (d.latency, d.traverse.levels) = (choice.latency, 10);
-        assert!(choice.certainty(130, &d, Scope::Alone(&unit)).contains("nor was this format or width"));
+        assert!(choice.provenance(130, &d, Scope::Alone(&unit)).contains("nor was this format or width"));
     }
 
     #[test]
@@ -423,7 +423,7 @@ mod tests {
         let mhz = of("fp_add", 8);
         let choice = for_clock(mhz, &d, Scope::Alone(&unit)).unwrap();
         d.latency = choice.latency;
-        let said = choice.certainty(mhz, &d, Scope::Alone(&unit));
+        let said = choice.provenance(mhz, &d, Scope::Alone(&unit));
         assert_eq!(choice.latency.add, 8, "{said}");
         assert!(said.contains(&format!("fp_add in 8 clocks alone reached {mhz} MHz")), "{said}");
     }

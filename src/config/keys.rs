@@ -231,7 +231,7 @@ pub const KEYS: &[Key] = &[
     ),
     key(
         "latency.handshake",
-        "registers in the way of ready: a stream_skid behind the setup and behind the hit (1), one behind the choice of the ray that leaves (2), and a stream_queue instead of the stream_skids, before which nothing has an enable (3)",
+        "registers in the way of ready: a spill_register behind the setup and behind the hit (1), one behind the choice of the ray that leaves (2), and a credit_fifo instead of the stream_skids, before which nothing has an enable (3)",
         Legal::Whole(0, 3),
     ),
     key(

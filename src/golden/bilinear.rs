@@ -6,7 +6,7 @@ use super::float::{self, Value};
 use super::pyramid::Pyramid;
 use super::record::{BilinearHit, Patch, RayHit};
 use super::setup::{RayInput, Setup};
-use super::traverse::Golden;
+use super::traverse::Watertight;
 use crate::format::FloatFormat;
 
 /// A refined hit. Where the surface was not hit, texel, fractions and parameter are those of the block hit.
@@ -37,7 +37,7 @@ impl Refined {
     }
 }
 
-impl Golden {
+impl Watertight {
     /// Refines the hit of `ray`; `None` of a ray that was given up, and of a design whose hits may be nodes of coarser levels.
     ///
     /// # Panics

@@ -22,4 +22,4 @@ pub use pyramid::{Pyramid, address};
 pub use record::{BilinearHit, Chord, Decision, Iteration, Patch, RayHit};
 pub use setup::{Axis, RayInput, Setup};
 pub use tracer::{Tracer, decode_time, decode_travel, encode_ray};
-pub use traverse::Golden;
+pub use traverse::Watertight;

@@ -1,7 +1,7 @@
 //! What is computed once per ray, before the first iteration.
 use super::float::{self, Value};
-use super::traverse::Golden;
-use super::walk::{Along, both};
+use super::traverse::Watertight;
+use super::walk::{AxisView, both};
 use crate::format::FloatFormat;
 
 /// A ray as it enters the unit; every field is an encoded number.
@@ -58,7 +58,7 @@ pub struct Axis {
     pub xa: i64,
 }
 
-impl Along for Axis {
+impl AxisView for Axis {
     fn neg(&self) -> bool {
         self.neg
     }
@@ -91,7 +91,7 @@ pub struct Setup<A = Axis> {
     pub lod: u32,
 }
 
-impl Golden {
+impl Watertight {
     /// Setup of one ray.
     pub fn setup(&self, ray: &RayInput) -> Setup {
         if !(self.entry_ok(ray.u) && self.entry_ok(ray.v) && self.travel_ok(ray.du) && self.travel_ok(ray.dv)) {

@@ -5,7 +5,7 @@ use super::published::Published;
 use super::pyramid::Pyramid;
 use super::record::{Iteration, RayHit};
 use super::setup::RayInput;
-use super::traverse::Golden;
+use super::traverse::Watertight;
 use crate::config::{DatapathKind, Design, Trim};
 use crate::error::{Error, Result};
 
@@ -13,7 +13,7 @@ use crate::error::{Error, Result};
 #[derive(Clone, Debug)]
 pub enum Tracer {
     /// `docs/datapath.md`.
-    Watertight(Golden),
+    Watertight(Watertight),
     /// `docs/published.md`.
     Published(Published),
     /// `docs/fixed.md`.
@@ -36,7 +36,7 @@ impl Tracer {
             return Err(Error::input("mode.bilinear needs the watertight datapath"));
         }
         match design.datapath.kind {
-            DatapathKind::Watertight => Golden::new(design).map(Self::Watertight),
+            DatapathKind::Watertight => Watertight::new(design).map(Self::Watertight),
             DatapathKind::Published => Published::new(design).map(Self::Published),
             DatapathKind::Fixed => Fixed::new(design).map(Self::Fixed),
         }

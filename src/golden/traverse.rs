@@ -3,13 +3,13 @@ use super::float;
 use super::pyramid::Pyramid;
 use super::record::{Iteration, RayHit};
 use super::setup::{Axis, RayInput, Setup, power_of_two};
-use super::walk::{Planes, walk};
+use super::walk::{PlaneArithmetic, walk};
 use crate::config::{Design, Trim};
 use crate::error::{Error, Result};
 
 /// A tracer for one design, with the design's constants at hand.
 #[derive(Clone, Debug)]
-pub struct Golden {
+pub struct Watertight {
     pub(super) design: Design,
     /// IDX_W.
     pub(super) idx_w: u32,
@@ -27,7 +27,7 @@ pub struct Golden {
     tops: Vec<u64>,
 }
 
-impl Golden {
+impl Watertight {
     /// A tracer for `design`.
     ///
     /// # Errors
@@ -90,7 +90,7 @@ impl Golden {
     /// Traces a ray and shows every iteration to `see`.
     ///
     /// # Panics
-    /// As [`Golden::trace`].
+    /// As [`Watertight::trace`].
     pub fn trace_with(&self, pyramid: &Pyramid, ray: &RayInput, mut see: impl FnMut(&Iteration)) -> RayHit {
         let hit = walk::<true, _>(self, pyramid, ray, &mut see);
         self.refined(pyramid, ray, hit)
@@ -105,7 +105,7 @@ impl Golden {
     }
 }
 
-impl Planes for Golden {
+impl PlaneArithmetic for Watertight {
     type Axis = Axis;
 
     fn design(&self) -> &Design {
@@ -116,15 +116,15 @@ impl Planes for Golden {
         self.setup(ray)
     }
 
-    fn before(&self, a: u64, b: u64) -> bool {
+    fn lt(&self, a: u64, b: u64) -> bool {
         float::lt(self.design.format, a, b)
     }
 
-    fn top(&self, height: u32) -> u64 {
+    fn height_time(&self, height: u32) -> u64 {
         self.tops[height as usize]
     }
 
-    fn met(&self, axis: &Axis, b: i64) -> u64 {
+    fn plane_time(&self, axis: &Axis, b: i64) -> u64 {
         let fmt = self.design.format;
         if axis.never {
             return fmt.infinity();
@@ -133,12 +133,12 @@ impl Planes for Golden {
         float::mul(fmt, away, axis.r)
     }
 
-    fn behind(&self, axis: &Axis, t: u64) -> i64 {
+    fn texel_lower_bound(&self, axis: &Axis, t: u64) -> i64 {
         let fmt = self.design.format;
         float::to_int(fmt, float::add(fmt, axis.pb, float::mul(fmt, axis.dt, t)), self.idx_w)
     }
 
-    fn reach(&self, axis: &Axis, t: u64) -> i64 {
+    fn texel_upper_bound(&self, axis: &Axis, t: u64) -> i64 {
         let fmt = self.design.format;
         match float::decode(fmt, t) {
             float::Value::Infinite(_) => axis.le,

@@ -3,10 +3,10 @@ use super::float;
 use super::level::start_level;
 use super::record::Chord;
 use super::setup::Setup;
-use super::traverse::Golden;
-use super::walk::{Along, Planes, kept};
+use super::traverse::Watertight;
+use super::walk::{AxisView, PlaneArithmetic, kept};
 
-impl Golden {
+impl Watertight {
     /// Pf and Le of an axis: entry point moved forward by `bias`, and a texel that the ray does not get beyond.
     pub(super) fn ahead(&self, p: u64, dn: u64, dt: u64, bias: u64) -> (u64, i64) {
         let fmt = self.design.format;
@@ -19,7 +19,7 @@ impl Golden {
 }
 
 /// The chord from texel `(x, y)` to the exit of its level-k node, whose planes are met at `t_x` and `t_y`.
-pub(super) fn chord<P: Planes>(
+pub(super) fn chord<P: PlaneArithmetic>(
     planes: &P,
     s: &Setup<P::Axis>,
     k: u32,
@@ -27,7 +27,7 @@ pub(super) fn chord<P: Planes>(
     [t_x, t_y]: [u64; 2],
 ) -> Chord {
     // x goes first on a tie.
-    let x_first = !planes.before(t_y, t_x);
+    let x_first = !planes.lt(t_y, t_x);
     let end_x = chord_end(planes, &s.u, k, x, (!x_first).then_some(t_y));
     let end_y = chord_end(planes, &s.v, k, y, x_first.then_some(t_x));
     let size = &planes.design().traverse;
@@ -37,8 +37,8 @@ pub(super) fn chord<P: Planes>(
 
 /// Along one axis, a texel of the level-k node of `x` that the ray does not get beyond before it leaves the node. It leaves by a plane of
 /// the other axis at parameter `t`, or by this axis' own plane.
-fn chord_end<P: Planes>(planes: &P, axis: &P::Axis, k: u32, x: i64, t: Option<u64>) -> i64 {
-    let reach = t.map_or(axis.last(), |t| planes.reach(axis, t));
+fn chord_end<P: PlaneArithmetic>(planes: &P, axis: &P::Axis, k: u32, x: i64, t: Option<u64>) -> i64 {
+    let reach = t.map_or(axis.last(), |t| planes.texel_upper_bound(axis, t));
     let nearer = if axis.neg() { reach.max(axis.last()) } else { reach.min(axis.last()) };
     kept(axis, k, x, nearer)
 }

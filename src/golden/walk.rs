@@ -1,4 +1,4 @@
-//! The walk from node to node: the same for every datapath that compares parameters of planes; what it computes with is a [`Planes`].
+//! The walk from node to node: the same for every datapath that compares parameters of planes; what it computes with is a [`PlaneArithmetic`].
 use super::level::{Crossing, descend_levels, level_up, start_level, trim_return};
 use super::pyramid::Pyramid;
 use super::record::{Decision, Iteration, RayHit};
@@ -6,7 +6,7 @@ use super::setup::{RayInput, Setup};
 use crate::config::{Design, LevelUp, Trim};
 
 /// One axis of a ray, as far as the walk looks at it. Texels are unwrapped.
-pub(super) trait Along {
+pub(super) trait AxisView {
     /// The ray runs toward lower indices.
     fn neg(&self) -> bool;
     /// X: texel of the entry point.
@@ -18,46 +18,46 @@ pub(super) trait Along {
 }
 
 /// The arithmetic of a datapath. Ray parameters are words that only it can read.
-pub(super) trait Planes {
+pub(super) trait PlaneArithmetic {
     /// One axis of a ray after setup.
-    type Axis: Along + Copy;
+    type Axis: AxisView + Copy;
 
     /// The design.
     fn design(&self) -> &Design;
     /// Setup of one ray.
     fn ray(&self, ray: &RayInput) -> Setup<Self::Axis>;
     /// Whether parameter `a` comes before `b`.
-    fn before(&self, a: u64, b: u64) -> bool;
+    fn lt(&self, a: u64, b: u64) -> bool;
     /// Where a node of that height code is met.
-    fn top(&self, height: u32) -> u64;
+    fn height_time(&self, height: u32) -> u64;
     /// Where the ray meets integer plane `b`.
-    fn met(&self, axis: &Self::Axis, b: i64) -> u64;
+    fn plane_time(&self, axis: &Self::Axis, b: i64) -> u64;
     /// The texel where the ray is at `t`, or one that it has left already: never one that it has yet to reach.
-    fn behind(&self, axis: &Self::Axis, t: u64) -> i64;
+    fn texel_lower_bound(&self, axis: &Self::Axis, t: u64) -> i64;
     /// The texel where the ray is at `t`, or one further on: never one that it has left already.
-    fn reach(&self, axis: &Self::Axis, t: u64) -> i64;
+    fn texel_upper_bound(&self, axis: &Self::Axis, t: u64) -> i64;
     /// Where the ray is at `t`, in 2^-FRAC_W texels.
     fn position(&self, axis: &Self::Axis, t: u64) -> i64;
 
     /// The larger of two parameters; the first when they are equal.
-    fn later(&self, a: u64, b: u64) -> u64 {
-        if self.before(a, b) { b } else { a }
+    fn max(&self, a: u64, b: u64) -> u64 {
+        if self.lt(a, b) { b } else { a }
     }
 }
 
 /// What setup says of both axes, and the first level of the walk: start level and level of detail, where the design has them.
-pub(super) fn both<A: Along>(d: &Design, lod: u32, u: A, v: A) -> Setup<A> {
+pub(super) fn both<A: AxisView>(d: &Design, lod: u32, u: A, v: A) -> Setup<A> {
     let (n, idx_w) = (d.traverse.levels, d.traverse.idx_bits());
     let level = if d.mode.start_level { start_level(n, idx_w, u.entry(), v.entry(), u.end(), v.end()) } else { n };
     let lod = if d.mode.lod { lod.min(n) } else { 0 };
     Setup { valid: true, u, v, level: level.max(lod), lod }
 }
 
-/// Traces a ray. `SEEN`: somebody looks at the iterations, so that what no decision needs is computed too.
+/// Traces a ray. `RECORD`: somebody looks at the iterations, so that what no decision needs is computed too.
 ///
 /// # Panics
 /// If the pyramid has other levels or height bits than the design.
-pub(super) fn walk<const SEEN: bool, P: Planes>(
+pub(super) fn walk<const RECORD: bool, P: PlaneArithmetic>(
     planes: &P,
     pyramid: &Pyramid,
     ray: &RayInput,
@@ -80,8 +80,8 @@ pub(super) fn walk<const SEEN: bool, P: Planes>(
     };
     let mut hit = RayHit::default();
     loop {
-        let it = iterate::<SEEN, P>(planes, pyramid, &setup, &state);
-        if SEEN {
+        let it = iterate::<RECORD, P>(planes, pyramid, &setup, &state);
+        if RECORD {
             see(&it);
         }
         hit.steps += 1;
@@ -98,7 +98,7 @@ pub(super) fn walk<const SEEN: bool, P: Planes>(
             descended: it.decision == Decision::Descend,
         };
         if it.decision == Decision::Hit {
-            hit.wall = planes.before(it.t_v, it.t);
+            hit.wall = planes.lt(it.t_v, it.t);
             break;
         }
         if hit.steps == size.step_limit {
@@ -113,7 +113,7 @@ pub(super) fn walk<const SEEN: bool, P: Planes>(
 }
 
 /// Wrapped texel and position inside it: where the ray is at `t`, kept in the level-`lod` node of texel `x`.
-fn leave<P: Planes>(planes: &P, axis: &P::Axis, x: i64, t: u64, lod: u32) -> (u32, u32) {
+fn leave<P: PlaneArithmetic>(planes: &P, axis: &P::Axis, x: i64, t: u64, lod: u32) -> (u32, u32) {
     let size = &planes.design().traverse;
     let mask = (1i64 << lod) - 1;
     let (first, behind) = ((x & !mask) << size.frac_bits, ((x | mask) + 1) << size.frac_bits);
@@ -121,11 +121,16 @@ fn leave<P: Planes>(planes: &P, axis: &P::Axis, x: i64, t: u64, lod: u32) -> (u3
     (wrap(kept >> size.frac_bits, size.levels), (kept & ((1 << size.frac_bits) - 1)) as u32)
 }
 
-fn iterate<const SEEN: bool, P: Planes>(planes: &P, pyramid: &Pyramid, setup: &Setup<P::Axis>, s: &State) -> Iteration {
+fn iterate<const RECORD: bool, P: PlaneArithmetic>(
+    planes: &P,
+    pyramid: &Pyramid,
+    setup: &Setup<P::Axis>,
+    s: &State,
+) -> Iteration {
     let (n, mode) = (planes.design().traverse.levels, planes.design().mode);
     let (k, rule) = (s.level, mode.level_up);
     let (b_x, b_y) = (exit(&setup.u, k, s.x), exit(&setup.v, k, s.y));
-    let (t_x, t_y) = (planes.met(&setup.u, b_x), planes.met(&setup.v, b_y));
+    let (t_x, t_y) = (planes.plane_time(&setup.u, b_x), planes.plane_time(&setup.v, b_y));
     let trims = match mode.trim {
         Trim::None => false,
         Trim::Descent => s.descended,
@@ -135,11 +140,12 @@ fn iterate<const SEEN: bool, P: Planes>(planes: &P, pyramid: &Pyramid, setup: &S
     // The node that is read: all else but a descent goes on from the node of level k.
     let r = chord.map_or(k, |c| c.level);
     let height = pyramid.node(r, wrap(s.x, n) >> r, wrap(s.y, n) >> r);
-    let t_v = planes.top(height);
-    let m = planes.later(s.t, t_v);
-    let inside = planes.before(m, t_x) && planes.before(m, t_y);
-    let estimates = SEEN || (inside && r > setup.lod) || (!inside && rule == LevelUp::Selective);
-    let (e_x, e_y) = if estimates { (planes.behind(&setup.u, m), planes.behind(&setup.v, m)) } else { (0, 0) };
+    let t_v = planes.height_time(height);
+    let m = planes.max(s.t, t_v);
+    let inside = planes.lt(m, t_x) && planes.lt(m, t_y);
+    let estimates = RECORD || (inside && r > setup.lod) || (!inside && rule == LevelUp::Selective);
+    let (e_x, e_y) =
+        if estimates { (planes.texel_lower_bound(&setup.u, m), planes.texel_lower_bound(&setup.v, m)) } else { (0, 0) };
 
     let mut it = Iteration {
         level: k,
@@ -174,7 +180,7 @@ fn iterate<const SEEN: bool, P: Planes>(planes: &P, pyramid: &Pyramid, setup: &S
         return it;
     }
     // x goes first on a tie.
-    let x_first = !planes.before(t_y, t_x);
+    let x_first = !planes.lt(t_y, t_x);
     let (t_e, plane) = if x_first { (t_x, b_x) } else { (t_y, b_y) };
     if x_first {
         it.decision = Decision::CrossX;
@@ -183,7 +189,7 @@ fn iterate<const SEEN: bool, P: Planes>(planes: &P, pyramid: &Pyramid, setup: &S
         it.decision = Decision::CrossY;
         it.next_y = beyond(&setup.v, b_y);
     }
-    it.next_t = planes.later(s.t, t_e);
+    it.next_t = planes.max(s.t, t_e);
     let c = |level| Crossing { level, plane, x: s.x, y: s.y, e_x, e_y, previous: s.prev };
     it.next_level = if r < k { trim_return(rule, k, &c(r)) } else { n.min(k + u32::from(level_up(rule, &c(k)))) };
     it
@@ -205,7 +211,7 @@ struct State {
 }
 
 /// The plane by which the ray can leave the level-k node of texel `x`.
-fn exit(axis: &impl Along, k: u32, x: i64) -> i64 {
+fn exit(axis: &impl AxisView, k: u32, x: i64) -> i64 {
     let mask = (1i64 << k) - 1;
     if axis.neg() { x & !mask } else { (x | mask) + 1 }
 }
@@ -214,13 +220,13 @@ fn exit(axis: &impl Along, k: u32, x: i64) -> i64 {
 ///
 /// An estimate may lie behind a plane that was crossed already. Going back there would cost steps on an axis that moves,
 /// could repeat for ever when each crossing goes a level up, and on an axis that never crosses would be wrong for good.
-pub(super) fn kept(axis: &impl Along, k: u32, x: i64, to: i64) -> i64 {
+pub(super) fn kept(axis: &impl AxisView, k: u32, x: i64, to: i64) -> i64 {
     let mask = (1i64 << k) - 1;
     if axis.neg() { to.clamp(x & !mask, x) } else { to.clamp(x, x | mask) }
 }
 
 /// The texel behind plane `b`, seen along the ray.
-fn beyond(axis: &impl Along, b: i64) -> i64 {
+fn beyond(axis: &impl AxisView, b: i64) -> i64 {
     if axis.neg() { b - 1 } else { b }
 }
 

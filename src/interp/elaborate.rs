@@ -88,7 +88,7 @@ impl Flat {
                 }
                 BTreeMap::from([(kr, rem), (kq, root)])
             }
-            Prim::Memory | Prim::Queue | Prim::Banks => {
+            Prim::Memory | Prim::FifoMem | Prim::Banks => {
                 let (k, w) = o("read_data");
                 let read_data = self.source(w);
                 self.mems.push(FlatMem {
@@ -98,7 +98,7 @@ impl Flat {
                     read_addr: i("read_addr"),
                     read_data,
                     depth: b["DEPTH"] as usize,
-                    own: p == Prim::Queue,
+                    own: p == Prim::FifoMem,
                 });
                 if p != Prim::Banks {
                     return BTreeMap::from([(k, read_data)]);
@@ -185,7 +185,7 @@ impl Flat {
                 }
             };
             slot[i] = s;
-            if let Some(net) = names.net(NodeId(i as u32)) {
+            if let Some(net) = names.net(NodeId(i as u32)).filter(|_| !names.drives_wire(NodeId(i as u32))) {
                 self.name(&format!("{path}{net}"), s);
             }
         }

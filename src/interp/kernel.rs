@@ -167,7 +167,7 @@ pub fn widen(out: &mut Wide, a: &Narrow) {
 }
 /// Wide words that fit as narrow ones.
 #[inline(always)]
-pub fn cut(out: &mut Narrow, a: &Wide) {
+pub fn truncate(out: &mut Narrow, a: &Wide) {
     each!(out, |x in a| x as u32);
 }
 

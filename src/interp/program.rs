@@ -150,7 +150,7 @@ impl Program {
                     let mut y = [0; BLOCK];
                     wide(op, &mut y, &x[0], &x[1], &x[2]);
                     match out {
-                        Row::Narrow(i) => cut(&mut block.narrow[*i as usize], &y),
+                        Row::Narrow(i) => truncate(&mut block.narrow[*i as usize], &y),
                         Row::Wide(i) => block.wide[*i as usize] = y,
                     }
                 }

@@ -84,10 +84,14 @@ impl Builder {
         self.st.borrow_mut().m.locals.push((name.into(), value.clone()));
         Expr::local(name, value)
     }
-    /// Requires `lhs <= rhs` of the parameters; elaboration fails otherwise. Of two lower bounds the greater one stays.
+    /// Requires `lhs <= rhs` of the parameters, each condition once; elaboration fails otherwise. Of two lower bounds the greater one stays.
     pub fn require(&self, lhs: impl Into<Expr>, rhs: impl Into<Expr>) {
         let (lhs, rhs) = (lhs.into(), rhs.into());
-        let checks = &mut self.st.borrow_mut().m.checks;
+        let mut st = self.st.borrow_mut();
+        let checks = &mut st.m.checks;
+        if checks.iter().any(|c| c.lhs == lhs && c.rhs == rhs) {
+            return;
+        }
         let same = |c: &&mut Check| c.rhs == rhs && c.lhs.as_const().is_some() && lhs.as_const().is_some();
         match checks.iter_mut().find(same) {
             Some(c) if c.lhs.as_const() < lhs.as_const() => c.lhs = lhs,
@@ -95,13 +99,10 @@ impl Builder {
             None => checks.push(Check { lhs, rhs }),
         }
     }
-    /// Requires what `inner`, of parameters by the same names, requires, as far as it is not required yet.
+    /// Requires what `inner`, of parameters by the same names, requires.
     pub fn require_as(&self, inner: &Module) {
         for c in &inner.checks {
-            let known = self.st.borrow().m.checks.iter().any(|k| k.lhs == c.lhs && k.rhs == c.rhs);
-            if !known {
-                self.require(&c.lhs, &c.rhs);
-            }
+            self.require(&c.lhs, &c.rhs);
         }
     }
     /// Declares what a throughput of other than one result per clock is.

@@ -44,7 +44,9 @@ impl Known {
                 m.data_outputs().map(|(o, _)| (o, inputs.clone())).collect()
             }
             // All others have a register between.
-            Body::Prim(Prim::Memory | Prim::Queue | Prim::Banks | Prim::DelayLine | Prim::RecipTable) => Through::new(),
+            Body::Prim(Prim::Memory | Prim::FifoMem | Prim::Banks | Prim::DelayLine | Prim::RecipTable) => {
+                Through::new()
+            }
             Body::Graph => {
                 let reads = reads(m, self);
                 m.outputs.iter().map(|(port, v)| (*port, inputs_before(m, &reads, *v))).collect()

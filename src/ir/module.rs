@@ -244,7 +244,7 @@ pub enum Prim {
     /// Single read, single write memory with registered read.
     Memory,
     /// The same with few words, which change while rays are inside.
-    Queue,
+    FifoMem,
     /// The same in banks, each with a second register.
     Banks,
     /// `in_data` \[W\] to `out_data` \[W\] CLOCKS clocks later, held while the clock enable is 0.

@@ -1,5 +1,6 @@
 //! Names of a module's nets: base name and stage, the same in Verilog, waveforms and reports.
 use super::module::{Module, NodeId, Op};
+use std::collections::BTreeMap;
 
 /// Printed names of a module's nodes.
 pub struct Names<'m> {
@@ -9,6 +10,8 @@ pub struct Names<'m> {
     pub staged: bool,
     /// Stage under which each node is printed.
     pub stage: Vec<u32>,
+    /// Of each instance output without a name that drives a wire: the wire, whose net it drives itself.
+    drives: BTreeMap<NodeId, NodeId>,
 }
 
 impl<'m> Names<'m> {
@@ -25,12 +28,21 @@ impl<'m> Names<'m> {
             }));
         }
         let staged = m.nodes.iter().any(|n| n.stage.is_some_and(|s| s > 0));
-        Self { m, staged, stage }
+        let wires = m.nodes.iter().enumerate().filter(|(_, n)| n.op == Op::Wire);
+        let direct = wires.filter_map(|(w, n)| n.args.first().map(|d| (*d, NodeId(w as u32))));
+        let unnamed = |d: NodeId| matches!(m.node(d).op, Op::InstOut(..)) && m.node(d).name.is_none();
+        let drives = direct.filter(|(d, _)| unnamed(*d)).collect();
+        Self { m, staged, stage, drives }
+    }
+
+    /// Whether an instance output drives the net of a wire, which is declared before it.
+    pub fn drives_wire(&self, id: NodeId) -> bool {
+        self.drives.contains_key(&id)
     }
 
     /// The net that carries a node, if it has one.
     pub fn net(&self, id: NodeId) -> Option<String> {
-        let n = self.m.node(id);
+        let n = self.m.node(self.drives.get(&id).copied().unwrap_or(id));
         match (&n.op, &n.name) {
             (Op::Input(p), _) => Some(self.m.ports[*p].name.clone()),
             (op, _) if op.is_const() => None,

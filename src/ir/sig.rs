@@ -39,7 +39,7 @@ impl<'b> Sig<'b> {
         Sig { b: self.b, id }
     }
     /// The value behind a handshake: it starts a new count of stages.
-    pub fn restage(self, stage: u32) -> Self {
+    pub fn rebase_stage(self, stage: u32) -> Self {
         self.b.st.borrow_mut().m.nodes[self.id.0 as usize].stage = Some(stage);
         self
     }
@@ -50,7 +50,7 @@ impl<'b> Sig<'b> {
     }
     /// Register behind the value: it is used one stage later.
     #[track_caller]
-    pub fn cut(self) -> Self {
+    pub fn reg(self) -> Self {
         match self.stage() {
             Some(s) => self.at(s + 1),
             None => self,

@@ -145,7 +145,7 @@ mod tests {
     #[test]
     fn patterns_name_what_they_say() {
         for (pattern, name) in
-            [("a", "a"), ("a[3]", "a[3]"), ("s*_ups[5..15]", "s18_ups[5]"), ("*_x[0]", "s0_back_x[0]")]
+            [("a", "a"), ("a[3]", "a[3]"), ("s*_ups[5..15]", "s18_ups[5]"), ("*_x[0]", "s0_loop_x[0]")]
         {
             assert!(matches(pattern, name), "{pattern} {name}");
         }

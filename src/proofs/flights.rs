@@ -1,20 +1,12 @@
 //! Where rays are inside of `traverse`, for the proofs that count them.
-use crate::units::traversal::Traverse;
+use crate::units::traversal::{Decoupling, Traverse};
 use std::fmt::Write;
 
-/// What stands in the way of ready (`latency.handshake`).
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Between {
-    Nothing,
-    Skids,
-    Queues,
-}
-
-/// The places of `traverse` that hold a ray, and how the script ties the harness to them.
+/// The registers of `traverse` that hold a ray, and how the script ties the harness to them.
 pub(super) struct Flights {
-    between: Between,
-    /// The choice of the ray that leaves has a register.
-    decided: bool,
+    decoupling: Decoupling,
+    /// The decision which ray retires is registered.
+    registered: bool,
     last: u32,
     /// Nets of valid bits and tags: setup, loop, hit.
     parts: [Vec<(String, String)>; 3],
@@ -23,47 +15,42 @@ pub(super) struct Flights {
 impl Flights {
     pub(super) fn of(t: &Traverse, handshake: u32) -> Self {
         let slot = |k: u32| match k {
-            0 => ("s0_back_valid".into(), "s0_back_tag".into()),
+            0 => ("s0_loop_valid_q".into(), "s0_loop_tag_q".into()),
             _ => (format!("s{k}_valid"), format!("s{k}_tag")),
         };
         let mut setup: Vec<_> =
             (1..=t.setup).map(|k| (format!("u_setup_delay.s{k}_valid"), format!("u_setup_delay.s{k}_data"))).collect();
         let mut hit: Vec<_> =
             (1..=t.finish).map(|k| (format!("u_hit_valid.s{k}_valid"), format!("u_hit_tag.s{k}_data"))).collect();
-        let between = match handshake {
-            0 => Between::Nothing,
-            1 | 2 => Between::Skids,
-            _ => Between::Queues,
-        };
-        if between == Between::Skids {
-            for (list, unit) in [(&mut setup, "u_setup_skid"), (&mut hit, "u_hit_skid")] {
-                // Their words are looked after by the proof of stream_skid.
+        let decoupling = Decoupling::of(handshake);
+        if decoupling == Decoupling::SpillRegister {
+            for (list, unit) in [(&mut setup, "u_setup_spill"), (&mut hit, "u_hit_spill")] {
+                // Their data are covered by the proof of spill_register.
                 list.extend(["first", "second"].map(|k| (format!("{unit}.{k}_valid"), String::new())));
             }
         }
         Self {
-            between,
-            decided: handshake > 1,
+            decoupling,
+            registered: Decoupling::retire_is_registered(handshake),
             last: t.slots - 1,
             parts: [setup, (0..t.slots).map(slot).collect(), hit],
         }
     }
 
-    /// Rays are counted whatever their tags: where something stands in the way of ready, that thing's own proof says that words stay with
-    /// their rays.
+    /// Rays are counted whatever their tags: that words stay with their rays is the claim of the elastic boundary's own proof.
     pub(super) fn counts(&self) -> bool {
-        self.between != Between::Nothing
+        self.decoupling != Decoupling::Combinational
     }
 
     /// Words of the template.
     pub(super) fn value(&self) -> minijinja::Value {
         let [setup, slots, hit] = [0, 1, 2].map(|k| self.parts[k].len());
-        // In the order in which rays pass; the loop's first register comes after its last. The places of skids are no part of a row.
-        let skid = if self.between == Between::Skids { 2 } else { 0 };
+        // In pipeline order; the loop's first register comes after its last. The slots of spill registers are no part of a row.
+        let spill = if self.decoupling == Decoupling::SpillRegister { 2 } else { 0 };
         let rows: [Vec<usize>; 3] =
-            [(0..setup - skid).collect(), (1..slots).chain([0]).collect(), (0..hit - skid).collect()];
+            [(0..setup - spill).collect(), (1..slots).chain([0]).collect(), (0..hit - spill).collect()];
         minijinja::context! {
-            queues => self.between == Between::Queues, decided => self.decided,
+            credits => self.decoupling == Decoupling::CreditFifo, registered => self.registered,
             rows => rows, parts => [("setup", setup), ("loop", slots), ("hit", hit)],
         }
     }
@@ -74,7 +61,7 @@ impl Flights {
 
     /// When a ray is done is left open, so what is proved holds whatever the datapath computes.
     pub(super) fn script(&self) -> String {
-        let free = if self.decided { format!("s{}_ends", self.last) } else { "s0_back_done".into() };
+        let free = if self.registered { format!("s{}_is_done", self.last) } else { "s0_loop_done_q".into() };
         let mut s = format!("cutpoint w:dut.{free}\n");
         let mut tie = |to: String, from: &str| {
             writeln!(s, "connect -nounset -set {to} \\dut.{from}").expect("writing to a string");
@@ -90,13 +77,15 @@ impl Flights {
             for (part, name) in self.parts.iter().zip(["setup", "loop", "hit"]) {
                 part.iter().enumerate().for_each(|(k, (valid, _))| tie(format!("{name}_{k}"), valid));
             }
-            tie("leaves".into(), "s0_leaves");
-            let (unit, registers): (_, &[&str]) = match self.between {
-                Between::Queues => ("queue", &["taken", "held", "has_room", "has_set_out", "has_gone", "is_offered"]),
-                _ => ("skid", &["is_ready", "some_valid", "awake", "writes_second", "reads_second"]),
+            tie("retire".into(), "s0_retire");
+            let (unit, registers): (_, &[&str]) = match self.decoupling {
+                Decoupling::CreditFifo => {
+                    ("fifo", &["reserved", "occupancy", "credit_q", "issued", "popped", "valid_q"])
+                }
+                _ => ("spill", &["ready_q", "valid_q", "out_of_reset", "wr_sel_q", "rd_sel_q"]),
             };
-            for door in ["setup", "hit"] {
-                registers.iter().for_each(|r| tie(format!("{door}_{r}"), &format!("u_{door}_{unit}.{r}")));
+            for at in ["setup", "hit"] {
+                registers.iter().for_each(|r| tie(format!("{at}_{r}"), &format!("u_{at}_{unit}.{r}")));
             }
         }
         s

@@ -115,7 +115,7 @@ fn rings() -> String {
         for k in 0..n - 1 {
             writeln!(s, "connect -nounset -set ring_{n}_{k} \\dut_{n}.ring[{k}]").expect("writing to a string");
         }
-        writeln!(s, "connect -nounset -set place_{n} \\dut_{n}.place").expect("writing to a string");
+        writeln!(s, "connect -nounset -set index_{n} \\dut_{n}.index").expect("writing to a string");
     }
     s
 }

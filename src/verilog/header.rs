@@ -141,7 +141,7 @@ impl Printer<'_> {
         if self.m.checks.is_empty() && terms.is_empty() {
             return;
         }
-        self.out += "\n  // Illegal parameters end elaboration here: the missing module's name says what must hold.\n  generate\n";
+        self.out += "\n  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.\n  generate\n";
         for (i, c) in self.m.checks.iter().enumerate() {
             let word = |s: String| {
                 let t: String = s.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
@@ -151,10 +151,25 @@ impl Printer<'_> {
                 let text = e.to_string().replace("(1 << ", "(2 to the ");
                 word(text.replace(" + ", " plus ").replace(" - ", " minus "))
             };
-            let name = format!("must_hold_{}_at_most_{}", sum(&c.lhs), sum(&c.rhs));
-            self.out += &wrap(&format!("    if ({} > {}) begin : gen_illegal_{i}", c.lhs, c.rhs));
-            self.out += &wrap(&format!("      {name} u_illegal ();"));
-            self.out += "    end\n";
+            let name = match c.lhs.as_const() {
+                Some(_) => format!("{}_must_be_at_least_{}", sum(&c.rhs), sum(&c.lhs)),
+                None => format!("{}_must_be_at_most_{}", sum(&c.lhs), sum(&c.rhs)),
+            };
+            // An identifier starts with a letter.
+            let name = if name.starts_with(|d: char| d.is_ascii_digit()) { format!("sum_{name}") } else { name };
+            let condition = match c.lhs.as_const() {
+                Some(_) => format!("{} < {}", c.rhs, c.lhs),
+                None => format!("{} > {}", c.lhs, c.rhs),
+            };
+            let head = format!("    if ({condition}) begin : gen_illegal_{i}");
+            let whole = format!("{head} {name} u_illegal (); end");
+            if whole.len() <= COLUMNS {
+                self.out += &format!("{whole}\n");
+            } else {
+                self.out += &wrap(&head);
+                self.out += &wrap(&format!("      {name} u_illegal ();"));
+                self.out += "    end\n";
+            }
         }
         // One after the other: some tools name only the last of several that are missing.
         for (i, t) in terms.iter().enumerate() {

@@ -11,7 +11,7 @@ pub fn body(p: Prim) -> Cow<'static, str> {
         Prim::DivRows => DIV_ROWS,
         Prim::SqrtRows => SQRT_ROWS,
         Prim::Memory => return Cow::Owned(format!("{MEMORY}{PRELOAD}")),
-        Prim::Queue => MEMORY,
+        Prim::FifoMem => MEMORY,
         Prim::Banks => BANKS,
         Prim::DelayLine => DELAY_LINE,
         Prim::RecipTable => return Cow::Owned(constants()),
@@ -43,34 +43,34 @@ fn constants() -> String {
 }
 
 const LZC: &str = r#"
-  // Ones below the last bit: the count of an all-zero word comes out as W by itself.
+  // Padded with ones below the last bit, so that the count of an all-zero word is W.
   localparam integer PadW = 1 << CountW;
   wire [PadW-1:0] padded = {bits, {(PadW - W){1'b1}}};
 
-  // Level s joins neighbours to groups of 2 << s bits, and knows of each whether it is all zeros
-  // and else how many lead: the upper half's count, or 2^s and the lower half's. The topmost bits
-  // of the count are ready first.
+  // Binary tree. Level s covers groups of 2 << s bits: whether a group is all zeros, and else its
+  // leading-zero count, which is that of the upper half, or 2^s plus that of the lower half. The
+  // most significant bits of the count have the shortest path.
   genvar s, g;
   generate
     for (s = 0; s < CountW; s = s + 1) begin : gen_level
       localparam integer Groups = PadW >> (s + 1);
       wire [Groups-1:0]         empty;
-      wire [Groups*(s+1)-1:0]   lead;
+      wire [Groups*(s+1)-1:0]   lzc;
       for (g = 0; g < Groups; g = g + 1) begin : gen_group
         if (s == 0) begin : gen_first
           assign empty[g] = ~(padded[2*g+1] | padded[2*g]);
-          assign lead[g]  = ~padded[2*g+1];
+          assign lzc[g]   = ~padded[2*g+1];
         end else begin : gen_later
           wire         upper_empty = gen_level[s-1].empty[2*g+1];
-          wire [s-1:0] upper_lead = gen_level[s-1].lead[(2*g+1)*s+:s];
-          wire [s-1:0] lower_lead = gen_level[s-1].lead[2*g*s+:s];
+          wire [s-1:0] upper_lzc = gen_level[s-1].lzc[(2*g+1)*s+:s];
+          wire [s-1:0] lower_lzc = gen_level[s-1].lzc[2*g*s+:s];
           assign empty[g]             = upper_empty & gen_level[s-1].empty[2*g];
-          assign lead[g*(s+1)+:(s+1)] = {upper_empty, upper_empty ? lower_lead : upper_lead};
+          assign lzc[g*(s+1)+:(s+1)] = {upper_empty, upper_empty ? lower_lzc : upper_lzc};
         end
       end
     end
   endgenerate
-  assign count = gen_level[CountW-1].lead;
+  assign count = gen_level[CountW-1].lzc;
 
   // verilator lint_off UNUSED
   wire unused_last = &{1'b0, gen_level[CountW-1].empty};
@@ -88,7 +88,7 @@ const INTERLEAVE: &str = r#"
 "#;
 
 const DIV_ROWS: &str = r#"
-  // Each row: subtract if it fits, digit 1 if it did, and double what is left.
+  // Restoring division, one quotient bit per row: subtract if the divisor fits, then shift left.
   genvar r;
   generate
     for (r = 0; r < ROWS; r = r + 1) begin : gen_row
@@ -111,8 +111,8 @@ const DIV_ROWS: &str = r#"
 "#;
 
 const SQRT_ROWS: &str = r#"
-  // Each row: double what is left, subtract twice the root and the digit's place if that fits,
-  // and then set the digit.
+  // Restoring square root, one root bit per row: shift left, subtract 2 * root + 2^i if it fits,
+  // and then set the bit.
   genvar r;
   generate
     for (r = 0; r < ROWS; r = r + 1) begin : gen_row
@@ -142,7 +142,7 @@ const SQRT_ROWS: &str = r#"
 "#;
 
 const MEMORY: &str = r#"
-  // Nobody needs the word that is being written, so no logic remembers it.
+  // Reading the address that is being written is don't-care: no bypass logic.
   (* no_rw_check *)
   reg [DATA_W-1:0] mem [0:DEPTH-1];
   reg [DATA_W-1:0] read_q;
@@ -165,25 +165,25 @@ const PRELOAD: &str = r#"
 
 const DELAY_LINE: &str = r#"
   localparam integer Words = CLOCKS - 1;
-  localparam integer PlaceW = Words > 8 ? 4 : Words > 4 ? 3 : Words > 2 ? 2 : 1;
+  localparam integer IndexW = Words > 8 ? 4 : (Words > 4 ? 3 : (Words > 2 ? 2 : 1));
   localparam integer Last = Words - 1;
 
-  // What is read at a place was written there a round before. From beyond the last place, too, the
-  // next one is the first: the ring comes right wherever it starts.
+  // Circular buffer with read before write: a word is read one round after it was written. An index
+  // beyond the last one wraps to 0, so any initial value is legal.
   reg [W-1:0]      ring [0:Words-1];
   reg [W-1:0]      out_q;
-  reg [PlaceW-1:0] place;
+  reg [IndexW-1:0] index;
 
-  wire              is_last = place >= Last[PlaceW-1:0];
-  wire [PlaceW-1:0] next    = is_last ? {PlaceW{1'b0}} : place + {{(PlaceW - 1) {1'b0}}, 1'b1};
+  wire              is_last = index >= Last[IndexW-1:0];
+  wire [IndexW-1:0] next    = is_last ? {IndexW{1'b0}} : index + {{(IndexW - 1) {1'b0}}, 1'b1};
 
-  initial place = {PlaceW{1'b0}};
+  initial index = {IndexW{1'b0}};
 
   always @(posedge clk) begin
     if (ce) begin
-      ring[place] <= in_data;
-      out_q       <= ring[place];
-      place       <= next;
+      ring[index] <= in_data;
+      out_q       <= ring[index];
+      index       <= next;
     end
   end
 
@@ -197,8 +197,8 @@ const BANKS: &str = r#"
   genvar g;
   generate
     if (MEM_INIT != "") begin : gen_preload
-      // One file fills one array; how it is divided among block memories is for the synthesizer.
-      // Nobody needs the word that is being written, so no logic remembers it.
+      // One file initializes one array; the synthesizer divides it among block memories.
+      // Reading the address that is being written is don't-care: no bypass logic.
       (* no_rw_check *)
       reg [DATA_W-1:0] mem [0:DEPTH-1];
       reg [DATA_W-1:0] read_q;
@@ -211,34 +211,34 @@ const BANKS: &str = r#"
       end
       assign read_data = out_q;
     end else begin : gen_banks
-      // Every bank reads. The bank that was asked for is known beside its word, one bit a bank, so
-      // that the selection behind the registers is one AND-OR.
+      // Every bank is read. The bank select is decoded beside the read, one-hot, so that the output
+      // multiplexer after the registers is one AND-OR.
       for (g = 0; g < BankCount; g = g + 1) begin : gen_bank
         localparam integer Index = g;
-        // Nobody needs the word that is being written, so no logic remembers it.
+        // Reading the address that is being written is don't-care: no bypass logic.
         (* no_rw_check *)
         reg  [DATA_W-1:0] mem [0:(1<<WordW)-1];
         reg  [DATA_W-1:0] read_q;
         reg  [DATA_W-1:0] out_q;
-        reg               asked_q;
-        reg               asked_out_q;
-        wire [DATA_W-1:0] below;
-        wire [DATA_W-1:0] so_far = below | ({DATA_W{asked_out_q}} & out_q);
+        reg               select_q;
+        reg               select_out_q;
+        wire [DATA_W-1:0] lower;
+        wire [DATA_W-1:0] merged = lower | ({DATA_W{select_out_q}} & out_q);
         wire              written = write_addr[ADDR_W-1:WordW] == Index[ADDR_W-1-WordW:0];
         always @(posedge clk) begin
           if (write_en && written) mem[write_addr[WordW-1:0]] <= write_data;
           read_q      <= mem[read_addr[WordW-1:0]];
           out_q       <= read_q;
-          asked_q     <= read_addr[ADDR_W-1:WordW] == Index[ADDR_W-1-WordW:0];
-          asked_out_q <= asked_q;
+          select_q     <= read_addr[ADDR_W-1:WordW] == Index[ADDR_W-1-WordW:0];
+          select_out_q <= select_q;
         end
         if (g == 0) begin : gen_first
-          assign below = {DATA_W{1'b0}};
+          assign lower = {DATA_W{1'b0}};
         end else begin : gen_later
-          assign below = gen_bank[g-1].so_far;
+          assign lower = gen_bank[g-1].merged;
         end
         if (g == BankCount - 1) begin : gen_last
-          assign read_data = so_far;
+          assign read_data = merged;
         end
       end
     end

@@ -110,7 +110,9 @@ impl Printer<'_> {
         self.loop_registers();
         self.sinks();
         self.out += "\n";
-        for (net, _, driver) in self.wires() {
+        let mut wires = self.wires();
+        wires.retain(|w| !self.names.drives_wire(w.2));
+        for (net, _, driver) in wires {
             let (e, _) = self.names.operand(driver);
             self.line(&format!("  assign {net} = {e};"));
         }
@@ -293,7 +295,9 @@ impl Printer<'_> {
                     .net(NodeId(i as u32))
                     .unwrap_or_else(|| panic!("{}: output of {} needs a name", m.name, inst.name));
                 let r = self.range(&n.width);
-                self.line(&format!("  wire {r}{}{net};", if r.is_empty() { "" } else { " " }));
+                if !self.names.drives_wire(NodeId(i as u32)) {
+                    self.line(&format!("  wire {r}{}{net};", if r.is_empty() { "" } else { " " }));
+                }
                 pins.push((port, net));
             }
         }

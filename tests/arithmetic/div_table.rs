@@ -245,5 +245,5 @@ fn what_it_can_not_have_is_refused() {
     let (_, m) = divider(4);
     assert_eq!(m.failed_checks(&at(7, 16)), Vec::<String>::new());
     assert_eq!(m.failed_checks(&at(7, 17)), ["fp_div: MAN_W <= 16 does not hold (17 > 16)"]);
-    assert!(print_module(&m, &Style::default()).contains("must_hold_MAN_W_at_most_16 u_illegal ();"));
+    assert!(print_module(&m, &Style::default()).contains("MAN_W_must_be_at_most_16 u_illegal ();"));
 }

@@ -72,8 +72,8 @@ const CUTS: &[Cut] = &[
     }),
     ("reset of the loop's valid bit", |dir, _| {
         let text = std::fs::read_to_string(dir.join("rtl/relief_traverse.v")).unwrap();
-        let goes_on = text.lines().find(|l| l.contains("s0_back_valid ") && l.contains("<= s")).unwrap();
-        let cleared = text.lines().find(|l| l.contains("s0_back_valid ") && l.contains("<= 1'b0;")).unwrap();
+        let goes_on = text.lines().find(|l| l.contains("s0_loop_valid_q ") && l.contains("<= s")).unwrap();
+        let cleared = text.lines().find(|l| l.contains("s0_loop_valid_q ") && l.contains("<= 1'b0;")).unwrap();
         edit(dir, "rtl/relief_traverse.v", cleared, cleared, goes_on);
     }),
     ("reset of the first stage of setup", |dir, _| keep_at_reset(dir, "rtl/relief_setup_delay.v", "s1_valid <= 1'b0;")),

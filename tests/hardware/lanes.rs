@@ -93,7 +93,7 @@ fn registers_in_rings() {
     let out = b.output("out", 24, "bits", "all three");
     let [x, y, z] = ["x", "y", "z"].map(|n| b.loop_reg(n, 8, false));
     let own = b.loop_reg("own", 1, true);
-    let next = load.mux(data, z).restage(0).named("next");
+    let next = load.mux(data, z).rebase_stage(0).named("next");
     b.drive(out, b.cat(&[x, y, z]), None);
     b.unused(own);
     b.close(&[(x, next), (y, x), (z, y), (own, own)]);

@@ -17,7 +17,7 @@ fn good() -> Module {
     b.clock_enable();
     let (x, y) = (b.input("x", 4, "bits", "x"), b.input("y", 4, "bits", "y"));
     let o = b.output("o", 4, "bits", "o");
-    b.drive(o, (x & y).named("both").cut(), None);
+    b.drive(o, (x & y).named("both").reg(), None);
     Arc::unwrap_or_clone(b.finish(Some(1), &[]))
 }
 
@@ -84,7 +84,7 @@ fn leaf() -> Arc<Module> {
     let a = b.input("a", 1, "bit", "a");
     let (through, held) = (b.output("through", 1, "bit", "as it is"), b.output("held", 1, "bit", "a clock later"));
     b.drive(through, !a, None);
-    b.drive(held, (!a).named("not_a").cut(), None);
+    b.drive(held, (!a).named("not_a").reg(), None);
     b.finish(None, &[])
 }
 
@@ -149,8 +149,8 @@ fn the_builder_refuses_what_has_no_meaning() {
         ("ult of 4 and 3 bits: operands have the same width", |b| _ = x(b).lt(narrow(b))),
         ("mux of 4 and 3 bits: operands have the same width", |b| _ = b.lit(1, 1).mux(x(b), narrow(b))),
         ("slice up to bit 5 of 4 bits", |b| _ = x(b).slice(2, 3)),
-        ("a value of stage 1 is asked for in stage 0", |b| _ = x(b).cut().at(0)),
-        ("a and without a name crosses a stage: name it", |b| _ = (x(b) & x(b)).cut()),
+        ("a value of stage 1 is asked for in stage 0", |b| _ = x(b).reg().at(0)),
+        ("a and without a name crosses a stage: name it", |b| _ = (x(b) & x(b)).reg()),
         ("a decision has one bit", |b| _ = x(b).decided(false)),
         ("m: output o has 3 bits, its driver 4", |b| b.drive(b.output("o", 3, "bits", ""), x(b), None)),
         ("u_leaf: input a is not driven", |b| inst(b, &[])),

@@ -3,7 +3,7 @@ use super::one_op::{KINDS, one_op, shapes, word};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use reliefrtl::config::Design;
-use reliefrtl::golden::{Golden, Pyramid, RayInput};
+use reliefrtl::golden::{Pyramid, RayInput, Watertight};
 use reliefrtl::interp::{Kind, Lanes, Tracked, Wave, elaborate, eval};
 use reliefrtl::ir::Binding;
 use reliefrtl::trace::{Pipeline, Window, record, record_mismatch, record_ray};
@@ -128,7 +128,7 @@ fn traverse_from_power_up_is_defined_and_right() {
     let mut d = Design::default();
     d.traverse.levels = 5;
     let (pyramid, rays) = scene(&d, 9);
-    let g = Golden::new(&d).unwrap();
+    let g = Watertight::new(&d).unwrap();
     for (k, r) in rays.iter().enumerate() {
         let (hit, _) = record(&d, &pyramid, r).unwrap_or_else(|e| panic!("ray {k}: {e}"));
         assert_eq!(hit, g.trace(&pyramid, r), "ray {k}");
@@ -198,7 +198,7 @@ fn windows_hold_what_was_asked_for() {
     let (pyramid, rays) = scene(&d, 2);
     let (_, all) = record(&d, &pyramid, &rays[1]).unwrap();
     let p = Pipeline::new(&d, &Binding::new()).unwrap();
-    let names = ["s0_back_level", "s0_back_x", "out_valid", "in_ready"];
+    let names = ["s0_loop_level_q", "s0_loop_x_q", "out_valid", "in_ready"];
     for (at, before, after, first, clocks) in [(20, 6, 4, 15, 10), (2, 9, 0, 0, 3), (30, 1, 1, 30, 2)] {
         let wave = Wave::of(&p.net, |n| names.contains(&n));
         assert_eq!(wave.names().count(), names.len());
@@ -222,7 +222,7 @@ fn windows_hold_what_was_asked_for() {
                 }
             }
         }
-        assert_eq!(wave.get("s0_back_level", first + clocks as u64), None);
+        assert_eq!(wave.get("s0_loop_level_q", first + clocks as u64), None);
     }
     assert!(record_mismatch(&d, &pyramid, &rays[1], 5, 5).unwrap().is_none(), "model and pipeline agree");
 }

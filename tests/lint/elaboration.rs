@@ -63,7 +63,7 @@ fn violations(m: &Module) -> Vec<Binding> {
 }
 
 #[test]
-fn illegal_parameters_end_elaboration_with_what_must_hold() {
+fn illegal_parameters_end_elaboration_with_the_rule() {
     let named =
         [("fp_add", "EXP_W", 1), ("traverse", "LEVELS", 13), ("fp_mul", "MAN_W", 29), ("traverse", "HEIGHT_W", 1)];
     let named = named.map(|(m, p, v)| (module(m), binding(&[(p, v)])));
@@ -75,7 +75,7 @@ fn illegal_parameters_end_elaboration_with_what_must_hold() {
         for tool in &TOOLS[..if i < 4 { 3 } else { 1 }] {
             let Some(said) = elaborate(*tool, m, &values) else { return };
             refused += 1;
-            if said.ok || !said.text.contains("must_hold") {
+            if said.ok || !said.text.contains("_must_be_at_") {
                 problems.push(said.problem(&label(m, &values)));
             }
         }

@@ -20,11 +20,11 @@ fn problems_of(text: &str) -> Vec<(usize, String)> {
             say("a trailing blank, a tab or a character outside ASCII");
         }
         for forbidden in ["initial", "function", "task", "casex", "casez", "logic", "inout", "integer'", "#"] {
-            // A delay line has no reset, and a place that nobody knows would stay so in a simulator.
-            let place = code.trim() == "initial place = {PlaceW{1'b0}};";
+            // A delay line has no reset: in a simulator an unknown index would stay unknown.
+            let index = code.trim() == "initial index = {IndexW{1'b0}};";
             // Words of a memory at power-up, where a parameter names their file.
             let words_of_file = code.trim() == "initial $readmemh(MEM_INIT, mem);";
-            if words.contains(&forbidden) && !place && !words_of_file {
+            if words.contains(&forbidden) && !index && !words_of_file {
                 say("a word that is not used");
             }
         }

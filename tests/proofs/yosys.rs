@@ -72,14 +72,14 @@ fn plain() -> Vec<String> {
 
 /// A change of one token in an emitted module.
 const SPOILED: [(&str, &str, &str, &str); 9] = [
-    ("lzc", "lzc", "upper_empty ? lower_lead", "!upper_empty ? lower_lead"),
+    ("lzc", "lzc", "upper_empty ? lower_lzc", "!upper_empty ? lower_lzc"),
     ("start_level", "start_level", "(x ^ x_end) | (y", "(x ^ x_end) & (y"),
     ("node_planes", "node_planes", "x | ~keep", "x ^ ~keep"),
-    ("multi_level_down", "progress", "behind ? x_high", "behind ? x_hit"),
+    ("multi_level_down", "progress", "is_above ? x_high", "is_above ? x_hit"),
     ("level_decision", "level_decision", "x_first ? y_at : y_beyond", "x_first ? y_beyond : y_at"),
     ("fp_lt", "fp_lt", "s0_left < s0_right", "s0_left <= s0_right"),
     ("fp_mul", "fp_mul", "s0_a_is_zero | s0_b_is_zero", "s0_a_is_zero & s0_b_is_zero"),
-    ("traverse", "traverse", "s0_back_valid & ~s0_leaves", "s0_back_valid"),
+    ("traverse", "traverse", "s0_loop_valid_q & ~s0_retire", "s0_loop_valid_q"),
     ("setup_delay", "traverse", "s3_data <= s2_data", "s3_data <= s1_data"),
 ];
 
@@ -107,22 +107,22 @@ fn a_spoiled_unit_is_disproved() {
 #[test]
 fn handshakes_are_proved() {
     let dir = tempfile::tempdir().unwrap();
-    ok(dir.path(), &[&["prove", "--unit", "stream_queue", "--profile", "fast"], &SMALL[..]].concat());
+    ok(dir.path(), &[&["prove", "--unit", "credit_fifo", "--profile", "fast"], &SMALL[..]].concat());
     let short = ["--set", "latency.handshake=3", "--set", "latency.delay_line=3", "--set", "latency.div=8"];
     ok(dir.path(), &[&["prove", "--unit", "delay_line"], &short[..], &SMALL].concat());
 }
 
 /// Design, unit, proof, and a change of one token.
 const SPOILED_HANDSHAKES: [(&str, &str, &str, &str, &str); 9] = [
-    ("1", "stream_skid", "stream_skid", "fills_second | (", "fills_second & ("),
-    ("1", "word_skid", "stream_skid", "turn ? second : first", "turn ? first : second"),
-    ("1", "traverse", "traverse", "(s0_back_valid & ~s0_leaves) |", "s0_back_valid |"),
-    ("2", "traverse", "traverse", "& hit_room & ~hit_valid", "& hit_room"),
-    ("3", "traverse", "traverse", "& hit_room & ~leaving_now", "& hit_room"),
-    ("3", "traverse", "traverse", "in_valid & setup_room", "in_valid"),
-    ("3", "stream_queue", "stream_queue", "(&taken[3:1])", "(&taken[3:0])"),
-    ("3", "stream_queue", "stream_queue", "~(goes | has_gone)", "~goes"),
-    ("3", "delay_line", "delay_line", "place >= Last", "place > Last"),
+    ("1", "spill_register", "spill_register", "push_second | (", "push_second & ("),
+    ("1", "spill_data", "spill_register", "rd_sel ? second : first", "rd_sel ? first : second"),
+    ("1", "traverse", "traverse", "(s0_loop_valid_q & ~s0_retire) |", "s0_loop_valid_q |"),
+    ("2", "traverse", "traverse", "& hit_ready & ~hit_valid", "& hit_ready"),
+    ("3", "traverse", "traverse", "& hit_ready & ~retire_now", "& hit_ready"),
+    ("3", "traverse", "traverse", "in_valid & setup_ready", "in_valid"),
+    ("3", "credit_fifo", "credit_fifo", "(&reserved[3:1])", "(&reserved[3:0])"),
+    ("3", "credit_fifo", "credit_fifo", "~(pop | popped)", "~pop"),
+    ("3", "delay_line", "delay_line", "index >= Last", "index > Last"),
 ];
 
 #[test]

@@ -5,7 +5,7 @@ use crate::proofs::{BIT_LEVEL, Extra, PROOF, Proof, Reach};
 
 /// The entries.
 pub const UNITS: &[&Unit] =
-    &[&DELAY_LINE, &STREAM_SKID, &WORD_SKID, &STREAM_QUEUE, &WORD_QUEUE, &HEIGHT_MEMORY, &HEIGHT_BANKS, &TRAVERSE];
+    &[&DELAY_LINE, &SPILL_REGISTER, &SPILL_DATA, &CREDIT_FIFO, &FIFO_MEM, &HEIGHT_MEMORY, &HEIGHT_BANKS, &TRAVERSE];
 
 static DELAY_LINE: Unit = Unit {
     name: "delay_line",
@@ -24,21 +24,21 @@ static DELAY_LINE: Unit = Unit {
     ..UNIT
 };
 
-static STREAM_SKID: Unit = Unit {
-    name: "stream_skid",
+static SPILL_REGISTER: Unit = Unit {
+    name: "spill_register",
     proofs: &[Proof {
-        name: "stream_skid",
-        units: &["stream_skid", WORD_SKID.name],
-        claim: "words leave in the order in which they come, none lost and none twice, and an offered one stays, by induction",
-        text: harness!("stream_skid"),
+        name: "spill_register",
+        units: &["spill_register", SPILL_DATA.name],
+        claim: "first in, first out, no word lost or duplicated, and a valid output is stable until it transfers, by induction",
+        text: harness!("spill_register"),
         reach: Reach::Induction(10),
         extra: Extra::Registers(&[
             ("first_valid", "dut.first_valid"),
             ("second_valid", "dut.second_valid"),
-            ("some_valid", "dut.some_valid"),
-            ("writes_second", "dut.writes_second"),
-            ("reads_second", "dut.reads_second"),
-            ("awake", "dut.awake"),
+            ("valid_q", "dut.valid_q"),
+            ("wr_sel_q", "dut.wr_sel_q"),
+            ("rd_sel_q", "dut.rd_sel_q"),
+            ("out_of_reset", "dut.out_of_reset"),
             ("first_word", "word.first"),
             ("second_word", "word.second"),
         ]),
@@ -47,30 +47,30 @@ static STREAM_SKID: Unit = Unit {
     ..UNIT
 };
 
-static WORD_SKID: Unit = Unit { name: "word_skid", ..UNIT };
+static SPILL_DATA: Unit = Unit { name: "spill_data", ..UNIT };
 
-static STREAM_QUEUE: Unit = Unit {
-    name: "stream_queue",
+static CREDIT_FIFO: Unit = Unit {
+    name: "credit_fifo",
     proofs: &[Proof {
-        name: "stream_queue",
-        units: &["stream_queue", WORD_QUEUE.name],
-        claim: "places are filled and read in turn, none that is taken is written, and an offered word stays, behind a pipeline of any length, by induction",
-        text: harness!("stream_queue"),
+        name: "credit_fifo",
+        units: &["credit_fifo", FIFO_MEM.name],
+        claim: "first in, first out, no occupied slot is overwritten, and a valid output is stable until it transfers, after a pipeline of any length, by induction",
+        text: harness!("credit_fifo"),
         reach: Reach::Induction(24),
         extra: Extra::Registers(&[
-            ("taken", "dut.taken"),
-            ("held", "dut.held"),
-            ("has_room", "dut.has_room"),
-            ("has_set_out", "dut.has_set_out"),
-            ("has_gone", "dut.has_gone"),
-            ("is_offered", "dut.is_offered"),
+            ("reserved", "dut.reserved"),
+            ("occupancy", "dut.occupancy"),
+            ("credit_q", "dut.credit_q"),
+            ("issued", "dut.issued"),
+            ("popped", "dut.popped"),
+            ("valid_q", "dut.valid_q"),
         ]),
         ..PROOF
     }],
     ..UNIT
 };
 
-static WORD_QUEUE: Unit = Unit { name: "word_queue", ..UNIT };
+static FIFO_MEM: Unit = Unit { name: "fifo_mem", ..UNIT };
 
 static HEIGHT_MEMORY: Unit = Unit { name: "height_memory", ..UNIT };
 
@@ -81,7 +81,7 @@ static TRAVERSE: Unit = Unit {
     proofs: &[Proof {
         name: "traverse",
         units: &["traverse"],
-        claim: "no ray is lost, none comes twice, and an offered result stays, by induction",
+        claim: "no ray is lost or duplicated, and a valid result is stable until it transfers, by induction",
         text: harness!("traverse"),
         extra: Extra::RaysOfTheLoop { counted: harness!("traverse_counted") },
         ..PROOF

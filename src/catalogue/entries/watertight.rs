@@ -6,7 +6,7 @@ use super::some_level;
 use super::traversal::kept_in_node;
 use crate::config::{DatapathKind, Design, TraverseConfig};
 use crate::golden::float as gf;
-use crate::golden::{Golden, RayInput};
+use crate::golden::{RayInput, Watertight};
 use crate::proofs::{BIT_LEVEL, PROOF, Proof};
 
 /// The entries.
@@ -81,7 +81,7 @@ static RAY_SETUP: Unit = Unit {
     model: Some(|c, row, out| {
         // The setup knows nothing of the hit position, whose bits may be too many beside it.
         let traverse = TraverseConfig { frac_bits: 1, ..c.design.traverse };
-        let g = Golden::new(&Design { traverse, ..c.design }).expect("the set's parameters are legal");
+        let g = Watertight::new(&Design { traverse, ..c.design }).expect("the set's parameters are legal");
         let [u, v, du, dv] = ["u", "v", "du", "dv"].map(|p| row[p]);
         let o = g.setup(&RayInput { u, v, du, dv, lod: row.get("lod").unwrap_or(0) as u32 });
         out["ok"] = u64::from(o.valid);

@@ -7,7 +7,7 @@ mod watertight;
 use super::unit::Stimulus;
 use crate::config::{DatapathKind, Design};
 use crate::golden::fixed::Fixed;
-use crate::golden::{Golden, Published};
+use crate::golden::{Published, Watertight};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
@@ -66,7 +66,7 @@ struct AxisSample {
 
 /// Samples rays for a design.
 enum Sampler {
-    Watertight(Golden),
+    Watertight(Watertight),
     Published(Published),
     Fixed(Fixed),
 }
@@ -74,7 +74,7 @@ enum Sampler {
 impl Sampler {
     fn of(d: &Design) -> Option<Self> {
         Some(match d.datapath.kind {
-            DatapathKind::Watertight => Self::Watertight(Golden::new(d).ok()?),
+            DatapathKind::Watertight => Self::Watertight(Watertight::new(d).ok()?),
             DatapathKind::Published => Self::Published(Published::new(d).ok()?),
             DatapathKind::Fixed => Self::Fixed(Fixed::new(d).ok()?),
         })

@@ -19,7 +19,7 @@ pub(super) fn sample(g: &Published, idx: u32, rng: &mut ChaCha8Rng) -> RaySample
     };
     let most = (1u64 << size.height_bits) - 1;
     let height = rng.random_range(0..=most);
-    let t_v = g.top(height as u32);
+    let t_v = g.height_time(height as u32);
     let level = rng.random_range(0..=size.levels);
     // Somewhere on the way; where the node's height is met, or just beside; or where a crossing left the ray.
     let t = match rng.random_range(0..6) {

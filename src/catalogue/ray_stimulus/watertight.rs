@@ -3,13 +3,13 @@ use super::{AxisSample, RaySample};
 use crate::bits::mask;
 use crate::config::Design;
 use crate::golden::float as gf;
-use crate::golden::{Axis, Golden, RayInput};
+use crate::golden::{Axis, RayInput, Watertight};
 use rand::Rng;
 use rand::seq::IndexedRandom;
 use rand_chacha::ChaCha8Rng;
 
 /// A ray that can be traced, somewhere on its way.
-pub(super) fn sample(g: &Golden, idx: u32, rng: &mut ChaCha8Rng) -> RaySample {
+pub(super) fn sample(g: &Watertight, idx: u32, rng: &mut ChaCha8Rng) -> RaySample {
     let (f, size) = (g.design().format, g.design().traverse);
     let (mut ray, setup) = loop {
         let r = any_ray(g.design(), rng);
@@ -48,7 +48,7 @@ pub(super) fn sample(g: &Golden, idx: u32, rng: &mut ChaCha8Rng) -> RaySample {
 }
 
 /// A parameter at which the ray, entering at `p`, meets a border of texels; 0 if it does not move.
-fn border(g: &Golden, a: &Axis, p: u64, rng: &mut ChaCha8Rng) -> u64 {
+fn border(g: &Watertight, a: &Axis, p: u64, rng: &mut ChaCha8Rng) -> u64 {
     let f = g.design().format;
     let (first, last) = (a.x.min(a.xa), a.x.max(a.xa));
     let away = gf::add(f, gf::from_int(f, rng.random_range(first..=last + 1)), gf::neg(f, p));
@@ -62,7 +62,7 @@ fn beside(t: u64, rng: &mut ChaCha8Rng) -> u64 {
     (t + rng.random_range(0..=2)).saturating_sub(1)
 }
 
-fn axis_sample(g: &Golden, a: Axis, level: u32, [t, m]: [u64; 2], idx: u32, rng: &mut ChaCha8Rng) -> AxisSample {
+fn axis_sample(g: &Watertight, a: Axis, level: u32, [t, m]: [u64; 2], idx: u32, rng: &mut ChaCha8Rng) -> AxisSample {
     let f = g.design().format;
     let reach = |p: u64, t: u64| gf::to_int(f, gf::add(f, p, gf::mul(f, a.dt, t)), idx);
     // A ray on a border of texels may stand in either; one further off is clamped.

@@ -1,6 +1,6 @@
 //! What is computed once per ray.
 use super::super::setup::{RayInput, Setup};
-use super::super::walk::{Along, both};
+use super::super::walk::{AxisView, both};
 use super::{Fixed, GUARD, travel};
 
 /// What S may lack, by its four roundings and the factors that are left out.
@@ -29,7 +29,7 @@ pub struct FixedAxis {
     pub le: i64,
 }
 
-impl Along for FixedAxis {
+impl AxisView for FixedAxis {
     fn neg(&self) -> bool {
         self.neg
     }

@@ -2,7 +2,7 @@
 use super::super::pyramid::Pyramid;
 use super::super::record::{Iteration, RayHit};
 use super::super::setup::{RayInput, Setup};
-use super::super::walk::{Planes, walk};
+use super::super::walk::{PlaneArithmetic, walk};
 use super::{FixedAxis, GUARD, illegal, time_fraction};
 use crate::config::Design;
 use crate::error::{Error, Result};
@@ -98,7 +98,7 @@ impl Fixed {
     }
 }
 
-impl Planes for Fixed {
+impl PlaneArithmetic for Fixed {
     type Axis = FixedAxis;
 
     fn design(&self) -> &Design {
@@ -109,26 +109,26 @@ impl Planes for Fixed {
         self.setup(ray)
     }
 
-    fn before(&self, a: u64, b: u64) -> bool {
+    fn lt(&self, a: u64, b: u64) -> bool {
         a < b
     }
 
-    fn top(&self, height: u32) -> u64 {
+    fn height_time(&self, height: u32) -> u64 {
         self.height_time(u64::from(height))
     }
 
-    fn met(&self, axis: &FixedAxis, b: i64) -> u64 {
+    fn plane_time(&self, axis: &FixedAxis, b: i64) -> u64 {
         let plane = i128::from(b) << (self.fraction - self.design.traverse.levels);
         // A ray never comes back to a plane, so the plane lies ahead of the entry point or goes through it.
         let distance = (plane - i128::from(axis.p)).unsigned_abs() as u64;
         self.plane_time(distance, axis.r, axis.z)
     }
 
-    fn behind(&self, axis: &FixedAxis, t: u64) -> i64 {
+    fn texel_lower_bound(&self, axis: &FixedAxis, t: u64) -> i64 {
         self.estimate(axis, t)
     }
 
-    fn reach(&self, axis: &FixedAxis, t: u64) -> i64 {
+    fn texel_upper_bound(&self, axis: &FixedAxis, t: u64) -> i64 {
         self.chord_end(axis, t)
     }
 

@@ -125,7 +125,7 @@ impl Published {
     }
 
     /// Ray parameter where a node of maximum height code `height` is met.
-    pub fn top(&self, height: u32) -> u64 {
+    pub fn height_time(&self, height: u32) -> u64 {
         self.tops[height as usize]
     }
 
@@ -172,9 +172,9 @@ impl Published {
         let (fmt, n, k) = (self.design.format, self.design.traverse.levels, s.level);
         let node = |x: i64| (x.rem_euclid(1 << n) >> k) as u32;
         let height = pyramid.node(k, node(s.x), node(s.y));
-        let t_v = self.top(height);
+        let t_v = self.height_time(height);
         let (x, y) = (self.exit(&route.u, k, s.x), self.exit(&route.v, k, s.y));
-        let m = self.later(s.t, t_v);
+        let m = self.max(s.t, t_v);
         let (hit_x, hit_y) = (self.position(&route.u, m), self.position(&route.v, m));
         let (e_x, e_y) = (self.texel(hit_x), self.texel(hit_y));
         // x goes first on a tie; the position is then behind both planes.
@@ -213,7 +213,7 @@ impl Published {
         it.decision = if x_first { Decision::CrossX } else { Decision::CrossY };
         it.next_x = self.texel(self.position(&route.u, t_e));
         it.next_y = self.texel(self.position(&route.v, t_e));
-        it.next_t = self.later(s.t, t_e);
+        it.next_t = self.max(s.t, t_e);
         let plane = if x_first { x.plane } else { y.plane };
         let c = Crossing { level: k, plane, x: s.x, y: s.y, e_x, e_y, previous: s.prev };
         it.next_level = n.min(k + u32::from(level_up(self.design.mode.level_up, &c)));
@@ -221,7 +221,7 @@ impl Published {
     }
 
     /// The larger of two parameters; the first when they are equal.
-    fn later(&self, a: u64, b: u64) -> u64 {
+    fn max(&self, a: u64, b: u64) -> u64 {
         if float::lt(self.design.format, a, b) { b } else { a }
     }
 

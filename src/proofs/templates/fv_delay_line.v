@@ -1,6 +1,6 @@
 // Proof harness: {{ claim }}.
 //
-// Beside each line stand registers in a row. The newest word is the one before the place that comes next.
+// Reference: a shift register beside each line. The newest word is the one before the next index.
 `default_nettype none
 module {{ prefix }}fv_delay_line (input wire clk);
   (* anyseq *) wire ce;
@@ -16,7 +16,7 @@ module {{ prefix }}fv_delay_line (input wire clk);
 {%- for k in range(n - 1) %}
   (* keep *) wire ring_{{ n }}_{{ k }};
 {%- endfor %}
-  (* keep *) wire [{{ 3 if n > 9 else 2 if n > 5 else 1 if n > 3 else 0 }}:0] place_{{ n }};
+  (* keep *) wire [{{ 3 if n > 9 else 2 if n > 5 else 1 if n > 3 else 0 }}:0] index_{{ n }};
   always @(posedge clk) begin
     if (ce) begin
       registers_{{ n }} <= {registers_{{ n }}, word};
@@ -24,10 +24,10 @@ module {{ prefix }}fv_delay_line (input wire clk);
     end
   end
   always @* begin
-    assert (place_{{ n }} <= {{ n - 2 }});
+    assert (index_{{ n }} <= {{ n - 2 }});
     assert (filled_{{ n }} <= {{ n }});
 {%- for p in range(n - 1) %}
-    if (place_{{ n }} == {{ p }}) begin
+    if (index_{{ n }} == {{ p }}) begin
 {%- for k in range(n - 1) %}
       if (filled_{{ n }} > {{ k }}) assert (ring_{{ n }}_{{ (p + n - 2 - k) % (n - 1) }} == registers_{{ n }}[{{ k }}]);
 {%- endfor %}

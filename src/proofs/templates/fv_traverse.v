@@ -1,6 +1,6 @@
 // Proof harness: {{ claim }}.
 //
-// The rays inside that carry one tag, any tag, are counted at both doors and in the pipeline itself. When a ray is done is left open.
+// The rays inside that carry one tag, any tag, are counted at input and output and in the pipeline itself. Which iteration finishes a ray is left open.
 `default_nettype none
 module {{ prefix }}fv_traverse (input wire clk);
   localparam integer N = {{ slots }};
@@ -16,7 +16,7 @@ module {{ prefix }}fv_traverse (input wire clk);
     .out_valid(out_valid), .out_ready(out_ready), .out_tag(out_tag)
   );
 
-  // The script connects these to the places that hold a ray.
+  // The script connects these to the registers that hold a ray.
 {%- for k in range(slots) %}
   (* keep *) wire holds_{{ k }};
   (* keep *) wire [TAG_W-1:0] tag_{{ k }};

@@ -1,7 +1,7 @@
 // Proof harness: {{ claim }}.
 //
-// Rays are counted at both doors and inside. That each keeps its words is what the proofs of what stands between the pipelines say, and that
-// words are delayed as their valid bits are. When a ray is done is left open.
+// Rays are counted at input, output and inside. That each keeps its words is the claim of the elastic boundaries' own proofs, together with
+// data and valid bits having the same delay. Which iteration finishes a ray is left open.
 `default_nettype none
 module {{ prefix }}fv_traverse (input wire clk);
   (* anyseq *) wire rst;
@@ -18,23 +18,23 @@ module {{ prefix }}fv_traverse (input wire clk);
   (* keep *) wire {{ name }}_{{ k }};
 {%- endfor %}
 {%- endfor %}
-  (* keep *) wire leaves;
-{%- for door in ["setup", "hit"] %}
-{%- if flights.queues %}
-  (* keep *) wire [4:0] {{ door }}_taken, {{ door }}_held;
-  (* keep *) wire {{ door }}_has_room, {{ door }}_has_set_out, {{ door }}_has_gone, {{ door }}_is_offered;
-  wire [7:0] {{ door }}_waits = {3'd0, {{ door }}_held} - {7'd0, {{ door }}_has_gone};
+  (* keep *) wire retire;
+{%- for at in ["setup", "hit"] %}
+{%- if flights.credits %}
+  (* keep *) wire [4:0] {{ at }}_reserved, {{ at }}_occupancy;
+  (* keep *) wire {{ at }}_credit_q, {{ at }}_issued, {{ at }}_popped, {{ at }}_valid_q;
+  wire [7:0] {{ at }}_waiting = {3'd0, {{ at }}_occupancy} - {7'd0, {{ at }}_popped};
 {%- else %}
-  (* keep *) wire {{ door }}_is_ready, {{ door }}_some_valid, {{ door }}_awake, {{ door }}_writes_second, {{ door }}_reads_second;
+  (* keep *) wire {{ at }}_ready_q, {{ at }}_valid_q, {{ at }}_out_of_reset, {{ at }}_wr_sel_q, {{ at }}_rd_sel_q;
 {%- endif %}
 {%- endfor %}
 
-  // The slot that starts holds a ray: the one that stays, or the one that is offered.
-  wire keeps = (loop_0 && !leaves) || {{ "setup_is_offered" if flights.queues else "setup_some_valid" }};
+  // The slot in stage 0 holds a ray: the one that recirculates, or a new one.
+  wire slot_busy = (loop_0 && !retire) || setup_valid_q;
   reg started, was_stalled;
   initial {started, was_stalled} = 0;
 
-  // How many rays are in a row of valid bits from place k to its end: one sum of two for each k, so that no solver has to add a whole row.
+  // Rays in a row of valid bits from stage k to its end: one two-operand sum for each k, so that no solver has to add a whole row.
 {%- macro row(name, places, enters, moves) %}
 {%- for k in places %}
   reg [7:0] from_{{ name }}_{{ k }};
@@ -44,13 +44,13 @@ module {{ prefix }}fv_traverse (input wire clk);
 {%- endfor %}
   wire [7:0] in_{{ name }} = from_{{ name }}_{{ places | first }};
 {%- endmacro %}
-{{- row("setup", flights.rows[0], "(in_valid && in_ready)", "1'b1" if flights.queues else "setup_is_ready") }}
-{{- row("loop", flights.rows[1], "keeps", "1'b1") }}
-{{- row("hit", flights.rows[2], "leaves", "1'b1" if flights.queues else "hit_is_ready") }}
-{%- for door, n in flights.parts if door != "loop" and not flights.queues %}
-  wire [7:0] {{ door }}_waits = {7'd0, {{ door }}_{{ n - 2 }}} + {7'd0, {{ door }}_{{ n - 1 }}};
+{{- row("setup", flights.rows[0], "(in_valid && in_ready)", "1'b1" if flights.credits else "setup_ready_q") }}
+{{- row("loop", flights.rows[1], "slot_busy", "1'b1") }}
+{{- row("hit", flights.rows[2], "retire", "1'b1" if flights.credits else "hit_ready_q") }}
+{%- for at, n in flights.parts if at != "loop" and not flights.credits %}
+  wire [7:0] {{ at }}_waiting = {7'd0, {{ at }}_{{ n - 2 }}} + {7'd0, {{ at }}_{{ n - 1 }}};
 {%- endfor %}
-  wire [7:0] inside = in_setup + in_loop + in_hit + setup_waits + hit_waits;
+  wire [7:0] inside = in_setup + in_loop + in_hit + setup_waiting + hit_waiting;
   reg [7:0] held;
   always @(posedge clk) begin
     started <= 1;
@@ -64,28 +64,28 @@ module {{ prefix }}fv_traverse (input wire clk);
       // The claim.
       assert (held == inside);
       if (was_stalled) assert (out_valid);
-      // What makes it hold in every next clock.
-      if (leaves) assert (loop_0);
-{%- for door, n in flights.parts if door != "loop" %}
-{%- if flights.queues %}
-      assert ({3'd0, {{ door }}_taken} + {7'd0, {{ door }}_has_set_out} == in_{{ door }} + {3'd0, {{ door }}_held});
-      assert ({3'd0, {{ door }}_taken} + {7'd0, {{ door }}_has_set_out} + {7'd0, {{ door }}_has_room} <= 16);
-      assert ({{ door }}_held >= {4'd0, {{ door }}_has_gone} + {4'd0, {{ door }}_is_offered});
-      assert (!{{ door }}_has_gone || !{{ door }}_is_offered);
+      // Invariants that make the induction hold.
+      if (retire) assert (loop_0);
+{%- for at, n in flights.parts if at != "loop" %}
+{%- if flights.credits %}
+      assert ({3'd0, {{ at }}_reserved} + {7'd0, {{ at }}_issued} == in_{{ at }} + {3'd0, {{ at }}_occupancy});
+      assert ({3'd0, {{ at }}_reserved} + {7'd0, {{ at }}_issued} + {7'd0, {{ at }}_credit_q} <= 16);
+      assert ({{ at }}_occupancy >= {4'd0, {{ at }}_popped} + {4'd0, {{ at }}_valid_q});
+      assert (!{{ at }}_popped || !{{ at }}_valid_q);
 {%- else %}
-      // The places of the skid are the last two.
-      assert ({{ door }}_some_valid == ({{ door }}_{{ n - 2 }} || {{ door }}_{{ n - 1 }}));
-      assert ({{ door }}_is_ready == ({{ door }}_awake && !({{ door }}_{{ n - 2 }} && {{ door }}_{{ n - 1 }})));
-      assert ({{ door }}_awake || !({{ door }}_{{ n - 2 }} || {{ door }}_{{ n - 1 }} || {{ door }}_writes_second));
-      assert (({{ door }}_writes_second ^ {{ door }}_reads_second) == ({{ door }}_{{ n - 2 }} ^ {{ door }}_{{ n - 1 }}));
-      assert (!({{ door }}_{{ n - 2 }} ^ {{ door }}_{{ n - 1 }}) || ({{ door }}_reads_second ? {{ door }}_{{ n - 1 }} : {{ door }}_{{ n - 2 }}));
+      // The slots of the spill register are the last two.
+      assert ({{ at }}_valid_q == ({{ at }}_{{ n - 2 }} || {{ at }}_{{ n - 1 }}));
+      assert ({{ at }}_ready_q == ({{ at }}_out_of_reset && !({{ at }}_{{ n - 2 }} && {{ at }}_{{ n - 1 }})));
+      assert ({{ at }}_out_of_reset || !({{ at }}_{{ n - 2 }} || {{ at }}_{{ n - 1 }} || {{ at }}_wr_sel_q));
+      assert (({{ at }}_wr_sel_q ^ {{ at }}_rd_sel_q) == ({{ at }}_{{ n - 2 }} ^ {{ at }}_{{ n - 1 }}));
+      assert (!({{ at }}_{{ n - 2 }} ^ {{ at }}_{{ n - 1 }}) || ({{ at }}_rd_sel_q ? {{ at }}_{{ n - 1 }} : {{ at }}_{{ n - 2 }}));
 {%- endif %}
 {%- endfor %}
-{%- if flights.queues %}
-      // A ray that leaves finds a place: the queue has heard of all but it.
-      if (leaves) assert (hit_taken + hit_has_set_out <= 15);
-{%- elif flights.decided %}
-      if (leaves) assert (hit_is_ready);
+{%- if flights.credits %}
+      // A ray that retires finds a free slot: the FIFO has reserved one for all others.
+      if (retire) assert (hit_reserved + hit_issued <= 15);
+{%- elif flights.registered %}
+      if (retire) assert (hit_ready_q);
 {%- endif %}
     end
   end

@@ -1,6 +1,6 @@
 //! The bilinear refinement: its error against the exact root, and what it does to a magnified picture.
 use super::pictures::{SIZE, cameras, data_uri};
-use super::plan::{Plan, Rays, Site};
+use super::plan::{Map, Plan, Rays};
 use super::table::{Table, real};
 use crate::config::{Config, DatapathConfig, MapConfig, ModeConfig};
 use crate::error::Result;
@@ -20,7 +20,7 @@ const FORMATS: [(u32, u32); 3] = [(7, 16), (8, 23), (5, 10)];
 const PICTURE_LEVELS: u32 = 5;
 
 /// The refined design of a format on a site's map; `None` if there is none.
-fn config(plan: &Plan, site: &Site, (exp, man): (u32, u32)) -> Option<Config> {
+fn config(plan: &Plan, site: &Map, (exp, man): (u32, u32)) -> Option<Config> {
     let (mut c, s) = (plan.config.clone(), &site.spec);
     (c.format.exp, c.format.man, c.traverse.levels) = (exp, man, s.levels);
     (c.datapath, c.mode) = (DatapathConfig::default(), ModeConfig { bilinear: true, ..super::plan::BEST });
@@ -29,7 +29,7 @@ fn config(plan: &Plan, site: &Site, (exp, man): (u32, u32)) -> Option<Config> {
     c.validate().is_ok().then_some(c)
 }
 
-fn rays(c: &Config, site: &Site, of: &Rays) -> Result<Vec<ViewRay>> {
+fn rays(c: &Config, site: &Map, of: &Rays) -> Result<Vec<ViewRay>> {
     Ok(evenly(&site.set(c, &of.set, of.stride)?, Some(RAYS)))
 }
 
@@ -75,7 +75,7 @@ pub fn table(plan: &Plan) -> Result<Table> {
         .flat_map(|site| FORMATS.into_iter().filter_map(move |f| config(plan, site, f).map(|c| (site, f, c))))
         .flat_map(|(site, format, c)| views.iter().map(move |view| (site, format, c.clone(), *view)))
         .collect();
-    let one = |(site, format, c, view): &(&Site, (u32, u32), Config, &Rays)| -> Result<Vec<Value>> {
+    let one = |(site, format, c, view): &(&Map, (u32, u32), Config, &Rays)| -> Result<Vec<Value>> {
         let rays = rays(c, site, view)?;
         let words = words(c, &rays);
         let b = bilinear(&c.design(), &site.pyramid, &site.texels, &words)?;
@@ -119,7 +119,7 @@ pub fn pictures(plan: &Plan) -> Result<Value> {
     let file = plan.sites[0].file.clone();
     let map = plan.config.map.clone();
     let map = MapConfig { kind: first.kind, file, seed: first.seed, resample: true, crop: false, pad: false, ..map };
-    let site = Site::new(&plan.config, &map, levels, false)?;
+    let site = Map::new(&plan.config, &map, levels, false)?;
     let Some(c) = config(plan, &site, FORMATS[0]) else { return Ok(Value::Null) };
     let s = &site.spec;
     let shader = Shader::new(&site.texels, s.levels, s.height_bits, s.scale, tiles(s.border, s.repeat), s.kind);

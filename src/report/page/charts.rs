@@ -1,5 +1,5 @@
 //! The charts of the report.
-use super::figures::{Dot, Pool, Series};
+use super::figures::{Aggregate, DesignPoint, Series};
 use super::plan::{BEST, DesignSpec, Plan, mode_label};
 use super::stats::{BINS, upper};
 use super::svg::{Chart, Line, Mark, Scale, decades};
@@ -18,7 +18,7 @@ fn kind(d: &DesignSpec) -> usize {
 }
 
 /// What is shown of an error: its name, its value, and whether that is only a bound.
-type Error = (&'static str, fn(&Pool<'_>) -> (f64, bool));
+type Error = (&'static str, fn(&Aggregate<'_>) -> (f64, bool));
 
 const WRONG: Error = ("wrong texel or given up, part of the rays", |p| p.rate_or_bound());
 const UV: Error = ("uv error p99 of the worst view, texels", |p| (p.largest(|c| c.uv_all.p99), false));
@@ -50,7 +50,7 @@ fn frontier(mut at: Vec<(f64, f64, f64)>) -> Vec<(f64, f64)> {
 }
 
 /// Cost against an error, a dot a design.
-pub fn pareto(plan: &Plan, dots: &[Dot<'_>], plot: Plot) -> String {
+pub fn pareto(plan: &Plan, points: &[DesignPoint<'_>], plot: Plot) -> String {
     let (name, error) = if plot == Plot::Uv { UV } else { WRONG };
     let (unit, x_name) = match plot {
         Plot::Size => {
@@ -60,23 +60,23 @@ pub fn pareto(plan: &Plan, dots: &[Dot<'_>], plot: Plot) -> String {
         _ => ("cycles per ray", "cycles per ray, mean over maps and views (less is better)"),
     };
     // A design without hardware has no size to be drawn at.
-    let cost = |d: &Dot<'_>| match plot {
+    let cost = |d: &DesignPoint<'_>| match plot {
         Plot::Size => d.size.map(|bits| bits as f64),
         Plot::Placed => d.area_time(),
-        Plot::Wrong | Plot::Uv => Some(d.pool.cycles()),
+        Plot::Wrong | Plot::Uv => Some(d.aggregate.cycles()),
     };
-    let drawn = dots.iter().filter(|d| d.comparable()).filter_map(|d| Some((d, cost(d)?)));
-    let (dots, costs): (Vec<&Dot<'_>>, Vec<f64>) = drawn.unzip();
-    if dots.is_empty() {
+    let drawn = points.iter().filter(|d| d.comparable()).filter_map(|d| Some((d, cost(d)?)));
+    let (points, costs): (Vec<&DesignPoint<'_>>, Vec<f64>) = drawn.unzip();
+    if points.is_empty() {
         return String::new();
     }
     let named = &plan.headlines;
-    let at: Vec<(f64, f64)> = dots.iter().zip(costs).map(|(d, cost)| (cost, error(&d.pool).0)).collect();
-    let measured = |d: &&Dot<'_>| match error(&d.pool) {
+    let at: Vec<(f64, f64)> = points.iter().zip(costs).map(|(d, cost)| (cost, error(&d.aggregate).0)).collect();
+    let measured = |d: &&DesignPoint<'_>| match error(&d.aggregate) {
         (_, true) => 0.0,
         (error, false) => error,
     };
-    let edge = frontier(at.iter().zip(&dots).map(|(&(x, y), d)| (x, y, measured(d))).collect());
+    let edge = frontier(at.iter().zip(&points).map(|(&(x, y), d)| (x, y, measured(d))).collect());
     let plain = |x, y| Mark { x, y, hollow: false, tip: String::new(), label: String::new() };
     // What costs less is not as good: the frontier is a stair.
     let mut stair = Vec::new();
@@ -92,8 +92,8 @@ pub fn pareto(plan: &Plan, dots: &[Dot<'_>], plot: Plot) -> String {
     stair.extend(edge.last().map(|(_, y)| plain(high + space, *y)));
     let mut lines = vec![Line { kind: 9, joined: true, marked: false, marks: stair }];
     let mut said: Vec<(f64, f64)> = Vec::new();
-    for (d, place) in dots.iter().zip(&at) {
-        let (y, hollow) = error(&d.pool);
+    for (d, place) in points.iter().zip(&at) {
+        let (y, hollow) = error(&d.aggregate);
         let headline = named.iter().any(|h| h.design == *d.design);
         let near = |p: &(f64, f64)| (p.0 - place.0).abs() < space * 0.15 && (p.1 / place.1 - 1.0).abs() < 0.1;
         // Designs that differ in nothing visible share a label.
@@ -119,7 +119,7 @@ pub fn pareto(plan: &Plan, dots: &[Dot<'_>], plot: Plot) -> String {
         title: format!("{unit} against {name}"),
         x_name: x_name.into(),
         y_name: name.into(),
-        // Few dots have long labels beside them.
+        // Few points have long labels beside them.
         x: Scale::Linear(low - space, high + if plot == Plot::Placed { 6.0 * space } else { space }),
         y: decades(at.iter().map(|p| p.1)),
         size: (620.0, 430.0),
@@ -150,8 +150,8 @@ pub fn along(plan: &Plan, all: &[Series<'_>], by: &str, what: &str) -> String {
     let mut lines: Vec<Line> = Vec::new();
     let mut drawn: Vec<(Vec<f64>, usize)> = Vec::new();
     for (k, s) in mine.iter().enumerate() {
-        let design = s.points.first().and_then(|p| p.pool.cells.first()).map(|c| &c.spec.design);
-        let ys: Vec<f64> = s.points.iter().map(|p| value(&p.pool).0).collect();
+        let design = s.points.first().and_then(|p| p.aggregate.cells.first()).map(|c| &c.spec.design);
+        let ys: Vec<f64> = s.points.iter().map(|p| value(&p.aggregate).0).collect();
         // Lines on top of each other become one, with the names of all.
         let widths = design.and_then(|d| d.exp).filter(|_| by == "bits");
         if let Some((exp, (_, line))) = widths.zip(drawn.iter().find(|d| d.0 == ys)) {
@@ -168,14 +168,19 @@ pub fn along(plan: &Plan, all: &[Series<'_>], by: &str, what: &str) -> String {
         };
         let last = s.points.len() - 1;
         let mark = |(k, p): (usize, &super::figures::At<'_>)| {
-            let (y, hollow) = value(&p.pool);
+            let (y, hollow) = value(&p.aggregate);
             // There is little room beside a line: the nudge is said in tables.
             let (before, after) = s.name.split_once(", ").unwrap_or((&s.name, ""));
             let name = if after == "no nudge" { after } else { before };
             let short_name = widths.map_or_else(|| name.to_owned(), |exp| format!("EXP_W {exp}"));
             let label = if k == last { short_name } else { String::new() };
-            let tip =
-                format!("{}: {}{} of {} rays", s.name, if hollow { "below " } else { "" }, short(y), p.pool.rays());
+            let tip = format!(
+                "{}: {}{} of {} rays",
+                s.name,
+                if hollow { "below " } else { "" },
+                short(y),
+                p.aggregate.rays()
+            );
             Mark { x: if by == "angle" { octave(p.x) } else { p.x }, y, hollow, tip, label }
         };
         let marks = s.points.iter().enumerate().map(mark).collect();
@@ -218,8 +223,8 @@ pub fn along(plan: &Plan, all: &[Series<'_>], by: &str, what: &str) -> String {
 }
 
 /// Histogram of the position error of one design, with its cumulative curve.
-pub fn histogram(dot: &Dot<'_>) -> String {
-    let (all, right) = (dot.pool.bins(true), dot.pool.bins(false));
+pub fn histogram(dot: &DesignPoint<'_>) -> String {
+    let (all, right) = (dot.aggregate.bins(true), dot.aggregate.bins(false));
     let total = all.iter().sum::<u64>().max(1) as f64;
     let mut bars = Vec::new();
     let mut sum = 0;

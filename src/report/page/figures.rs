@@ -1,5 +1,5 @@
 //! Cells put together: a dot a design, and how errors and steps go with angle, map size and width.
-use super::cell::Cell;
+use super::measurement::Measurement;
 use super::plan::{BEST, DesignSpec, Plan, Synthesized, mode_label};
 use super::stats::{BINS, bound};
 use crate::config::DatapathKind;
@@ -8,24 +8,24 @@ use rayon::prelude::*;
 
 /// Cells of one design, put together.
 #[derive(Clone, Debug)]
-pub struct Pool<'a> {
+pub struct Aggregate<'a> {
     /// The cells.
-    pub cells: Vec<&'a Cell>,
+    pub cells: Vec<&'a Measurement>,
 }
 
-impl<'a> Pool<'a> {
+impl<'a> Aggregate<'a> {
     /// The cells that `take` takes.
-    pub fn new(cells: &'a [Cell], take: impl Fn(&Cell) -> bool) -> Self {
+    pub fn new(cells: &'a [Measurement], take: impl Fn(&Measurement) -> bool) -> Self {
         Self { cells: cells.iter().filter(|c| take(c)).collect() }
     }
 
-    fn sum(&self, f: impl Fn(&Cell) -> u64) -> u64 {
+    fn sum(&self, f: impl Fn(&Measurement) -> u64) -> u64 {
         self.cells.iter().map(|c| f(c)).sum()
     }
 
     /// Rays compared.
     pub fn rays(&self) -> u64 {
-        self.sum(Cell::judged)
+        self.sum(Measurement::judged)
     }
 
     /// Wrong texels.
@@ -45,10 +45,10 @@ impl<'a> Pool<'a> {
 
     /// Part of the rays with a wrong texel or none.
     pub fn rate(&self) -> f64 {
-        self.sum(Cell::failed) as f64 / self.rays().max(1) as f64
+        self.sum(Measurement::failed) as f64 / self.rays().max(1) as f64
     }
 
-    /// [`Pool::rate`], or where it is 0, below what it is with 95 % confidence.
+    /// [`Aggregate::rate`], or where it is 0, below what it is with 95 % confidence.
     pub fn rate_or_bound(&self) -> (f64, bool) {
         if self.rate() > 0.0 { (self.rate(), false) } else { (bound(self.rays()), true) }
     }
@@ -59,8 +59,8 @@ impl<'a> Pool<'a> {
     }
 
     /// The cell with the largest value.
-    pub fn worst(&self, f: impl Fn(&Cell) -> f64) -> Option<&'a Cell> {
-        let mut worst: Option<&Cell> = None;
+    pub fn worst(&self, f: impl Fn(&Measurement) -> f64) -> Option<&'a Measurement> {
+        let mut worst: Option<&Measurement> = None;
         for c in &self.cells {
             if worst.is_none_or(|w| f(c) > f(w)) {
                 worst = Some(c);
@@ -70,7 +70,7 @@ impl<'a> Pool<'a> {
     }
 
     /// The largest value of a cell.
-    pub fn largest(&self, f: impl Fn(&Cell) -> f64) -> f64 {
+    pub fn largest(&self, f: impl Fn(&Measurement) -> f64) -> f64 {
         self.worst(&f).map_or(0.0, f)
     }
 
@@ -100,11 +100,11 @@ impl<'a> Pool<'a> {
 
 /// A design on all maps of the usual size.
 #[derive(Clone, Debug)]
-pub struct Dot<'a> {
+pub struct DesignPoint<'a> {
     /// The design.
     pub design: &'a DesignSpec,
     /// Its cells.
-    pub pool: Pool<'a>,
+    pub aggregate: Aggregate<'a>,
     /// Counted bits of its hardware without the memory; `None` if there is no hardware for it yet.
     pub size: Option<u64>,
     /// Area and clock, if they were measured; of several the one with the least area times time.
@@ -115,7 +115,7 @@ pub struct Dot<'a> {
     pub front_uv: bool,
 }
 
-impl Dot<'_> {
+impl DesignPoint<'_> {
     /// Design and mode.
     pub fn label(&self) -> String {
         format!("{}, {}", self.design.label(), mode_label(&self.design.mode))
@@ -123,45 +123,45 @@ impl Dot<'_> {
 
     /// Cycles count the rays that end. Where more than 1 of 100 does not, they tell nothing, and the design is in no frontier.
     pub fn comparable(&self) -> bool {
-        self.pool.limits() * 100 <= self.pool.rays()
+        self.aggregate.limits() * 100 <= self.aggregate.rays()
     }
 
     /// Look-up tables times nanoseconds a ray, if they were measured.
     pub fn area_time(&self) -> Option<f64> {
-        self.placed.map(|s| s.area_time(self.pool.cycles()))
+        self.placed.map(|s| s.area_time(self.aggregate.cycles()))
     }
 
     /// Largest 99th percentile of a map and view.
     pub fn uv_p99(&self) -> f64 {
-        self.pool.largest(|c| c.uv_all.p99)
+        self.aggregate.largest(|c| c.uv_all.p99)
     }
 }
 
 /// A dot for every design that was measured, with the frontiers.
-pub fn dots<'a>(plan: &'a Plan, cells: &'a [Cell]) -> Vec<Dot<'a>> {
+pub fn design_points<'a>(plan: &'a Plan, cells: &'a [Measurement]) -> Vec<DesignPoint<'a>> {
     let levels = plan.config.traverse.levels;
-    let pool = |d: &DesignSpec| Pool::new(cells, |c| c.spec.design == *d && c.spec.map.levels == levels);
-    let mut out: Vec<Dot<'a>> = plan
+    let aggregate = |d: &DesignSpec| Aggregate::new(cells, |c| c.spec.design == *d && c.spec.map.levels == levels);
+    let mut out: Vec<DesignPoint<'a>> = plan
         .designs
         .par_iter()
-        .map(|design| (design, pool(design)))
-        .filter(|(_, pool)| !pool.cells.is_empty())
-        .map(|(design, pool)| {
+        .map(|design| (design, aggregate(design)))
+        .filter(|(_, aggregate)| !aggregate.cells.is_empty())
+        .map(|(design, aggregate)| {
             let hardware = design.design(&plan.config, levels).and_then(|d| Cost::of(&d));
             let size = hardware.ok().map(|c| c.bits());
             let mine = plan.synthesized.iter().filter(|s| s.is(design, levels));
             let placed = mine.min_by(|a, b| a.area_time(1.0).total_cmp(&b.area_time(1.0)));
-            Dot { design, pool, size, placed, front_rate: false, front_uv: false }
+            DesignPoint { design, aggregate, size, placed, front_rate: false, front_uv: false }
         })
         .collect();
-    let front = |error: &dyn Fn(&Dot<'a>) -> f64| -> Vec<bool> {
-        let at: Vec<(f64, f64)> = out.iter().map(|d| (d.pool.cycles(), error(d))).collect();
+    let front = |error: &dyn Fn(&DesignPoint<'a>) -> f64| -> Vec<bool> {
+        let at: Vec<(f64, f64)> = out.iter().map(|d| (d.aggregate.cycles(), error(d))).collect();
         let rivals: Vec<&(f64, f64)> = at.iter().zip(&out).filter(|x| x.1.comparable()).map(|x| x.0).collect();
         let beaten = |a: &(f64, f64)| rivals.iter().any(|b| b.0 <= a.0 && b.1 <= a.1 && (b.0 < a.0 || b.1 < a.1));
         at.iter().zip(&out).map(|(a, d)| d.comparable() && !beaten(a)).collect()
     };
     // None wrong is better than any, whatever its bound is.
-    let (rate, uv) = (front(&|d| d.pool.rate()), front(&Dot::uv_p99));
+    let (rate, uv) = (front(&|d| d.aggregate.rate()), front(&DesignPoint::uv_p99));
     for (d, (rate, uv)) in out.iter_mut().zip(rate.into_iter().zip(uv)) {
         (d.front_rate, d.front_uv) = (rate, uv);
     }
@@ -174,7 +174,7 @@ pub struct At<'a> {
     /// Place along the axis.
     pub x: f64,
     /// Cells.
-    pub pool: Pool<'a>,
+    pub aggregate: Aggregate<'a>,
 }
 
 /// One line of a chart.
@@ -189,12 +189,13 @@ pub struct Series<'a> {
 }
 
 /// The lines of all charts; `angles` are the measurements by elevation.
-pub fn series<'a>(plan: &'a Plan, cells: &'a [Cell], angles: &'a [Cell]) -> Vec<Series<'a>> {
+pub fn series<'a>(plan: &'a Plan, cells: &'a [Measurement], angles: &'a [Measurement]) -> Vec<Series<'a>> {
     let levels = plan.config.traverse.levels;
     let mut out = Vec::new();
     for d in plan.designs.iter().filter(|d| plan.followed(d)) {
-        let mine: Vec<&Cell> = angles.iter().filter(|c| c.spec.design == *d).collect();
-        let angle = |c: &&'a Cell| At { x: c.spec.elevation.unwrap_or(0.0), pool: Pool { cells: vec![*c] } };
+        let mine: Vec<&Measurement> = angles.iter().filter(|c| c.spec.design == *d).collect();
+        let angle =
+            |c: &&'a Measurement| At { x: c.spec.elevation.unwrap_or(0.0), aggregate: Aggregate { cells: vec![*c] } };
         out.push(Series { by: "angle", name: d.label(), points: mine.iter().map(angle).collect() });
         // Only a map that is there in several sizes tells what the size does.
         let first = &plan.sites[0].spec;
@@ -204,7 +205,9 @@ pub fn series<'a>(plan: &'a Plan, cells: &'a [Cell], angles: &'a [Cell]) -> Vec<
         sizes.dedup();
         let size = |n: &u32| At {
             x: f64::from(*n),
-            pool: Pool::new(cells, |c| c.spec.design == *d && c.spec.map.levels == *n && c.spec.map.name == first.name),
+            aggregate: Aggregate::new(cells, |c| {
+                c.spec.design == *d && c.spec.map.levels == *n && c.spec.map.name == first.name
+            }),
         };
         let points = if sizes.len() > 1 { sizes.iter().map(size).collect() } else { Vec::new() };
         out.push(Series { by: "size", name: d.label(), points });
@@ -217,7 +220,7 @@ pub fn series<'a>(plan: &'a Plan, cells: &'a [Cell], angles: &'a [Cell]) -> Vec<
             .filter(same)
             .map(|d| At {
                 x: f64::from(d.man.or(d.fraction_bits).unwrap_or(0)),
-                pool: Pool::new(cells, |c| c.spec.design == *d && c.spec.map.levels == levels),
+                aggregate: Aggregate::new(cells, |c| c.spec.design == *d && c.spec.map.levels == levels),
             })
             .collect();
         points.sort_by(|a, b| a.x.total_cmp(&b.x));
@@ -229,7 +232,7 @@ pub fn series<'a>(plan: &'a Plan, cells: &'a [Cell], angles: &'a [Cell]) -> Vec<
     }
     out.push(Series { by: "bits", name: "fixed".to_owned(), points: widths(DatapathKind::Fixed, None) });
     for s in &mut out {
-        s.points.retain(|p| !p.pool.cells.is_empty());
+        s.points.retain(|p| !p.aggregate.cells.is_empty());
     }
     out.retain(|s| !s.points.is_empty());
     out

@@ -1,12 +1,12 @@
 //! The tables that list: every measurement, iterations, the points of the charts, maps, and what has no datapath.
-use super::cell::Cell;
-use super::figures::{Pool, Series};
+use super::figures::{Aggregate, Series};
+use super::measurement::Measurement;
 use super::plan::{NotLegal, Plan, mode_label};
 use super::table::{Table, real};
 use serde_json::{Value, json};
 
 /// Every cell, a row each.
-pub fn cells(cells: &[Cell]) -> Table {
+pub fn cells(cells: &[Measurement]) -> Table {
     let keys = [
         "map",
         "seed",
@@ -84,7 +84,7 @@ pub fn cells(cells: &[Cell]) -> Table {
 }
 
 /// Iterations of every design, map size and view.
-pub fn steps(plan: &Plan, cells: &[Cell]) -> Table {
+pub fn steps(plan: &Plan, cells: &[Measurement]) -> Table {
     let mut t = Table::new(
         "steps",
         &[
@@ -106,9 +106,11 @@ pub fn steps(plan: &Plan, cells: &[Cell]) -> Table {
         levels.dedup();
         for n in levels {
             for view in plan.rays.iter().filter(|r| r.elevation.is_none()).map(|r| &r.set.name) {
-                let p = Pool::new(cells, |c| c.spec.design == *h && c.spec.map.levels == n && c.spec.view == *view);
+                let p =
+                    Aggregate::new(cells, |c| c.spec.design == *h && c.spec.map.levels == n && c.spec.view == *view);
                 let Some(worst) = p.worst(|c| f64::from(c.steps_max)) else { continue };
-                let mean = |f: &dyn Fn(&Cell) -> f64| p.cells.iter().map(|c| f(c)).sum::<f64>() / p.cells.len() as f64;
+                let mean =
+                    |f: &dyn Fn(&Measurement) -> f64| p.cells.iter().map(|c| f(c)).sum::<f64>() / p.cells.len() as f64;
                 t.push(vec![
                     json!(h.label()),
                     json!(mode_label(&h.mode)),
@@ -149,12 +151,12 @@ pub fn series(series: &[Series<'_>]) -> Table {
                 json!(s.by),
                 json!(s.name),
                 real(p.x),
-                real(p.pool.cycles()),
-                json!(p.pool.rays()),
-                json!(p.pool.wrong() + p.pool.limits()),
-                real(p.pool.rate()),
-                real(p.pool.largest(|c| c.uv_all.p99)),
-                real(p.pool.largest(|c| c.uv_all.max)),
+                real(p.aggregate.cycles()),
+                json!(p.aggregate.rays()),
+                json!(p.aggregate.wrong() + p.aggregate.limits()),
+                real(p.aggregate.rate()),
+                real(p.aggregate.largest(|c| c.uv_all.p99)),
+                real(p.aggregate.largest(|c| c.uv_all.max)),
             ]);
         }
     }

@@ -1,9 +1,9 @@
 //! The report: speed against error of every design, as one page, JSON and CSV with the same numbers.
 mod bilinear;
-mod cell;
 mod charts;
 mod figures;
 mod inventory;
+mod measurement;
 mod pictures;
 mod plan;
 mod published;
@@ -16,7 +16,7 @@ mod table;
 mod units;
 mod write;
 
-pub use cell::{Cell, CellSpec, Witness};
+pub use measurement::{Measurement, MeasurementSpec, Witness};
 pub use plan::{Extent, ModeSet, Plan, Selection};
 pub use store::{Work, cells};
 pub use write::{Output, files, write};

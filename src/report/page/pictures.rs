@@ -1,6 +1,6 @@
 //! Pictures: a view rendered by the datapath's hits, by the exact ones, and where they differ; the worst pixel enlarged.
-use super::cell::walk;
-use super::plan::{DesignSpec, Extent, Plan, Site};
+use super::measurement::walk;
+use super::plan::{DesignSpec, Extent, Map, Plan};
 use crate::error::Result;
 use crate::golden::encode_ray;
 use crate::oracle::ExactHit;
@@ -58,7 +58,7 @@ pub fn cameras(plan: &Plan) -> Vec<(String, Camera)> {
 ///
 /// # Errors
 /// A design that is not legal.
-pub fn view(plan: &Plan, site: &Site, spec: &DesignSpec, camera: &Camera) -> Result<ViewPictures> {
+pub fn view(plan: &Plan, site: &Map, spec: &DesignSpec, camera: &Camera) -> Result<ViewPictures> {
     let d = spec.design(&plan.config, site.spec.levels)?;
     let rays = site.rays(&plan.config, camera, 1)?;
     let words: Vec<_> = rays.iter().map(|r| encode_ray(&d, [r.u, r.v, r.du, r.dv])).collect();

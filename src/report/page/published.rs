@@ -1,5 +1,5 @@
 //! The published tables (PIDM-HW tables 2, 3, 4) beside ours, cell by cell, and the claims they carry.
-use super::cell::Cell;
+use super::measurement::Measurement;
 use super::plan::{BEST, Plan};
 use super::table::{Table, real};
 use crate::config::{DatapathKind, MapKind, ModeConfig, View};
@@ -19,7 +19,7 @@ const DOWNS: [[f64; 3]; 4] = [[11.5, 19.7, 37.9], [8.9, 18.2, 37.8], [8.4, 18.2,
 const CLAIMS: [(usize, &str, f64, f64); 2] = [(0, "[10]", 16.0, 65.0), (1, "[12]", 5.0, 66.0)];
 
 /// The measured cell of a published map: watertight 7/16 in `mode`.
-fn ours<'a>(cells: &'a [Cell], scene: &str, view: View, mode: &ModeConfig) -> Option<&'a Cell> {
+fn ours<'a>(cells: &'a [Measurement], scene: &str, view: View, mode: &ModeConfig) -> Option<&'a Measurement> {
     cells.iter().find(|c| {
         let (m, d) = (&c.spec.map, &c.spec.design);
         let design = d.kind == DatapathKind::Watertight && (d.exp, d.man) == (Some(7), Some(16)) && d.mode == *mode;
@@ -28,7 +28,7 @@ fn ours<'a>(cells: &'a [Cell], scene: &str, view: View, mode: &ModeConfig) -> Op
 }
 
 /// All compared cells; empty without the maps.
-pub fn table(cells: &[Cell]) -> Table {
+pub fn table(cells: &[Measurement]) -> Table {
     let mut t = Table::new(
         "published",
         &[
@@ -77,7 +77,7 @@ pub fn table(cells: &[Cell]) -> Table {
 }
 
 /// What a + b + c1 saves, cell by cell, published and measured.
-pub fn claims(plan: &Plan, cells: &[Cell]) -> Table {
+pub fn claims(plan: &Plan, cells: &[Measurement]) -> Table {
     let mut t = Table::new(
         "claims",
         &[

@@ -1,6 +1,6 @@
 //! The commands that show a witness again.
-use super::cell::{Cell, Witness};
-use super::plan::{Plan, Site};
+use super::measurement::{Measurement, Witness};
+use super::plan::{Map, Plan};
 use crate::config::Config;
 use serde_json::Value;
 use std::path::Path;
@@ -29,7 +29,7 @@ fn sets(c: &Config) -> String {
 }
 
 /// The map's part of a command line.
-fn arguments(plan: &Plan, site: &Site, cell: &Cell) -> String {
+fn arguments(plan: &Plan, site: &Map, cell: &Measurement) -> String {
     let mut c = cell.spec.design.config(&plan.config, site.spec.levels);
     (c.map, c.vectors) = (plan.config.map.clone(), Default::default());
     (c.latency, c.emit) = (Default::default(), Default::default());
@@ -54,7 +54,7 @@ fn line([u, v, du, dv]: [f64; 4], arguments: &str) -> String {
 }
 
 /// Traces the witness again: its ray as a table, its hit as another.
-pub fn command(plan: &Plan, cell: &Cell, w: &Witness) -> String {
+pub fn command(plan: &Plan, cell: &Measurement, w: &Witness) -> String {
     let Some(site) = plan.sites.iter().find(|s| s.spec == cell.spec.map) else {
         return String::new();
     };

@@ -1,6 +1,6 @@
 //! The tables that judge: cost against error, position error, decisions, worst cases.
-use super::cell::{Cell, Witness};
-use super::figures::Dot;
+use super::figures::DesignPoint;
+use super::measurement::{Measurement, Witness};
 use super::plan::{Plan, mode_label};
 use super::replay::command;
 use super::stats::{BINS, bound, upper};
@@ -14,7 +14,7 @@ pub fn of(k: u64, n: u64) -> String {
 }
 
 /// A dot of the Pareto plot a row.
-pub fn pareto(dots: &[Dot<'_>]) -> Table {
+pub fn pareto(points: &[DesignPoint<'_>]) -> Table {
     let mut t = Table::new(
         "pareto",
         &[
@@ -40,28 +40,28 @@ pub fn pareto(dots: &[Dot<'_>]) -> Table {
             ("frontier_uv", "frontier, uv"),
         ],
     );
-    for d in dots {
+    for d in points {
         let yes = |b: bool| json!(if b { "●" } else { "" });
-        let (rate, zero) = d.pool.rate_or_bound();
+        let (rate, zero) = d.aggregate.rate_or_bound();
         t.push(vec![
             json!(d.design.label()),
             json!(mode_label(&d.design.mode)),
             json!(d.design.word_bits()),
-            real(d.pool.cycles()),
+            real(d.aggregate.cycles()),
             json!(d.size),
             json!(d.placed.map(|s| s.luts)),
             json!(d.placed.map(|s| s.multipliers)),
             d.placed.map_or(Value::Null, |s| real(s.mhz)),
-            d.placed.map_or(Value::Null, |s| real(s.nanoseconds(d.pool.cycles()))),
+            d.placed.map_or(Value::Null, |s| real(s.nanoseconds(d.aggregate.cycles()))),
             d.area_time().map_or(Value::Null, real),
-            json!(d.pool.rays()),
-            json!(d.pool.wrong()),
-            json!(d.pool.limits()),
-            real(d.pool.rate()),
+            json!(d.aggregate.rays()),
+            json!(d.aggregate.wrong()),
+            json!(d.aggregate.limits()),
+            real(d.aggregate.rate()),
             if zero { real(rate) } else { Value::Null },
-            real(d.pool.largest(|c| c.uv_all.p50)),
+            real(d.aggregate.largest(|c| c.uv_all.p50)),
             real(d.uv_p99()),
-            real(d.pool.largest(|c| c.uv_all.max)),
+            real(d.aggregate.largest(|c| c.uv_all.max)),
             yes(d.front_rate),
             yes(d.front_uv),
         ]);
@@ -70,7 +70,7 @@ pub fn pareto(dots: &[Dot<'_>]) -> Table {
 }
 
 /// The histogram of the position error of the headline designs.
-pub fn histogram(plan: &Plan, dots: &[Dot<'_>]) -> Table {
+pub fn histogram(plan: &Plan, points: &[DesignPoint<'_>]) -> Table {
     let mut t = Table::new(
         "histogram",
         &[
@@ -82,8 +82,8 @@ pub fn histogram(plan: &Plan, dots: &[Dot<'_>]) -> Table {
         ],
     );
     for h in &plan.headlines {
-        let Some(dot) = dots.iter().find(|d| *d.design == h.design) else { continue };
-        let (all, right) = (dot.pool.bins(true), dot.pool.bins(false));
+        let Some(dot) = points.iter().find(|d| *d.design == h.design) else { continue };
+        let (all, right) = (dot.aggregate.bins(true), dot.aggregate.bins(false));
         let total: u64 = all.iter().sum();
         let mut sum = 0;
         for k in 0..BINS {
@@ -96,7 +96,7 @@ pub fn histogram(plan: &Plan, dots: &[Dot<'_>]) -> Table {
 }
 
 /// The decision matrices of the headline designs.
-pub fn matrix(plan: &Plan, dots: &[Dot<'_>]) -> Table {
+pub fn matrix(plan: &Plan, points: &[DesignPoint<'_>]) -> Table {
     let mut t = Table::new(
         "matrix",
         &[
@@ -110,8 +110,8 @@ pub fn matrix(plan: &Plan, dots: &[Dot<'_>]) -> Table {
         ],
     );
     for h in &plan.headlines {
-        let Some(dot) = dots.iter().find(|d| *d.design == h.design) else { continue };
-        let (m, n) = (dot.pool.matrix(), dot.pool.rays());
+        let Some(dot) = points.iter().find(|d| *d.design == h.design) else { continue };
+        let (m, n) = (dot.aggregate.matrix(), dot.aggregate.rays());
         for (d, datapath) in ["top", "wall", "given up"].iter().enumerate() {
             for (o, oracle) in ["top", "wall"].iter().enumerate() {
                 let [right, wrong] = m[d][o];
@@ -137,7 +137,7 @@ pub fn matrix(plan: &Plan, dots: &[Dot<'_>]) -> Table {
 }
 
 /// The worst that each headline design does, with its witness and the command that shows it again.
-pub fn worst(plan: &Plan, dots: &[Dot<'_>]) -> Table {
+pub fn worst(plan: &Plan, points: &[DesignPoint<'_>]) -> Table {
     let mut t = Table::new(
         "worst",
         &[
@@ -154,7 +154,7 @@ pub fn worst(plan: &Plan, dots: &[Dot<'_>]) -> Table {
             ("command", "see it again"),
         ],
     );
-    type Find = (&'static str, fn(&Cell) -> f64, fn(&Cell) -> &Option<Witness>);
+    type Find = (&'static str, fn(&Measurement) -> f64, fn(&Measurement) -> &Option<Witness>);
     let finds: [Find; 5] = [
         ("largest uv error, texel", |c| c.uv_all.max, |c| &c.worst_uv),
         ("largest t error, height range", |c| c.t_max, |c| &c.worst_t),
@@ -163,9 +163,9 @@ pub fn worst(plan: &Plan, dots: &[Dot<'_>]) -> Table {
         ("most given up of a view, part", |c| c.limits as f64 / c.judged().max(1) as f64, |c| &c.first_limit),
     ];
     for h in &plan.headlines {
-        let Some(dot) = dots.iter().find(|d| *d.design == h.design) else { continue };
+        let Some(dot) = points.iter().find(|d| *d.design == h.design) else { continue };
         for (what, value, witness) in finds {
-            let Some(cell) = dot.pool.worst(value) else { continue };
+            let Some(cell) = dot.aggregate.worst(value) else { continue };
             let Some(w) = witness(cell) else { continue };
             let texel = |t: [u32; 2]| format!("{}, {}", t[0], t[1]);
             t.push(vec![

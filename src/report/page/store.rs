@@ -1,5 +1,5 @@
 //! Measuring all cells, each into a file of its own: what is there already is taken, so that a run can be stopped and resumed.
-use super::cell::{Cell, CellSpec, Reference, canonical, probe};
+use super::measurement::{Measurement, MeasurementSpec, Reference, canonical, probe};
 use super::plan::{Job, Plan};
 use crate::error::Result;
 use crate::files::{read_inside, write_inside};
@@ -19,18 +19,18 @@ const MOST: u64 = 1 << 20;
 struct Stored {
     /// Digest of the sources of the program that measured.
     program: String,
-    cell: Cell,
+    cell: Measurement,
     /// Digest of the two above, as they stand in the file.
     digest: String,
 }
 
 impl Stored {
-    fn new(cell: &Cell) -> Result<Self> {
+    fn new(cell: &Measurement) -> Result<Self> {
         let (program, cell) = (PROGRAM.to_owned(), cell.clone());
         Ok(Self { digest: Self::digest(&program, &cell)?, program, cell })
     }
 
-    fn digest(program: &str, cell: &Cell) -> Result<String> {
+    fn digest(program: &str, cell: &Measurement) -> Result<String> {
         Ok(blake3::hash(format!("{program}\n{}", canonical(cell)?).as_bytes()).to_hex().to_string())
     }
 
@@ -53,7 +53,7 @@ pub struct Work {
     pub altered: Vec<String>,
 }
 
-fn spec(plan: &Plan, job: &Job) -> CellSpec {
+fn spec(plan: &Plan, job: &Job) -> MeasurementSpec {
     let of = &plan.rays[job.view];
     let (camera, table) = match &of.set.source {
         RaySource::View(_) => (None, None),
@@ -63,7 +63,7 @@ fn spec(plan: &Plan, job: &Job) -> CellSpec {
             (None, Some(blake3::hash(&bytes).to_hex()[..12].to_owned()))
         }
     };
-    CellSpec {
+    MeasurementSpec {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         map: plan.sites[job.site].spec.clone(),
         view: of.set.name.clone(),
@@ -81,7 +81,7 @@ fn spec(plan: &Plan, job: &Job) -> CellSpec {
 ///
 /// # Errors
 /// Never: a description is plain data.
-pub fn name(spec: &CellSpec) -> Result<String> {
+pub fn name(spec: &MeasurementSpec) -> Result<String> {
     Ok(format!("{}.json", blake3::hash(canonical(spec)?.as_bytes()).to_hex()))
 }
 
@@ -89,7 +89,7 @@ pub fn name(spec: &CellSpec) -> Result<String> {
 ///
 /// # Errors
 /// If the directory can't be written.
-pub fn cells(plan: &Plan, out: &Path, progress: &dyn Fn(usize, usize)) -> Result<(Vec<Cell>, Work)> {
+pub fn cells(plan: &Plan, out: &Path, progress: &dyn Fn(usize, usize)) -> Result<(Vec<Measurement>, Work)> {
     let (mut found, mut work) = (Vec::new(), Work::default());
     let mut references: BTreeMap<(usize, usize), Reference> = BTreeMap::new();
     for at in &plan.cells {
@@ -121,7 +121,7 @@ pub fn cells(plan: &Plan, out: &Path, progress: &dyn Fn(usize, usize)) -> Result
             }
             None => {
                 work.measured += 1;
-                let cell = Cell::measure(plan, site, spec, reference)?;
+                let cell = Measurement::measure(plan, site, spec, reference)?;
                 write_inside(out, &path, (canonical(&Stored::new(&cell)?)? + "\n").as_bytes())?;
                 cell
             }

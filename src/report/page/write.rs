@@ -1,7 +1,7 @@
 //! The report's files: JSON, CSV and the page, from the same tables.
-use super::cell::Cell;
 use super::charts::Plot;
-use super::figures::{Dot, dots, series};
+use super::figures::{DesignPoint, design_points, series};
+use super::measurement::Measurement;
 use super::plan::{BEST, Extent, Headline, Plan, Rays, mode_label, mode_words};
 use super::table::{grouped, short};
 use super::{bilinear, charts, inventory, pictures, published, sections};
@@ -18,14 +18,14 @@ use std::path::Path;
 pub type Output = Vec<(String, Vec<u8>)>;
 
 /// A card of the verdict strip.
-fn card(plan: &Plan, headline: &Headline, dot: Option<&Dot<'_>>) -> Value {
+fn card(plan: &Plan, headline: &Headline, dot: Option<&DesignPoint<'_>>) -> Value {
     let (name, label, mode) = (headline.name, headline.design.label(), mode_words(&headline.design.mode));
     let Some(d) = dot else {
         let same = |r: &&super::plan::NotLegal| r.design.starts_with(&label);
         let reason = plan.not_legal.iter().find(same).map_or("not measured", |r| r.reason.as_str());
         return json!({"name": name, "label": label, "mode": mode, "reason": reason});
     };
-    let (p, zero) = (&d.pool, d.pool.wrong() + d.pool.limits() == 0);
+    let (p, zero) = (&d.aggregate, d.aggregate.wrong() + d.aggregate.limits() == 0);
     let lines = vec![
         json!({"what": "wrong texels", "value": sections::of(p.wrong(), p.rays()), "exact": p.wrong()}),
         json!({"what": "of the rays before rounding", "value": sections::of(p.unrounded_wrong(), p.rays()), "exact": p.unrounded_wrong()}),
@@ -85,17 +85,18 @@ fn picture_rows(plan: &Plan) -> Result<Vec<Value>> {
 ///
 /// # Errors
 /// A template that does not fit its values.
-pub fn files(plan: &Plan, cells: &[Cell], again: &str) -> Result<Output> {
-    let (angles, views): (Vec<Cell>, Vec<Cell>) = cells.iter().cloned().partition(|c| c.spec.elevation.is_some());
-    let (dots, lines) = (dots(plan, &views), series(plan, &views, &angles));
+pub fn files(plan: &Plan, cells: &[Measurement], again: &str) -> Result<Output> {
+    let (angles, views): (Vec<Measurement>, Vec<Measurement>) =
+        cells.iter().cloned().partition(|c| c.spec.elevation.is_some());
+    let (points, lines) = (design_points(plan, &views), series(plan, &views, &angles));
     let claims = published::claims(plan, &views);
     let tables = [
-        sections::worst(plan, &dots),
-        sections::pareto(&dots),
+        sections::worst(plan, &points),
+        sections::pareto(&points),
         inventory::series(&lines),
         inventory::steps(plan, &views),
-        sections::histogram(plan, &dots),
-        sections::matrix(plan, &dots),
+        sections::histogram(plan, &points),
+        sections::matrix(plan, &points),
         published::table(&views),
         claims.clone(),
         inventory::not_legal(&plan.not_legal),
@@ -111,7 +112,7 @@ pub fn files(plan: &Plan, cells: &[Cell], again: &str) -> Result<Output> {
         "seed": c.map.seed,
         "command": again,
         "cells": cells.len(),
-        "designs": dots.len(),
+        "designs": points.len(),
         "rays": cells.iter().map(|x| x.rays).sum::<u64>(),
         "unjudged": cells.iter().map(|x| x.unjudged).sum::<u64>(),
         "picture": [c.view.width, c.view.height],
@@ -131,22 +132,22 @@ pub fn files(plan: &Plan, cells: &[Cell], again: &str) -> Result<Output> {
         out.extend(table.map(|t| (format!("{name}.csv"), t.csv())));
     }
     let cards: Vec<Value> =
-        plan.headlines.iter().map(|h| card(plan, h, dots.iter().find(|d| *d.design == h.design))).collect();
+        plan.headlines.iter().map(|h| card(plan, h, points.iter().find(|d| *d.design == h.design))).collect();
     let along = |by: &str, what: &str| charts::along(plan, &lines, by, what);
     let named: Vec<String> = plan
         .headlines
         .iter()
-        .filter_map(|h| dots.iter().find(|d| *d.design == h.design))
+        .filter_map(|h| points.iter().find(|d| *d.design == h.design))
         .map(charts::histogram)
         .collect();
     let mut clouds =
-        [Plot::Wrong, Plot::Uv, Plot::Size, Plot::Placed].map(|plot| charts::pareto(plan, &dots, plot)).to_vec();
+        [Plot::Wrong, Plot::Uv, Plot::Size, Plot::Placed].map(|plot| charts::pareto(plan, &points, plot)).to_vec();
     clouds.retain(|svg| !svg.is_empty());
-    let give_up = |d: &&Dot<'_>| !d.comparable();
-    let left_out: Vec<String> = dots
+    let give_up = |d: &&DesignPoint<'_>| !d.comparable();
+    let left_out: Vec<String> = points
         .iter()
         .filter(give_up)
-        .map(|d| format!("{} (given up: {})", d.label(), sections::of(d.pool.limits(), d.pool.rays())))
+        .map(|d| format!("{} (given up: {})", d.label(), sections::of(d.aggregate.limits(), d.aggregate.rays())))
         .collect();
     let charts = json!({
         "pareto": clouds,
@@ -159,7 +160,7 @@ pub fn files(plan: &Plan, cells: &[Cell], again: &str) -> Result<Output> {
         tables.iter().filter(|t| t.name != "cells").map(|t| (t.name.to_owned(), t.page())).collect();
     let page = json!({
         "head": head, "rays": grouped(cells.iter().map(|x| x.rays).sum()), "cards": cards, "left_out": left_out, "charts": charts, "tables": shown, "pictures": picture_rows(plan)?, "refined": bilinear::pictures(plan)?,
-        "traced": traced(plan), "legend": legend(), "uv": DEFINITION, "given_bits": GIVEN_BITS, "claims": published::claim_words(&claims), "levels": c.traverse.levels, "map": plan.sites[0].spec.name, "placed": dots.iter().filter(|d| d.placed.is_some()).count(),
+        "traced": traced(plan), "legend": legend(), "uv": DEFINITION, "given_bits": GIVEN_BITS, "claims": published::claim_words(&claims), "levels": c.traverse.levels, "map": plan.sites[0].spec.name, "placed": points.iter().filter(|d| d.placed.is_some()).count(),
     });
     out.push(("report.html".to_owned(), html(&page)?.into_bytes()));
     Ok(out)

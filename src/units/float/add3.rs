@@ -94,15 +94,15 @@ pub fn fp_add3(format: FloatFormat, latency: u32) -> Arc<Module> {
     let d_w = b.local("DistanceW", f.exp.larger((&p + 4).clog2()));
     let y_down = (x.weight - y.weight).named("y_down");
     let z_down = (x.weight - z.weight).named("z_down");
-    let far = b.konst(&p + 2, &d_w).named("reach").lt(y_down.zext(&d_w)).named("y_loses");
-    let y_kill = (gone | (far & y.cancels(z))).named("y_kill");
-    let z_kill = (gone | far).named("z_kill");
+    let far = b.konst(&p + 2, &d_w).named("max_shift").lt(y_down.zext(&d_w)).named("y_loses");
+    let y_is_lost = (gone | (far & y.cancels(z))).named("y_is_lost");
+    let z_is_lost = (gone | far).named("z_is_lost");
     let y_minus = (y.sign ^ first.sign).named("y_minus");
     let z_minus = (z.sign ^ first.sign).named("z_minus");
 
     b.section("align", "");
-    let y_at = aligned(&b, &p, y.sig, y_down, y_kill, "y");
-    let z_at = aligned(&b, &p, z.sig, z_down, z_kill, "z");
+    let y_at = aligned(&b, &p, y.sig, y_down, y_is_lost, "y");
+    let z_at = aligned(&b, &p, z.sig, z_down, z_is_lost, "z");
     let x_at = b.cat(&[b.zeros(3), first.sig, b.zeros(&p + 3)]).named("x_at");
 
     b.section("save", "A term to subtract is complemented; the ones that this lacks come in as carries.");
@@ -123,11 +123,11 @@ pub fn fp_add3(format: FloatFormat, latency: u32) -> Arc<Module> {
     let magnitude = magnitude.named("magnitude");
 
     b.section("count", "");
-    let lead = lzc(&b, "u_lzc", magnitude, "lead");
+    let count = lzc(&b, "u_lzc", magnitude, "lz_count");
     let none = magnitude.none().named("sum_is_zero");
 
     b.section("normalize", "Up to a leading one; where subnormals are numbers, not beyond their exponent.");
-    let (exp, norm) = normalized(&b, &f, &e_w, first.weight, magnitude, lead);
+    let (exp, norm) = normalized(&b, &f, &e_w, first.weight, magnitude, count);
     let down = if format.rounding == Rounding::Down { b.lit(1, 1) } else { b.zeros(1) };
     let sign = none.mux(agree.mux(fa.sign, down), first.sign ^ negative);
     let sign = inf.zip(minus).map_or(sign, |(i, m)| i.mux(m, sign)).named("sum_sign");
@@ -140,12 +140,12 @@ pub fn fp_add3(format: FloatFormat, latency: u32) -> Arc<Module> {
     b.finish(Some(latency), &super::bindings())
 }
 
-/// A significand moved down in the window, with what it loses as its last bit; nothing if `kill`.
-fn aligned<'b>(b: &'b Builder, p: &Expr, sig: Sig<'b>, down: Sig<'b>, kill: Sig<'b>, name: &str) -> Sig<'b> {
+/// A significand moved down in the window, with what it loses as its last bit; nothing if `is_lost`.
+fn aligned<'b>(b: &'b Builder, p: &Expr, sig: Sig<'b>, down: Sig<'b>, is_lost: Sig<'b>, name: &str) -> Sig<'b> {
     let wide = b.cat(&[sig, b.zeros(p + 2)]).named(&format!("{name}_wide"));
     let lost = (wide & !b.ones(wide.width()).shift_left(down)).any();
     let word = b.cat(&[wide.shift_right(down), lost]);
-    b.cat(&[b.zeros(3), word & (!kill).rep(word.width())]).named(&format!("{name}_at"))
+    b.cat(&[b.zeros(3), word & (!is_lost).rep(word.width())]).named(&format!("{name}_at"))
 }
 
 /// Exponent and normalized magnitude, whose top bit weighs 4 times as much as x's.
@@ -155,13 +155,13 @@ fn normalized<'b>(
     e_w: &Expr,
     weight: Sig<'b>,
     magnitude: Sig<'b>,
-    lead: Sig<'b>,
+    count: Sig<'b>,
 ) -> (Sig<'b>, Sig<'b>) {
     let weight = weight.zext(e_w);
-    let wide = lead.zext(e_w);
+    let wide = count.zext(e_w);
     let exp = (weight + b.lit(2, e_w) - wide).named("plain_exp");
     if !f.format.is_gradual() {
-        return (exp, magnitude.shift_left(lead).named("norm"));
+        return (exp, magnitude.shift_left(count).named("norm"));
     }
     let most = (weight + b.lit(1, e_w)).named("most");
     let short = most.lt(wide).named("short");

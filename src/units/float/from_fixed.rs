@@ -62,7 +62,7 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32, fas
     let mag = ((a ^ flip) + minus.zext(&int)).named("mag");
 
     b.section("count", "");
-    let lz = lzc(&b, "u_lzc", mag, "lead");
+    let lz = lzc(&b, "u_lzc", mag, "lz_count");
 
     b.section("normalize", "Zeros below make room for guard and sticky bits whatever INT_W is.");
     let norm = b.cat(&[mag.shift_left(lz), b.zeros(&f.man + 3)]).named("norm");

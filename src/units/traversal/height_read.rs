@@ -23,8 +23,8 @@ pub(super) fn read<'b>(b: &'b Builder, s: &Sizes, d: &Design, load: &Load<'b>, a
     let mut params =
         vec![("ADDR_W", s.levels.clone() * 2 + 1), ("DATA_W", s.height.clone()), ("DEPTH", pyramid_words(&s.levels))];
     params.extend((clocks > 1).then(|| ("BANK_W", height_banks::bank_bits())));
-    let address = if clocks > 3 { address.cut() } else { address };
+    let address = if clocks > 3 { address.reg() } else { address };
     let ins = [("write_en", load.en), ("write_addr", load.addr), ("write_data", load.data), ("read_addr", address)];
     let height = b.inst(&memory(d), "u_heights", &params, &ins)[0].named("height");
-    if clocks > 2 { height.cut() } else { height }
+    if clocks > 2 { height.reg() } else { height }
 }

@@ -68,7 +68,7 @@ fn distance<'b>(
     clocks: u32,
 ) -> (Sig<'b>, Sig<'b>) {
     let n = |what: &str| format!("{axis}_{what}");
-    let cut = |v: Sig<'b>, least: u32| if clocks >= least { v.cut() } else { v };
+    let cut = |v: Sig<'b>, least: u32| if clocks >= least { v.reg() } else { v };
     let wide = at.width() + 1;
     let keep = b.ones(&wide).shift_left(level).named(&n("keep"));
     let corner = |texel: Sig<'b>, name: &str| (texel.sext(&wide) & keep).named(&n(name));

@@ -1,4 +1,4 @@
-//! What a ray carries round the loop.
+//! The state of a ray in the loop.
 use super::datapath::Datapath;
 use crate::config::{Design, LevelUp, Trim};
 use crate::ir::{Builder, Expr, Sig};
@@ -85,7 +85,7 @@ pub enum Start {
 
 /// A word that a ray carries.
 pub struct Field {
-    /// Its name; `back_<name>` is its register.
+    /// Its name; `loop_<name>_q` is its register.
     pub name: &'static str,
     /// Its net in the slot.
     pub net: &'static str,
@@ -144,15 +144,15 @@ impl<'b> Ray<'b> {
     /// The loop's registers.
     pub fn registers(b: &'b Builder, fields: &[Field]) -> Self {
         let word = |f: &Field| {
-            let name = format!("back_{}", f.name);
-            // Whether a ray leaves follows from data; what is unknown in them ends it and has it marked as given up.
+            let name = format!("loop_{}_q", f.name);
+            // Retiring depends on data: in a simulation, an unknown value finishes the ray and marks it as given up.
             let word = match f.start {
                 Start::Refused => b.loop_decision(&name, false, true),
                 _ => b.loop_reg(&name, f.width.clone(), false),
             };
             (f.name, word)
         };
-        Ray { valid: b.loop_reg("back_valid", 1, true), words: fields.iter().map(word).collect() }
+        Ray { valid: b.loop_reg("loop_valid_q", 1, true), words: fields.iter().map(word).collect() }
     }
 
     /// A new ray; `setup` gives the outputs of the datapath's setup by name. Whether the slot is filled is for [`Ray::or_new`] to say.
@@ -195,24 +195,24 @@ impl<'b> Ray<'b> {
         Ray { valid: self.valid, words: self.words.iter().map(|w| (w.0, new(w))).collect() }
     }
 
-    /// `new` where `admits`, else what came back; `valid` as given.
-    pub fn or_new(&self, fields: &[Field], admits: Sig<'b>, new: &Self, valid: Sig<'b>) -> Self {
-        let pick = |f: &Field| (f.name, admits.mux(new.get(f.name), self.get(f.name)).named(f.net));
+    /// `new` where `accept`, else the ray that recirculates; `valid` as given.
+    pub fn or_new(&self, fields: &[Field], accept: Sig<'b>, new: &Self, valid: Sig<'b>) -> Self {
+        let pick = |f: &Field| (f.name, accept.mux(new.get(f.name), self.get(f.name)).named(f.net));
         Ray { valid: valid.named("valid").valid(), words: fields.iter().map(pick).collect() }
     }
 
-    /// The same ray one clock later.
-    pub fn cut(&self) -> Self {
-        Ray { valid: self.valid.cut(), words: self.words_later() }
+    /// The same ray, registered.
+    pub fn reg(&self) -> Self {
+        Ray { valid: self.valid.reg(), words: self.words_reg() }
     }
 
-    /// The same words one clock later, and their valid bit as it is.
-    pub fn cut_words(&self) -> Self {
-        Ray { valid: self.valid, words: self.words_later() }
+    /// The same ray with its words registered and its valid bit as it is.
+    pub fn reg_words(&self) -> Self {
+        Ray { valid: self.valid, words: self.words_reg() }
     }
 
-    fn words_later(&self) -> Vec<(&'static str, Sig<'b>)> {
-        self.words.iter().map(|w| (w.0, w.1.cut())).collect()
+    fn words_reg(&self) -> Vec<(&'static str, Sig<'b>)> {
+        self.words.iter().map(|w| (w.0, w.1.reg())).collect()
     }
 
     /// Registers and what they take at the end of the loop.

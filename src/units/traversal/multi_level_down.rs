@@ -70,7 +70,7 @@ pub fn multi_level_down(d: &Design) -> Arc<Module> {
 }
 
 fn clamp<'b>(e: Sig<'b>, low: Sig<'b>, high: Sig<'b>, axis: &str, clocks: u32) -> Sig<'b> {
-    let before = e.slt(low).named(&format!("{axis}_before")).at(clocks);
-    let behind = high.slt(e).named(&format!("{axis}_behind")).at(clocks);
-    before.mux(low, behind.mux(high, e)).named(&format!("{axis}_child"))
+    let below = e.slt(low).named(&format!("{axis}_is_below")).at(clocks);
+    let above = high.slt(e).named(&format!("{axis}_is_above")).at(clocks);
+    below.mux(low, above.mux(high, e)).named(&format!("{axis}_child"))
 }

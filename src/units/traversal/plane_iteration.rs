@@ -43,7 +43,7 @@ pub fn plane_iteration<'b>(
 ) -> Ray<'b> {
     let idx = || [("IDX_W", s.idx.clone())];
     // The choice between two rays and the node's planes are long on their own: a clock behind each, as latency.node has it.
-    let chosen = if d.latency.node > 1 { ray.cut() } else { ray.clone() };
+    let chosen = if d.latency.node > 1 { ray.reg() } else { ray.clone() };
     let ray = &chosen;
 
     b.section("node", "Extent and exit planes of the node, and its place in memory.");
@@ -52,7 +52,7 @@ pub fn plane_iteration<'b>(
         let ins = [("level", ray.get("level")), ("x", x), ("neg", neg)];
         let o = b.inst(&node_planes(d, parity), &format!("u_planes_{axis}"), &idx(), &ins);
         let names = ["low", "high", "plane", "beyond", "even"];
-        let cut = |v: Sig<'b>| if d.latency.node > 0 { v.cut() } else { v };
+        let cut = |v: Sig<'b>| if d.latency.node > 0 { v.reg() } else { v };
         o.iter().zip(names).map(|(v, n)| cut(v.named(&format!("{axis}_{n}"))).id()).collect::<Vec<_>>()
     };
     let px: Vec<Sig<'b>> = planes("x", ray.get("x"), ray.get("neg_x")).into_iter().map(|i| b.sig(i)).collect();
@@ -139,7 +139,7 @@ pub fn plane_iteration<'b>(
     };
 
     b.section("level decision", "");
-    let late = |v: Sig<'b>| if d.latency.decision > 1 { v.cut() } else { v };
+    let late = |v: Sig<'b>| if d.latency.decision > 1 { v.reg() } else { v };
     let mut ins = vec![("is_inside", late(inside)), ("x_first", late(x_first)), (across.0, late(across.1))];
     ins.extend(ray.find("lod").map(|lod| ("lod", late(lod))));
     ins.extend([("level", late(read)), ("level_down", late(level_down)), ("m", late(m)), ("t_next", late(t_next))]);
@@ -147,7 +147,7 @@ pub fn plane_iteration<'b>(
     ins.extend([("y_at", late(ray.get("y"))), ("y_down", late(y_down)), ("y_beyond", late(py[3]))]);
     let o = b.inst(&level_decision(d), "u_decision", &idx(), &ins);
     // The last of the clocks stands between the decision and what is written back.
-    let done = |v: Sig<'b>| if d.latency.decision > 3 { v.cut() } else { v };
+    let done = |v: Sig<'b>| if d.latency.decision > 3 { v.reg() } else { v };
     let (hit, crosses) = (done(o[0].named("hit")), o[1].named("crosses"));
     let names = ["level_next", "x_next", "y_next", "t_after"];
     let n: Vec<Sig<'b>> = o[2..].iter().zip(names).map(|(v, n)| done(v.named(n))).collect();

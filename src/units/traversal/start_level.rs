@@ -22,9 +22,9 @@ pub fn start_level(t: &TraverseConfig) -> Arc<Module> {
     let differ = ((x ^ x_end) | (y ^ y_end)).named("differ");
     let other_tile = differ.slice(levels.clone(), &idx - &levels).any().named("other_tile");
     let inside = differ.slice(0, levels.clone()).named("low_part");
-    let lead = lzc(&b, "u_lzc", inside, "lead");
+    let count = lzc(&b, "u_lzc", inside, "lz_count");
     let root = b.konst(&levels, &level_w).named("root");
-    let level = other_tile.mux(root, root - lead).named("start");
+    let level = other_tile.mux(root, root - count).named("start");
     b.drive(out, level, None);
     b.finish(Some(0), &bindings())
 }

@@ -1,15 +1,15 @@
 //! `traverse`: the looping pipeline (PIDM-HW section 4.2, figure 7).
 //!
-//! A ray is set up once, then goes round the loop, one node an iteration, one iteration a clock. A slot that is free, or
-//! whose ray has just left, takes the next ray. A ray that is done goes round unchanged until it can leave, so
-//! back-pressure stops neither the others nor loses anything. The number of stages follows from the latencies.
-use super::between::Between;
+//! A ray is set up once, then recirculates: one node per iteration, one iteration per clock. A slot that is free, or
+//! whose ray retires in this clock, accepts the next ray. A finished ray recirculates unchanged until it can retire, so
+//! held-pressure neither stalls the other rays nor loses any. The number of stages follows from the latencies.
 use super::bilinear::{bilinear_hit, latency as bilinear_clocks};
+use super::credit_fifo::SLOTS;
 use super::datapath::Datapath;
+use super::elastic_boundary::{Decoupling, ElasticBoundary};
 use super::height_memory::MEM_INIT;
 use super::loop_state::{Ray, Sizes, fields};
 use super::stream_delay::{stream_delay, valid_delay, word_delay};
-use super::stream_queue::PLACES;
 use crate::config::Design;
 use crate::ir::{Binding, Builder, Module, Sig};
 use crate::units::delay_line::in_lines;
@@ -60,48 +60,59 @@ fn in_registers(d: &Design) -> Traverse {
         addr: b.input_static("load_addr", s.levels.clone() * 2 + 1, "words", "where: level 0 first, the root last"),
         data: b.input_static("load_data", &s.height, "height codes", "largest height in that node"),
     };
-    let in_valid = b.input("in_valid", 1, "bit", "a ray is offered");
-    let o_in_ready = b.output("in_ready", 1, "bit", "it is taken at the next edge");
-    let in_tag = b.input("in_tag", &s.tag, "bits", "comes back with the result");
+    // The reader of a port list has to see a combinational path through the unit.
+    let ready_doc = match Decoupling::of(d.latency.handshake) {
+        Decoupling::Combinational => "input ready (transfer when valid && ready); depends combinationally on out_ready",
+        Decoupling::SpillRegister | Decoupling::CreditFifo => "input ready (transfer when valid && ready); registered",
+    };
+    let in_valid = b.input("in_valid", 1, "bit", "input valid");
+    let o_in_ready = b.output("in_ready", 1, "bit", ready_doc);
+    let in_tag = b.input("in_tag", &s.tag, "bits", "identifies the ray: out_tag of its result");
     let (entry, travel) = (&s.numbers.entry, &s.numbers.travel);
     let u = b.input("in_u", &entry.0, entry.1, "entry point at the top plane, 0 <= u < 1");
     let v = b.input("in_v", &entry.0, entry.1, "entry point at the top plane, 0 <= v < 1");
     let du = b.input("in_du", &travel.0, travel.1, "u travelled while the height falls from 1 to 0");
     let dv = b.input("in_dv", &travel.0, travel.1, "v travelled while the height falls from 1 to 0");
     let lod = d.mode.lod.then(|| b.input("in_lod", &s.level_w, "levels", "the finest level at which the ray may end"));
-    let o_valid = b.output("out_valid", 1, "bit", "a result is offered");
-    let out_ready = b.input_static("out_ready", 1, "bit", "it is taken at the next edge");
+    let o_valid = b.output("out_valid", 1, "bit", "output valid");
+    let out_ready = b.input_static("out_ready", 1, "bit", "output ready (transfer when valid && ready)");
     let o = Outputs::declare(&b, &s);
     let o_refined = d.mode.bilinear.then(|| Refined::declare(&b, &s));
-    let o_busy = b.output("slot_busy", 1, "bit", "the slot that starts now holds a ray: counts the loop's load");
-    let o_idle =
-        b.output("idle", 1, "bit", "no ray is inside: neither in set-up, nor in the loop, nor waiting as a result");
+    let o_busy = b.output("slot_busy", 1, "bit", "the slot in stage 0 holds a ray; its mean is the loop's utilization");
+    let o_idle = b.output("idle", 1, "bit", "no ray in flight: none in setup, in the loop or waiting at the output");
 
-    // The state registers are declared first; what they hold is decided at the end of the loop.
+    // Loop state, read in stage 0 and written by the last stage.
     let fields = fields(&s, d, path);
-    let back = Ray::registers(&b, &fields);
+    let held = Ray::registers(&b, &fields);
     let (clocks_setup, clocks_hit) = ((path.setup_clocks)(d), (path.hit_clocks)(d));
     let finish = if d.mode.bilinear { bilinear_clocks(&d.latency) } else { clocks_hit };
 
-    b.section("leave", "A ray that is done leaves when the output pipeline moves.");
-    let (skids, queues) = (d.latency.handshake > 0, d.latency.handshake > 2);
+    b.section(
+        "retire",
+        "A finished ray retires when the output pipeline is ready; until then it recirculates unchanged.",
+    );
+    let decoupling = Decoupling::of(d.latency.handshake);
+    let (elastic, credits) = (decoupling != Decoupling::Combinational, decoupling == Decoupling::CreditFifo);
     let hit_valid = b.wire("hit_valid", 1);
-    // What lets the output pipeline move: a free place in its register, or whoever takes the result.
-    let hit_room = if skids { b.wire("hit_room", 1) } else { (!hit_valid | out_ready).unstaged().named("hit_ce") };
-    // Before a queue nothing ever stops.
-    let hit_ce = if queues { b.lit(1, 1) } else { hit_room };
-    // Where two registers stand in the way of ready, it is decided a clock before: what finds both places of the waiting results empty finds
-    // the output pipeline moving a clock later.
-    let decided = (d.latency.handshake > 1).then(|| b.loop_decision("leaves", true, true));
-    let leaves = decided.unwrap_or_else(|| (back.valid & back.get("done") & hit_room).named("leaves"));
-    let is_free = (!back.valid | leaves).named("is_free");
+    // Clock enable of the output pipeline: a slot of its spill register is free, or its result transfers.
+    let hit_ready = if elastic { b.wire("hit_ready", 1) } else { (!hit_valid | out_ready).unstaged().named("hit_ce") };
+    // The pipeline before a credit FIFO has no clock enable.
+    let hit_ce = if credits { b.lit(1, 1) } else { hit_ready };
+    // A registered decision is made one clock earlier: if both slots of the spill register are empty now, the output pipeline is ready then.
+    let registered =
+        Decoupling::retire_is_registered(d.latency.handshake).then(|| b.loop_decision("retire", true, true));
+    let retire = registered.unwrap_or_else(|| (held.valid & held.get("done") & hit_ready).named("retire"));
+    let slot_free = (!held.valid | retire).named("slot_free");
 
-    b.section("set up", "The setup pipeline holds while its ray finds no free slot.");
+    b.section(
+        "setup",
+        "The setup pipeline stalls while its last stage holds a ray and the slot in stage 0 is not free.",
+    );
     let setup_valid = b.wire("setup_valid", 1);
-    let setup_room =
-        if skids { b.wire("setup_room", 1) } else { (!setup_valid | is_free).unstaged().named("setup_ce") };
-    let setup_ce = if queues { b.lit(1, 1) } else { setup_room };
-    let set_out = if queues { (in_valid & setup_room).named("sets_out") } else { in_valid };
+    let setup_ready =
+        if elastic { b.wire("setup_ready", 1) } else { (!setup_valid | slot_free).unstaged().named("setup_ce") };
+    let setup_ce = if credits { b.lit(1, 1) } else { setup_ready };
+    let issue = if credits { (in_valid & setup_ready).named("issue") } else { in_valid };
     let module = (path.setup)(d);
     let mut ins = vec![("u", u), ("v", v), ("du", du), ("dv", dv), ("ce", setup_ce)];
     ins.extend(lod.map(|lod| ("lod", lod)));
@@ -110,78 +121,78 @@ fn in_registers(d: &Design) -> Traverse {
     let outs: Vec<Sig<'_>> = outs
         .into_iter()
         .zip(&names)
-        .map(|(x, n)| x.restage(0).named(&format!("{}_{n}", if skids { "set" } else { "new" })))
+        .map(|(x, n)| x.rebase_stage(0).named(&format!("{}_{n}", if elastic { "set" } else { "new" })))
         .collect();
     let track = stream_delay("setup_delay", clocks_setup, d.traverse.tag_bits);
-    let ins = [("in_valid", set_out), ("in_data", in_tag), ("ce", setup_ce)];
+    let ins = [("in_valid", issue), ("in_data", in_tag), ("ce", setup_ce)];
     let o_track = b.inst(&track, "u_setup_delay", &[("W", s.tag.clone())], &ins);
-    let (mut is_set, mut new_tag, mut outs) = (o_track[0].restage(0), o_track[1].restage(0), outs);
-    if skids {
+    let (mut is_set, mut new_tag, mut outs) = (o_track[0].rebase_stage(0), o_track[1].rebase_stage(0), outs);
+    if elastic {
         let words: Vec<Sig<'_>> = outs.iter().copied().chain([new_tag.named("set_tag")]).collect();
         let valid = is_set.named("is_set");
-        let between =
-            Between { name: "setup", valid, room: setup_room, take: is_free, sets_out: queues.then_some(set_out) };
+        let issue = credits.then_some(issue);
+        let boundary = ElasticBoundary { name: "setup", valid, ready: setup_ready, out_ready: slot_free, issue };
         let new: Vec<String> = names.iter().map(|n| format!("new_{n}")).chain(["new_tag".into()]).collect();
-        (is_set, outs) = between.pass(&b, &words, &new);
+        (is_set, outs) = boundary.pass(&b, &words, &new);
         new_tag = outs.pop().expect("the tag was put in last");
     }
     let setup = |name: &str| {
         let at = names.iter().position(|n| *n == name);
         outs[at.unwrap_or_else(|| panic!("{} has no output {name}", module.name))]
     };
-    b.connect(setup_valid, is_set.named("setup_tracked"));
+    b.connect(setup_valid, is_set);
     let new_tag = new_tag.named("new_tag");
-    b.drive(o_in_ready, setup_room, None);
-    let admits = (setup_valid & is_free).named("admits");
+    b.drive(o_in_ready, setup_ready, None);
+    let accept = (setup_valid & slot_free).named("accept");
 
-    b.section("slot", "The new ray, or the one that comes back.");
+    b.section("slot", "Stage 0 holds the new ray, or the one that recirculates.");
     let new = Ray::fresh(&b, &fields, setup, new_tag);
-    let keeps = ((back.valid & !leaves) | admits).named("keeps");
-    b.drive(o_busy, keeps, None);
+    let slot_busy = ((held.valid & !retire) | accept).named("slot_busy");
+    b.drive(o_busy, slot_busy, None);
     let ray = if d.latency.node > 1 {
-        // Who comes is known a clock before the words are chosen: the choice goes to every bit of a ray.
-        back.cut_words().or_new(&fields, admits.cut(), &new.cut_words(), keeps.valid().cut())
+        // The select is registered before the multiplexer: it fans out to every bit of a ray.
+        held.reg_words().or_new(&fields, accept.reg(), &new.reg_words(), slot_busy.valid().reg())
     } else {
-        back.or_new(&fields, admits, &new, keeps)
+        held.or_new(&fields, accept, &new, slot_busy)
     };
 
     let next = (path.iteration)(&b, &s, d, &ray, &load);
-    let mut loops = back.pairs(&next);
-    // A queue has counted the ray that leaves now only in the next clock.
-    let leaving = decided.map(|r| {
-        let hit_moves = if queues {
-            let now = b.wire("leaving_now", 1);
+    let mut loops = held.pairs(&next);
+    // A credit FIFO counts the ray that retires now one clock late.
+    let retiring = registered.map(|r| {
+        let hit_free = if credits {
+            let now = b.wire("retire_now", 1);
             b.connect(now, r);
-            hit_room & !now
+            hit_ready & !now
         } else {
-            hit_room & !hit_valid
+            hit_ready & !hit_valid
         };
-        (r, (next.valid & next.get("done").named("ends") & hit_moves).named("leaves_next"))
+        (r, (next.valid & next.get("done").named("is_done") & hit_free).named("retire_next"))
     });
-    loops.extend(leaving);
+    loops.extend(retiring);
     let slots = b.close(&loops);
-    // No more than every register holds, and both queues.
-    let most = clocks_setup + slots + finish + 2 * PLACES;
+    // Rays in flight, at most: all pipeline stages and both FIFOs are full.
+    let most = clocks_setup + slots + finish + 2 * SLOTS;
     b.drive(
         o_idle,
-        idle(&b, (in_valid & setup_room).named("came_in"), (hit_valid & out_ready).named("went_out"), most),
+        idle(&b, (in_valid & setup_ready).named("in_transfer"), (hit_valid & out_ready).named("out_transfer"), most),
         None,
     );
-    // Delayed, the decision would meet another hit_room than it was made with.
-    assert!(leaving.is_none_or(|(_, v)| v.stage() == Some(slots - 1)), "who leaves is decided in the last slot");
+    // Delayed, the decision would see another hit_ready than it was made with.
+    assert!(retiring.is_none_or(|(_, v)| v.stage() == Some(slots - 1)), "retire is decided in the last slot");
 
-    b.section("result", "The ray that leaves, from the state registers.");
+    b.section("result", "The ray that retires, from the loop registers.");
     let hit = (path.hit)(d);
     let (mut fractions, mut texels) = (Vec::new(), Vec::new());
     for (name, axis) in [("u", "x"), ("v", "y")] {
-        let mut ins = (path.hit_inputs)(&back, axis);
+        let mut ins = (path.hit_inputs)(&held, axis);
         ins.push(("ce", hit_ce));
         let o = b.inst(&hit, &format!("u_hit_{name}"), &[("IDX_W", s.idx.clone())], &ins);
         let mut fraction = o[0].unstaged();
         if finish > clocks_hit {
-            let waits = word_delay("fraction_delay", finish - clocks_hit, 1);
+            let delay = word_delay("fraction_delay", finish - clocks_hit, 1);
             let ins = [("in_data", fraction.named(&format!("block_f{name}"))), ("ce", hit_ce)];
-            fraction = b.inst(&waits, &format!("u_hit_f{name}"), &[("W", s.frac.clone())], &ins)[0].unstaged();
+            fraction = b.inst(&delay, &format!("u_hit_f{name}"), &[("W", s.frac.clone())], &ins)[0].unstaged();
         }
         fractions.push(fraction.named(&format!("hit_f{name}")));
         texels.extend(o.get(1).map(|x| x.unstaged().named(&format!("hit_{}", if axis == "x" { "i" } else { "j" }))));
@@ -189,9 +200,9 @@ fn in_registers(d: &Design) -> Traverse {
     let (i, j) = match texels[..] {
         // In a node of a coarser level, the hit position says which texel it is.
         [i, j] => (i, j),
-        _ => (back.get("x").slice(0, &s.levels), back.get("y").slice(0, &s.levels)),
+        _ => (held.get("x").slice(0, &s.levels), held.get("y").slice(0, &s.levels)),
     };
-    let word = |name: &str| back.get(name);
+    let word = |name: &str| held.get(name);
     let parts =
         [word("tag"), i, j, word("t"), word("wall"), word("limit"), word("steps"), word("crossings"), word("ups")];
     let mut outs = Vec::new();
@@ -206,18 +217,18 @@ fn in_registers(d: &Design) -> Traverse {
         outs.push(r[0].unstaged().named(&format!("hit_{name}")));
     }
     let delay = valid_delay("hit_valid_delay", finish);
-    let r = b.inst(&delay, "u_hit_valid", &[], &[("in_valid", leaves), ("ce", hit_ce)]);
-    let tracked = r[0].unstaged().named("hit_tracked");
-    let refined = o_refined.is_some().then(|| refine(&b, d, &s, &back, &load, hit_ce));
-    if skids {
-        b.section("wait", "A result that nobody takes yet.");
-        let found = refined.into_iter().flatten();
-        let words: Vec<Sig<'_>> = outs.iter().chain(&fractions).copied().chain(found).collect();
-        let names: Vec<String> = WAITING.iter().take(words.len()).map(|n| format!("waiting_{n}")).collect();
-        let sets_out = queues.then_some(leaves);
-        let between = Between { name: "hit", valid: tracked, room: hit_room, take: out_ready, sets_out };
-        let (valid, mut all) = between.pass(&b, &words, &names);
-        b.connect(hit_valid, valid.unstaged().named("hit_waits"));
+    let r = b.inst(&delay, "u_hit_valid", &[], &[("in_valid", retire), ("ce", hit_ce)]);
+    let found = r[0].unstaged();
+    let refined = o_refined.is_some().then(|| refine(&b, d, &s, &held, &load, hit_ce));
+    if elastic {
+        b.section("output", "Results wait here until they transfer.");
+        let more = refined.into_iter().flatten();
+        let words: Vec<Sig<'_>> = outs.iter().chain(&fractions).copied().chain(more).collect();
+        let names: Vec<String> = RESULT.iter().take(words.len()).map(|n| format!("result_{n}")).collect();
+        let (valid, issue) = (found.named("hit_found"), credits.then_some(retire));
+        let boundary = ElasticBoundary { name: "hit", valid, ready: hit_ready, out_ready, issue };
+        let (valid, mut all) = boundary.pass(&b, &words, &names);
+        b.connect(hit_valid, valid.unstaged());
         outs = all.drain(..outs.len()).collect();
         fractions = all.drain(..fractions.len()).collect();
         if let Some(o) = o_refined {
@@ -225,7 +236,7 @@ fn in_registers(d: &Design) -> Traverse {
             o.drive(&b, &found, [outs[1], outs[2], fractions[0], fractions[1], outs[3]], outs[5]);
         }
     } else {
-        b.connect(hit_valid, tracked);
+        b.connect(hit_valid, found);
         if let Some((o, found)) = o_refined.zip(refined) {
             o.drive(&b, &found, [outs[1], outs[2], fractions[0], fractions[1], outs[3]], outs[5]);
         }
@@ -237,27 +248,31 @@ fn in_registers(d: &Design) -> Traverse {
     Traverse { module, slots, setup: clocks_setup, finish }
 }
 
-/// Whether no ray is inside, where at most `most` are: rays are counted a clock after they came in or went out, so that no sum stands before a
-/// handshake.
-fn idle<'b>(b: &'b Builder, came_in: Sig<'b>, went_out: Sig<'b>, most: u32) -> Sig<'b> {
-    b.section("idle", "Rays that came in and did not go out; the one that came in last is counted a clock later.");
+/// Whether no ray is in flight, where at most `most` are: transfers are counted one clock late, which keeps the adder off the handshake path.
+fn idle<'b>(b: &'b Builder, in_transfer: Sig<'b>, out_transfer: Sig<'b>, most: u32) -> Sig<'b> {
+    b.section("idle", "Rays in flight: input transfers less output transfers, counted one clock late.");
     let width = u32::BITS - most.leading_zeros();
-    let came = b.loop_reg("has_come_in", 1, true);
-    let gone = b.loop_reg("has_gone_out", 1, true);
-    let inside = b.loop_reg("rays_inside", width, true);
-    let some = b.loop_reg("some_inside", 1, true);
-    let fewer = (gone & !came).named("one_ray_less");
-    let change = b.cat(&[fewer.rep(width - 1), came ^ gone]);
-    let next = (inside + change).named("rays_next");
-    b.close(&[(came, came_in), (gone, went_out), (inside, next), (some, next.any().named("some_next"))]);
-    (!(some | came)).named("is_idle")
+    let entered = b.loop_reg("in_transfer_q", 1, true);
+    let left = b.loop_reg("out_transfer_q", 1, true);
+    let inside = b.loop_reg("in_flight", width, true);
+    let any = b.loop_reg("any_in_flight", 1, true);
+    let down = (left & !entered).named("in_flight_down");
+    let change = b.cat(&[down.rep(width - 1), entered ^ left]);
+    let next = (inside + change).named("in_flight_next");
+    b.close(&[
+        (entered, in_transfer),
+        (left, out_transfer),
+        (inside, next),
+        (any, next.any().named("any_in_flight_next")),
+    ]);
+    (!(any | entered)).named("is_idle")
 }
 
 /// The refinement beside the hit position: code of the patch, texel, fractions, parameter.
-fn refine<'b>(b: &'b Builder, d: &Design, s: &Sizes, back: &Ray<'b>, load: &Load<'b>, ce: Sig<'b>) -> [Sig<'b>; 6] {
-    b.section("refine", "The hit moved to the surface between the centres of texels.");
+fn refine<'b>(b: &'b Builder, d: &Design, s: &Sizes, held: &Ray<'b>, load: &Load<'b>, ce: Sig<'b>) -> [Sig<'b>; 6] {
+    b.section("refine", "Bilinear refinement: moves the hit to the surface interpolated between texel centres.");
     let mut ins = vec![("load_en", load.en), ("load_addr", load.addr), ("load_data", load.data), ("ce", ce)];
-    ins.extend(["p_x", "d_x", "r_x", "p_y", "d_y", "r_y", "t"].map(|n| (n, back.get(n))));
+    ins.extend(["p_x", "d_x", "r_x", "p_y", "d_y", "r_y", "t"].map(|n| (n, held.get(n))));
     let o = b.inst(&bilinear_hit(d), "u_bilinear", &[("IDX_W", s.idx.clone())], &ins);
     let named = |k: usize, name: &str| o[k].unstaged().named(name);
     [
@@ -270,8 +285,8 @@ fn refine<'b>(b: &'b Builder, d: &Design, s: &Sizes, back: &Ray<'b>, load: &Load
     ]
 }
 
-/// What a result that waits is made of: what was carried, the fractions, and of a refined hit its six words.
-const WAITING: [&str; 17] = [
+/// Words of a result at the output boundary: those carried along, the fractions, and the six of a refined hit.
+const RESULT: [&str; 17] = [
     "tag",
     "i",
     "j",

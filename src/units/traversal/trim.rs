@@ -41,5 +41,5 @@ pub(super) fn trim<'b>(
     b.unused(o[0].named("x_chord"));
     b.unused(o[1].named("y_chord"));
     // A stage of its own: leading zeros and memory address are one long path else.
-    o[2].named("level_read").cut()
+    o[2].named("level_read").reg()
 }

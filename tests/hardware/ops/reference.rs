@@ -36,7 +36,7 @@ fn primitive(p: Prim, m: &Module, b: &Binding, inputs: &BTreeMap<usize, u64>) ->
             }
             vec![rem as u64, root as u64]
         }
-        Prim::Memory | Prim::Queue | Prim::Banks | Prim::RecipTable | Prim::DelayLine => {
+        Prim::Memory | Prim::FifoMem | Prim::Banks | Prim::RecipTable | Prim::DelayLine => {
             unreachable!("a memory has state")
         }
     }

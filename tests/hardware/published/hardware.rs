@@ -7,7 +7,7 @@ use reliefrtl::golden::Tracer;
 use reliefrtl::interp::Traffic;
 use reliefrtl::ir::Binding;
 use reliefrtl::trace::{Pipeline, hit};
-use reliefrtl::units::traversal::{census, traverse};
+use reliefrtl::units::traversal::{loop_resources, traverse};
 use reliefrtl::vectors::Plan;
 
 fn check_all(d: &Design, rows: usize) -> usize {
@@ -112,7 +112,7 @@ fn the_loop_is_the_published_one() {
     for mode in modes() {
         let d = Design { mode, ..design(8) };
         let t = traverse(&d);
-        let c = census(&d, &t);
+        let c = loop_resources(&d, &t);
         assert_eq!((c.adders, c.comparators, c.multipliers, c.dividers, c.stages), (6, 7, 5, 2, 15), "{mode:?}");
     }
 }

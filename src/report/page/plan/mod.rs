@@ -1,14 +1,14 @@
 //! What is measured: maps, views, designs, modes; every combination is a cell.
 mod design;
 mod headline;
+mod map;
 mod select;
-mod site;
 mod synthesized;
 
 pub use design::{BEST, DesignSpec, mode_label, mode_words};
 pub use headline::Headline;
+pub use map::{Map, MapSpec};
 pub use select::{Extent, ModeSet, Selection};
-pub use site::{MapSpec, Site};
 pub use synthesized::{Synthesized, UnitFigures};
 
 use crate::config::{Config, DatapathKind, MapConfig, MapKind, View};
@@ -57,7 +57,7 @@ pub struct Plan {
     /// What was chosen.
     pub selection: Selection,
     /// Maps.
-    pub sites: Vec<Site>,
+    pub sites: Vec<Map>,
     /// Designs with their modes, in the order of the page.
     pub designs: Vec<DesignSpec>,
     /// The designs that the page always names.
@@ -184,7 +184,7 @@ impl Plan {
 }
 
 /// The maps: own ones or the user's, the first also in other sizes, and the published ones.
-fn sites(c: &Config, s: &Selection) -> Result<Vec<Site>> {
+fn sites(c: &Config, s: &Selection) -> Result<Vec<Map>> {
     let n = c.traverse.levels;
     let usual = [MapKind::Rocks, MapKind::Spikes, MapKind::Dunes, MapKind::Bricks];
     let kinds: Vec<MapKind> = match (c.map.kind, s.extent) {
@@ -206,19 +206,19 @@ fn sites(c: &Config, s: &Selection) -> Result<Vec<Site>> {
     if s.levels.is_empty() && s.extent != Extent::Tiny && sizes {
         wanted.extend(SIZES.map(|l| (kinds[0], l, true)));
     }
-    let mut sites: Vec<Site> = Vec::new();
+    let mut sites: Vec<Map> = Vec::new();
     for (kind, levels, sweep) in wanted {
         if sites.iter().any(|x| (x.spec.kind, x.spec.levels) == (kind, levels)) {
             continue;
         }
         let file = c.map.file.clone().filter(|_| kind == MapKind::File);
         let map = MapConfig { kind, file, ..c.map.clone() };
-        sites.push(Site::new(c, &map, levels, sweep)?);
+        sites.push(Map::new(c, &map, levels, sweep)?);
     }
     for p in PUBLISHED.iter().filter(|_| s.scenes.is_some()) {
         let file = s.scenes.as_ref().map(|dir| dir.join(format!("{}.png", p.scene)));
         let map = MapConfig { kind: MapKind::File, file, scale: p.scale, repeat: p.repeat, ..c.map.clone() };
-        sites.push(Site::new(c, &map, n, false)?);
+        sites.push(Map::new(c, &map, n, false)?);
     }
     Ok(sites)
 }

@@ -63,8 +63,8 @@ impl<'b> Operand<'b> {
             return (self.exp.zext(e_w), self.b.cat(&[self.b.lit(1, 1), self.frac]));
         }
         let sig = self.sig();
-        let lead = lzc(self.b, &format!("u_{}_lzc", self.name), sig, &format!("{}_lead", self.name));
-        let exp = self.called(self.weight().zext(e_w) - lead.zext(e_w), "norm_exp");
-        (exp, self.called(sig.shift_left(lead), "norm"))
+        let count = lzc(self.b, &format!("u_{}_lzc", self.name), sig, &format!("{}_lzc", self.name));
+        let exp = self.called(self.weight().zext(e_w) - count.zext(e_w), "norm_exp");
+        (exp, self.called(sig.shift_left(count), "norm"))
     }
 }

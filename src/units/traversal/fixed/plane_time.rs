@@ -47,8 +47,8 @@ pub fn plane_time(d: &Design) -> Arc<Module> {
     let dist = away.slice(1, dist_w.clone()).named("distance");
 
     b.section("align", "What is moved out at the top is more than the ray travels in all.");
-    let lead = lzc(&b, "u_lzc", dist, "lead");
-    let far = lead.lt(z).named("is_far");
+    let count = lzc(&b, "u_lzc", dist, "lz_count");
+    let far = count.lt(z).named("is_far");
     let moved = dist.shift_left(z).named("moved");
 
     b.section("multiply", "A parameter behind the bottom plane stays at all ones.");

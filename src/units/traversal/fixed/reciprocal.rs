@@ -34,8 +34,8 @@ pub fn reciprocal(d: &Design) -> Arc<Module> {
 
     b.section("normalize", "The topmost 1 of the travel and that of M move to the same place. A travel of 0 has none.");
     let tall = b.cat(&[b.zeros(1), a]).named("a_tall");
-    let lead = lzc(&b, "u_lzc", tall, "lead");
-    let moved = tall.shift_left(lead).named("a_moved");
+    let count = lzc(&b, "u_lzc", tall, "lz_count");
+    let moved = tall.shift_left(count).named("a_moved");
     b.unused(moved.bit(0));
     let div = moved.slice(1, reach.clone()).named("divisor");
     let zero = a.none().named("is_zero");
@@ -66,7 +66,7 @@ pub fn reciprocal(d: &Design) -> Arc<Module> {
     let sum = (digits.zext(&w + 1) + guard.zext(&w + 1)).named("rounded");
     let r = (sum.slice(0, w.clone()) | sum.msb().rep(w.clone())) & (!zero).rep(w.clone());
     b.drive(o_r, r.named("nearest"), Some(latency));
-    let z = (over | zero).mux(lead, lead - b.lit(1, &shift_w)).named("shift");
+    let z = (over | zero).mux(count, count - b.lit(1, &shift_w)).named("shift");
     b.drive(o_z, z, Some(latency));
     b.finish(Some(latency), &bindings())
 }

@@ -46,13 +46,13 @@ pub fn boundary_time(d: &Design) -> Arc<Module> {
     let by = b.konst(&nudge, 5).named("nudge_bits");
     let at = plane.sext(&wide).shift_left(by).named("plane_fixed");
     let step = b.konst(nudge.smaller(1), 1).named("has_nudge").zext(&wide);
-    let behind = neg.mux(at - step, at + step).named("behind").cut();
+    let target = neg.mux(at - step, at + step).named("target").reg();
 
     b.section("distance", "");
     let fixed = d.traverse.idx_bits() + d.datapath.nudge_bits + 1;
     let from = fp_from_fixed(d.format, fixed, d.datapath.nudge_bits, d.latency.from_int);
     let params = [("INT_W", wide), ("FRAC_W", nudge)];
-    let at = b.inst(&from, "u_from_fixed", &params, &[("a", behind)])[0].named("plane_float");
+    let at = b.inst(&from, "u_from_fixed", &params, &[("a", target)])[0].named("plane_float");
     let minus_p = b.cat(&[!p.msb(), p.slice(0, &f.width - 1)]).named("minus_p");
     let add = fp_add(d.format, d.latency.add);
     let dist = b.inst(&add, "u_sub", &[], &[("a", at), ("b", minus_p)])[0].named("distance");

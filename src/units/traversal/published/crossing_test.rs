@@ -43,11 +43,11 @@ pub fn crossing_test(d: &Design) -> Arc<Module> {
     let one_exp = b.konst(f.bias(), &f.exp).named("one_exp");
     let one = b.cat(&[b.zeros(1), one_exp, b.zeros(&f.man)]);
     let past = b.inst(&lt, "u_end", &[], &[("a", one), ("b", t_exit)])[0].named("past_end");
-    let grows = b.inst(&lt, "u_t_exit", &[], &[("a", t), ("b", t_exit)])[0].named("t_grows");
+    let grows = b.inst(&lt, "u_t_exit", &[], &[("a", t), ("b", t_exit)])[0].named("t_advances");
 
     b.section("select", "A plane behind the end of the ray is never crossed.");
     let l = latency(&d.latency);
     b.drive(crosses, ((beyond[0] | beyond[1]) & !past).named("leaves_node"), Some(l));
-    b.drive(t_next, grows.mux(t_exit, t).named("t_behind"), Some(l));
+    b.drive(t_next, grows.mux(t_exit, t).named("t_after"), Some(l));
     b.finish(Some(l), &bindings())
 }

@@ -28,12 +28,12 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
         .named("address");
 
     b.section("height read", "");
-    let height = height_read::read(b, s, d, load, address.cut());
+    let height = height_read::read(b, s, d, load, address.reg());
 
     b.section("boundaries", "The two dividers of the loop.");
     let when = |axis: &str, plane: Sig<'b>, neg: Sig<'b>| {
         let (p, dir) = (ray.get(&format!("p_{axis}")), ray.get(&format!("d_{axis}")));
-        let ins = [("plane", plane.cut()), ("neg", neg), ("p", p), ("d", dir)];
+        let ins = [("plane", plane.reg()), ("neg", neg), ("p", p), ("d", dir)];
         b.inst(&boundary_time(d), &format!("u_time_{axis}"), &idx(), &ins)[0].named(&format!("t_{axis}")).id()
     };
     let t_x = b.sig(when("x", planes[0], neg[0]));
@@ -100,7 +100,7 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
     ins.extend([("x_hit", hit[0]), ("x_cross", cross[0]), ("y_hit", hit[1]), ("y_cross", cross[1])]);
     let o = b.inst(&level_choice(d), "u_decision", &[], &ins);
     let names = ["is_hit", "crosses", "level_next", "x_next_at", "y_next_at", "t_after"];
-    let o: Vec<Sig<'b>> = o.iter().zip(names).map(|(v, n)| (0..l.decision).fold(v.named(n), |v, _| v.cut())).collect();
+    let o: Vec<Sig<'b>> = o.iter().zip(names).map(|(v, n)| (0..l.decision).fold(v.named(n), |v, _| v.reg())).collect();
     let [hit, crosses, level_next, x_at, y_at, t_after] = o[..] else { unreachable!("as many as names") };
 
     b.section("address conversion", "");

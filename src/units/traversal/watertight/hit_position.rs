@@ -65,7 +65,7 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
     }
     let corner = b.cat(&[x.at(known), b.zeros(&frac)]).named("corner");
     let off = (fixed.sext(&wide) - corner.sext(&wide)).named("offset");
-    let off = if d.latency.hit > 0 { off.cut() } else { off };
+    let off = if d.latency.hit > 0 { off.reg() } else { off };
     let past = off.slice(&frac, &idx + 1).any().named("past");
     let inside = off.slice(0, &frac).named("low_part");
     let kept = off.msb().mux(b.zeros(&frac), past.mux(b.ones(&frac), inside)).named("kept");

@@ -35,11 +35,11 @@ pub fn node_crossing(d: &Design) -> Arc<Module> {
 
     b.section("select", "");
     let exit = y_less.mux(t_y, t_x).named("t_exit");
-    let grow = y_less.mux(grow_y, grow_x).named("t_grows");
-    let next = grow.mux(exit, t).named("t_behind");
+    let grow = y_less.mux(grow_y, grow_x).named("t_advances");
+    let next = grow.mux(exit, t).named("t_after");
     let l = latency(&d.latency);
     b.drive(inside, (in_x & in_y).named("in_both"), Some(l));
-    b.drive(x_first, (!y_less).named("x_not_later"), Some(l));
+    b.drive(x_first, (!y_less).named("x_exits_first"), Some(l));
     b.drive(t_next, next, Some(l));
     b.finish(Some(l), &bindings())
 }

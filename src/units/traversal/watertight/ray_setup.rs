@@ -98,7 +98,7 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
             let (x, y) = (axes[0].first, axes[1].first);
             let ins = [("x", x), ("y", y), ("x_end", x_end), ("y_end", y_end)];
             let start = b.inst(&start_level(t), "u_start_level", &[("IDX_W", s.idx.clone())], &ins)[0].named("start");
-            if d.latency.setup > 0 { start.cut() } else { start }
+            if d.latency.setup > 0 { start.reg() } else { start }
         }
         _ => b.konst(&s.levels, &levels.level_w).named("root"),
     };
@@ -140,7 +140,7 @@ fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &'static str, p_in: Sig
         let keep = (!x.is_zero).rep(&f.exp + &f.man);
         b.cat(&[sign, b.cat(&[x.exp + grow, x.frac]) & keep]).named(&n(net)).id()
     };
-    let cut = |v: Sig<'b>| if scale_clocks(&d.latency) > 0 { v.cut() } else { v };
+    let cut = |v: Sig<'b>| if scale_clocks(&d.latency) > 0 { v.reg() } else { v };
     let p = cut(b.sig(scaled(&fp, b.zeros(1), "p")));
     let dn = cut(b.sig(scaled(&fd, fd.sign, "dn")));
     let neg = fd.sign;
@@ -168,12 +168,12 @@ fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &'static str, p_in: Sig
     let wide = &f.exp + 1;
     let least = b.konst(f.bias() + &s.levels + 2, &wide).named("least");
     let dn_exp = dn.slice(f.man.clone(), f.exp.clone());
-    let step = |v: Sig<'b>| if d.latency.setup > 0 { v.cut() } else { v };
+    let step = |v: Sig<'b>| if d.latency.setup > 0 { v.reg() } else { v };
     let reach = step((dn_exp.zext(&wide) + b.lit(5, &wide)).named(&n("reach")));
     let top = step(least.lt(reach).mux(reach, least).named(&n("bias_top")));
     let b_exp = (top - b.konst(&f.man + 1, &wide).named("ulps")).named(&n("bias_exp"));
     b.unused(b_exp.msb());
-    let cut = |v: Sig<'b>| if d.latency.node > 0 { v.cut() } else { v };
+    let cut = |v: Sig<'b>| if d.latency.node > 0 { v.reg() } else { v };
     let bias = b.cat(&[(!neg).named(&n("forward")), b_exp.slice(0, f.exp.clone()), b.zeros(&f.man)]).named(&n("bias"));
     let bias = cut(bias);
     let add = fp_add(d.format, d.latency.add);

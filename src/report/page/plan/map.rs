@@ -31,7 +31,7 @@ pub struct MapSpec {
 }
 
 /// A map, ready to be traced.
-pub struct Site {
+pub struct Map {
     /// What it is.
     pub spec: MapSpec,
     /// Height codes.
@@ -44,7 +44,7 @@ pub struct Site {
     pub sweep: bool,
 }
 
-impl Site {
+impl Map {
     /// The map of `map` with 2^levels texels along each side.
     ///
     /// # Errors
@@ -82,10 +82,10 @@ impl Site {
         self.inside(c, camera.bordered_rays(s.border, s.scale, s.repeat, stride))
     }
 
-    /// As [`Site::rays`], of a set: of a camera every `stride`-th pixel's, of a table all.
+    /// As [`Map::rays`], of a set: of a camera every `stride`-th pixel's, of a table all.
     ///
     /// # Errors
-    /// As [`Site::rays`]; a table's ray that enters outside of what the border prepares.
+    /// As [`Map::rays`]; a table's ray that enters outside of what the border prepares.
     pub fn set(&self, c: &Config, set: &RaySet, stride: u32) -> Result<Vec<ViewRay>> {
         let s = &self.spec;
         self.inside(c, set.rays(s.border, (s.scale, s.repeat), (c.view.width, c.view.height), stride)?)

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 /// Floating-point units in the loop, and its stages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Census {
+pub struct LoopResources {
     /// `fp_add`: adders of two inputs.
     pub adders: u32,
     /// `fp_lt`.
@@ -23,9 +23,10 @@ pub struct Census {
 }
 
 /// The traverse unit of PIDM-HW: table 1, and the 15 stages of figure 7.
-pub const PUBLISHED: Census = Census { adders: 6, comparators: 7, multipliers: 5, dividers: 2, stages: 15 };
+pub const PUBLISHED: LoopResources =
+    LoopResources { adders: 6, comparators: 7, multipliers: 5, dividers: 2, stages: 15 };
 
-impl Census {
+impl LoopResources {
     /// Rows of a table: what, and how many.
     pub const fn rows(&self) -> [(&'static str, u32); 5] {
         [
@@ -39,13 +40,13 @@ impl Census {
 }
 
 /// Counts what stands in the loop of `t`: all of it but setup, the position of the hit, and its refinement.
-pub fn census(d: &Design, t: &Traverse) -> Census {
+pub fn loop_resources(d: &Design, t: &Traverse) -> LoopResources {
     let path = Datapath::of(d);
     let outside = [(path.setup)(d).name.clone(), (path.hit)(d).name.clone(), bilinear::NAME.to_string()];
     let inside = t.module.insts.iter().map(|i| &i.module).filter(|m| !outside.contains(&m.name));
     let inside: Vec<&Arc<Module>> = inside.collect();
     let of = |name: &str| inside.iter().map(|m| count(m, name)).sum();
-    Census {
+    LoopResources {
         adders: of(names::ADD),
         comparators: of(names::LT),
         multipliers: of(names::MUL),
@@ -59,7 +60,7 @@ fn count(m: &Module, name: &str) -> u32 {
     u32::from(m.name == name) + m.insts.iter().map(|i| count(&i.module, name)).sum::<u32>()
 }
 
-/// Why the `row` (of [`Census::rows`]) of a datapath differs from the published one, where it does.
+/// Why the `row` (of [`LoopResources::rows`]) of a datapath differs from the published one, where it does.
 pub fn difference(kind: DatapathKind, row: &str) -> &'static str {
     match (kind, row) {
         (_, "stages") if kind == DatapathKind::Published => {

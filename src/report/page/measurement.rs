@@ -1,5 +1,5 @@
 //! One cell: a map, a view and a design, measured on the view's rays.
-use super::plan::{DesignSpec, Job, MapSpec, Plan, Site};
+use super::plan::{DesignSpec, Job, Map, MapSpec, Plan};
 use super::stats::Spread;
 use crate::config::Design;
 use crate::error::{Error, Result};
@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 
 /// What a cell measures; its canonical JSON names the cell.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct CellSpec {
+pub struct MeasurementSpec {
     /// Version of the crate.
     pub version: String,
     /// Map.
@@ -36,7 +36,7 @@ pub struct CellSpec {
     pub design: DesignSpec,
 }
 
-impl CellSpec {
+impl MeasurementSpec {
     /// Where the rays come from, in a word: the view, or its elevation.
     pub fn from(&self) -> String {
         self.elevation.map_or_else(|| self.view.clone(), |e| format!("{e}°"))
@@ -64,9 +64,9 @@ pub struct Witness {
 
 /// A measured cell.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Cell {
+pub struct Measurement {
     /// What it is.
-    pub spec: CellSpec,
+    pub spec: MeasurementSpec,
     /// Digest of the hits of some of the rays: a stored cell whose model has changed since is not used.
     pub probe: String,
     /// Rays.
@@ -120,12 +120,12 @@ pub struct Reference {
     exact: Vec<Option<(ExactHit, [f64; 2])>>,
 }
 
-fn exact_map(site: &Site) -> ExactMap<'_> {
+fn exact_map(site: &Map) -> ExactMap<'_> {
     ExactMap { levels: site.spec.levels, height_bits: site.spec.height_bits, texels: &site.texels }
 }
 
 /// The exact hit, and its place in texels; `None` if the walk is too wide.
-pub(super) fn walk(site: &Site, ray: &ExactRay) -> Option<(ExactHit, [f64; 2])> {
+pub(super) fn walk(site: &Map, ray: &ExactRay) -> Option<(ExactHit, [f64; 2])> {
     place(&exact_map(site), ray).ok()
 }
 
@@ -133,8 +133,8 @@ impl Reference {
     /// The rays of a measurement's view on its map.
     ///
     /// # Errors
-    /// As [`Site::rays`].
-    pub fn new(plan: &Plan, site: &Site, job: &Job) -> Result<Self> {
+    /// As [`Map::rays`].
+    pub fn new(plan: &Plan, site: &Map, job: &Job) -> Result<Self> {
         let of = &plan.rays[job.view];
         let mut rays = site.set(&plan.config, &of.set, of.stride)?;
         if of.set.camera(1, 1).is_some() && of.elevation.is_none() {
@@ -153,7 +153,7 @@ impl Reference {
 ///
 /// # Errors
 /// A design that is not legal.
-pub fn probe(design: &Design, site: &Site, rays: &[ViewRay]) -> Result<(Vec<RayInput>, String)> {
+pub fn probe(design: &Design, site: &Map, rays: &[ViewRay]) -> Result<(Vec<RayInput>, String)> {
     let words: Vec<RayInput> = rays.par_iter().map(|r| encode_ray(design, [r.u, r.v, r.du, r.dv])).collect();
     let few: Vec<RayInput> = words.iter().step_by((words.len() / PROBES).max(1)).copied().collect();
     let hits = trace_golden(design, &site.pyramid, &few)?;
@@ -161,12 +161,12 @@ pub fn probe(design: &Design, site: &Site, rays: &[ViewRay]) -> Result<(Vec<RayI
     Ok((words, digest))
 }
 
-impl Cell {
+impl Measurement {
     /// Measures a cell.
     ///
     /// # Errors
     /// A design that is not legal.
-    pub fn measure(plan: &Plan, site: &Site, spec: CellSpec, reference: &Reference) -> Result<Self> {
+    pub fn measure(plan: &Plan, site: &Map, spec: MeasurementSpec, reference: &Reference) -> Result<Self> {
         let design = spec.design.design(&plan.config, site.spec.levels)?;
         let (words, probe) = probe(&design, site, &reference.rays)?;
         let hits = trace_golden(&design, &site.pyramid, &words)?;
