@@ -30,10 +30,10 @@ foreach file {
   rtl/relief_predicted_hit.v
   rtl/relief_ray_setup.v
   rtl/relief_setup_delay.v
+  rtl/relief_spill_data.v
+  rtl/relief_spill_register.v
   rtl/relief_start_level.v
-  rtl/relief_stream_skid.v
   rtl/relief_traverse.v
-  rtl/relief_word_skid.v
 } {
   read_verilog $file
 }

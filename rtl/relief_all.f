@@ -23,8 +23,8 @@ relief_ray_setup.v
 relief_hit_position.v
 relief_height_banks.v
 relief_setup_delay.v
-relief_stream_skid.v
-relief_word_skid.v
+relief_spill_register.v
+relief_spill_data.v
 relief_hit_delay.v
 relief_hit_valid_delay.v
 relief_traverse.v

@@ -14,23 +14,15 @@ module relief_div_rows #(
   output wire [ROWS-1:0] quot      // quotient bits, the first on top [bits]
 );
 
-  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
   generate
-    if (2 > W) begin : gen_illegal_0
-      must_hold_2_at_most_W u_illegal ();
-    end
-    if (W > 62) begin : gen_illegal_1
-      must_hold_W_at_most_62 u_illegal ();
-    end
-    if (1 > ROWS) begin : gen_illegal_2
-      must_hold_1_at_most_ROWS u_illegal ();
-    end
-    if (ROWS > 64) begin : gen_illegal_3
-      must_hold_ROWS_at_most_64 u_illegal ();
-    end
+    if (W < 2) begin : gen_illegal_0 W_must_be_at_least_2 u_illegal (); end
+    if (W > 62) begin : gen_illegal_1 W_must_be_at_most_62 u_illegal (); end
+    if (ROWS < 1) begin : gen_illegal_2 ROWS_must_be_at_least_1 u_illegal (); end
+    if (ROWS > 64) begin : gen_illegal_3 ROWS_must_be_at_most_64 u_illegal (); end
   endgenerate
 
-  // Each row: subtract if it fits, digit 1 if it did, and double what is left.
+  // Restoring division, one quotient bit per row: subtract if the divisor fits, then shift left.
   genvar r;
   generate
     for (r = 0; r < ROWS; r = r + 1) begin : gen_row

@@ -27,20 +27,12 @@ module relief_fp_div #(
   localparam integer QuotW = SigW + 2;
   localparam integer Bias = (1 << (EXP_W - 1)) - 1;
 
-  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
   generate
-    if (2 > EXP_W) begin : gen_illegal_0
-      must_hold_2_at_most_EXP_W u_illegal ();
-    end
-    if (EXP_W > 11) begin : gen_illegal_1
-      must_hold_EXP_W_at_most_11 u_illegal ();
-    end
-    if (16 > MAN_W) begin : gen_illegal_2
-      must_hold_16_at_most_MAN_W u_illegal ();
-    end
-    if (MAN_W > 28) begin : gen_illegal_3
-      must_hold_MAN_W_at_most_28 u_illegal ();
-    end
+    if (EXP_W < 2) begin : gen_illegal_0 EXP_W_must_be_at_least_2 u_illegal (); end
+    if (EXP_W > 11) begin : gen_illegal_1 EXP_W_must_be_at_most_11 u_illegal (); end
+    if (MAN_W < 16) begin : gen_illegal_2 MAN_W_must_be_at_least_16 u_illegal (); end
+    if (MAN_W > 28) begin : gen_illegal_3 MAN_W_must_be_at_most_28 u_illegal (); end
     if (LATENCY != 20) begin : gen_other_latency
       relief_fp_div_has_LATENCY_20_not_the_one_asked_for u_illegal ();
     end else if (VARIANT != 32'h168f7dd3) begin : gen_other_variant

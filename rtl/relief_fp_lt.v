@@ -23,20 +23,12 @@ module relief_fp_lt #(
 );
   localparam integer FloatW = EXP_W + MAN_W + 1;
 
-  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
   generate
-    if (2 > EXP_W) begin : gen_illegal_0
-      must_hold_2_at_most_EXP_W u_illegal ();
-    end
-    if (EXP_W > 11) begin : gen_illegal_1
-      must_hold_EXP_W_at_most_11 u_illegal ();
-    end
-    if (2 > MAN_W) begin : gen_illegal_2
-      must_hold_2_at_most_MAN_W u_illegal ();
-    end
-    if (MAN_W > 28) begin : gen_illegal_3
-      must_hold_MAN_W_at_most_28 u_illegal ();
-    end
+    if (EXP_W < 2) begin : gen_illegal_0 EXP_W_must_be_at_least_2 u_illegal (); end
+    if (EXP_W > 11) begin : gen_illegal_1 EXP_W_must_be_at_most_11 u_illegal (); end
+    if (MAN_W < 2) begin : gen_illegal_2 MAN_W_must_be_at_least_2 u_illegal (); end
+    if (MAN_W > 28) begin : gen_illegal_3 MAN_W_must_be_at_most_28 u_illegal (); end
     if (LATENCY != 1) begin : gen_other_latency
       relief_fp_lt_has_LATENCY_1_not_the_one_asked_for u_illegal ();
     end else if (VARIANT != 32'h34d3d038) begin : gen_other_variant

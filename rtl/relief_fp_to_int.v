@@ -29,25 +29,15 @@ module relief_fp_to_int #(
   localparam integer Full = INT_W + MAN_W + (1 << (EXP_W - 1)) - 1;
   localparam integer Least = MAN_W + 2;
 
-  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
   generate
-    if (2 > EXP_W) begin : gen_illegal_0
-      must_hold_2_at_most_EXP_W u_illegal ();
-    end
-    if (EXP_W > 11) begin : gen_illegal_1
-      must_hold_EXP_W_at_most_11 u_illegal ();
-    end
-    if (2 > MAN_W) begin : gen_illegal_2
-      must_hold_2_at_most_MAN_W u_illegal ();
-    end
-    if (MAN_W > 28) begin : gen_illegal_3
-      must_hold_MAN_W_at_most_28 u_illegal ();
-    end
-    if (2 > INT_W) begin : gen_illegal_4
-      must_hold_2_at_most_INT_W u_illegal ();
-    end
+    if (EXP_W < 2) begin : gen_illegal_0 EXP_W_must_be_at_least_2 u_illegal (); end
+    if (EXP_W > 11) begin : gen_illegal_1 EXP_W_must_be_at_most_11 u_illegal (); end
+    if (MAN_W < 2) begin : gen_illegal_2 MAN_W_must_be_at_least_2 u_illegal (); end
+    if (MAN_W > 28) begin : gen_illegal_3 MAN_W_must_be_at_most_28 u_illegal (); end
+    if (INT_W < 2) begin : gen_illegal_4 INT_W_must_be_at_least_2 u_illegal (); end
     if (INT_W + MAN_W + 3 > 64) begin : gen_illegal_5
-      must_hold_INT_W_plus_MAN_W_plus_3_at_most_64 u_illegal ();
+      INT_W_plus_MAN_W_plus_3_must_be_at_most_64 u_illegal ();
     end
     if (LATENCY != 2) begin : gen_other_latency
       relief_fp_to_int_has_LATENCY_2_not_the_one_asked_for u_illegal ();

@@ -16,14 +16,10 @@ module relief_height_address #(
   localparam integer LevelW = $clog2(LEVELS + 1);
   localparam integer Root = LEVELS;
 
-  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
   generate
-    if (2 > LEVELS) begin : gen_illegal_0
-      must_hold_2_at_most_LEVELS u_illegal ();
-    end
-    if (LEVELS > 12) begin : gen_illegal_1
-      must_hold_LEVELS_at_most_12 u_illegal ();
-    end
+    if (LEVELS < 2) begin : gen_illegal_0 LEVELS_must_be_at_least_2 u_illegal (); end
+    if (LEVELS > 12) begin : gen_illegal_1 LEVELS_must_be_at_most_12 u_illegal (); end
     if (LATENCY != 0) begin : gen_other_latency
       relief_height_address_has_LATENCY_0_not_the_one_asked_for u_illegal ();
     end else if (VARIANT != 32'h23add022) begin : gen_other_variant

@@ -23,22 +23,14 @@ module relief_height_banks #(
   output wire [DATA_W-1:0] read_data    // the word, two clocks later [bits]
 );
 
-  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
   generate
-    if (2 > ADDR_W) begin : gen_illegal_0
-      must_hold_2_at_most_ADDR_W u_illegal ();
-    end
-    if (1 > DATA_W) begin : gen_illegal_1
-      must_hold_1_at_most_DATA_W u_illegal ();
-    end
-    if (1 > DEPTH) begin : gen_illegal_2
-      must_hold_1_at_most_DEPTH u_illegal ();
-    end
-    if (1 > BANK_W) begin : gen_illegal_3
-      must_hold_1_at_most_BANK_W u_illegal ();
-    end
+    if (ADDR_W < 2) begin : gen_illegal_0 ADDR_W_must_be_at_least_2 u_illegal (); end
+    if (DATA_W < 1) begin : gen_illegal_1 DATA_W_must_be_at_least_1 u_illegal (); end
+    if (DEPTH < 1) begin : gen_illegal_2 DEPTH_must_be_at_least_1 u_illegal (); end
+    if (BANK_W < 1) begin : gen_illegal_3 BANK_W_must_be_at_least_1 u_illegal (); end
     if (DEPTH > (1 << ADDR_W)) begin : gen_illegal_4
-      must_hold_DEPTH_at_most_2_to_the_ADDR_W u_illegal ();
+      DEPTH_must_be_at_most_2_to_the_ADDR_W u_illegal ();
     end
   endgenerate
 
@@ -48,8 +40,8 @@ module relief_height_banks #(
   genvar g;
   generate
     if (MEM_INIT != "") begin : gen_preload
-      // One file fills one array; how it is divided among block memories is for the synthesizer.
-      // Nobody needs the word that is being written, so no logic remembers it.
+      // One file initializes one array; the synthesizer divides it among block memories.
+      // Reading the address that is being written is don't-care: no bypass logic.
       (* no_rw_check *)
       reg [DATA_W-1:0] mem [0:DEPTH-1];
       reg [DATA_W-1:0] read_q;
@@ -62,34 +54,34 @@ module relief_height_banks #(
       end
       assign read_data = out_q;
     end else begin : gen_banks
-      // Every bank reads. The bank that was asked for is known beside its word, one bit a bank, so
-      // that the selection behind the registers is one AND-OR.
+      // Every bank is read. The bank select is decoded beside the read, one-hot, so that the output
+      // multiplexer after the registers is one AND-OR.
       for (g = 0; g < BankCount; g = g + 1) begin : gen_bank
         localparam integer Index = g;
-        // Nobody needs the word that is being written, so no logic remembers it.
+        // Reading the address that is being written is don't-care: no bypass logic.
         (* no_rw_check *)
         reg  [DATA_W-1:0] mem [0:(1<<WordW)-1];
         reg  [DATA_W-1:0] read_q;
         reg  [DATA_W-1:0] out_q;
-        reg               asked_q;
-        reg               asked_out_q;
-        wire [DATA_W-1:0] below;
-        wire [DATA_W-1:0] so_far = below | ({DATA_W{asked_out_q}} & out_q);
+        reg               select_q;
+        reg               select_out_q;
+        wire [DATA_W-1:0] lower;
+        wire [DATA_W-1:0] merged = lower | ({DATA_W{select_out_q}} & out_q);
         wire              written = write_addr[ADDR_W-1:WordW] == Index[ADDR_W-1-WordW:0];
         always @(posedge clk) begin
           if (write_en && written) mem[write_addr[WordW-1:0]] <= write_data;
           read_q      <= mem[read_addr[WordW-1:0]];
           out_q       <= read_q;
-          asked_q     <= read_addr[ADDR_W-1:WordW] == Index[ADDR_W-1-WordW:0];
-          asked_out_q <= asked_q;
+          select_q     <= read_addr[ADDR_W-1:WordW] == Index[ADDR_W-1-WordW:0];
+          select_out_q <= select_q;
         end
         if (g == 0) begin : gen_first
-          assign below = {DATA_W{1'b0}};
+          assign lower = {DATA_W{1'b0}};
         end else begin : gen_later
-          assign below = gen_bank[g-1].so_far;
+          assign lower = gen_bank[g-1].merged;
         end
         if (g == BankCount - 1) begin : gen_last
-          assign read_data = so_far;
+          assign read_data = merged;
         end
       end
     end

@@ -15,11 +15,9 @@ module relief_hit_delay #(
   output wire [W-1:0] out_data   // the delayed word [bits]
 );
 
-  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
   generate
-    if (1 > W) begin : gen_illegal_0
-      must_hold_1_at_most_W u_illegal ();
-    end
+    if (W < 1) begin : gen_illegal_0 W_must_be_at_least_1 u_illegal (); end
     if (LATENCY != 7) begin : gen_other_latency
       relief_hit_delay_has_LATENCY_7_not_the_one_asked_for u_illegal ();
     end else if (VARIANT != 32'h62486e47) begin : gen_other_variant

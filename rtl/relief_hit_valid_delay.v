@@ -15,7 +15,7 @@ module relief_hit_valid_delay #(
   output wire  out_valid   // the delayed word counts
 );
 
-  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
   generate
     if (LATENCY != 7) begin : gen_other_latency
       relief_hit_valid_delay_has_LATENCY_7_not_the_one_asked_for u_illegal ();

@@ -11,14 +11,10 @@ module relief_interleave #(
   output wire [2*W-1:0] result   // b[W-1] a[W-1] .. b[0] a[0] [bits]
 );
 
-  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
   generate
-    if (1 > W) begin : gen_illegal_0
-      must_hold_1_at_most_W u_illegal ();
-    end
-    if (W > 32) begin : gen_illegal_1
-      must_hold_W_at_most_32 u_illegal ();
-    end
+    if (W < 1) begin : gen_illegal_0 W_must_be_at_least_1 u_illegal (); end
+    if (W > 32) begin : gen_illegal_1 W_must_be_at_most_32 u_illegal (); end
   endgenerate
 
   genvar i;

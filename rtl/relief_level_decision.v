@@ -40,32 +40,18 @@ module relief_level_decision #(
 );
   localparam integer LevelW = $clog2(LEVELS + 1);
 
-  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
   generate
-    if (2 > EXP_W) begin : gen_illegal_0
-      must_hold_2_at_most_EXP_W u_illegal ();
-    end
-    if (EXP_W > 11) begin : gen_illegal_1
-      must_hold_EXP_W_at_most_11 u_illegal ();
-    end
-    if (2 > MAN_W) begin : gen_illegal_2
-      must_hold_2_at_most_MAN_W u_illegal ();
-    end
-    if (MAN_W > 28) begin : gen_illegal_3
-      must_hold_MAN_W_at_most_28 u_illegal ();
-    end
-    if (2 > LEVELS) begin : gen_illegal_4
-      must_hold_2_at_most_LEVELS u_illegal ();
-    end
-    if (LEVELS > 12) begin : gen_illegal_5
-      must_hold_LEVELS_at_most_12 u_illegal ();
-    end
+    if (EXP_W < 2) begin : gen_illegal_0 EXP_W_must_be_at_least_2 u_illegal (); end
+    if (EXP_W > 11) begin : gen_illegal_1 EXP_W_must_be_at_most_11 u_illegal (); end
+    if (MAN_W < 2) begin : gen_illegal_2 MAN_W_must_be_at_least_2 u_illegal (); end
+    if (MAN_W > 28) begin : gen_illegal_3 MAN_W_must_be_at_most_28 u_illegal (); end
+    if (LEVELS < 2) begin : gen_illegal_4 LEVELS_must_be_at_least_2 u_illegal (); end
+    if (LEVELS > 12) begin : gen_illegal_5 LEVELS_must_be_at_most_12 u_illegal (); end
     if (LEVELS + 2 > IDX_W) begin : gen_illegal_6
-      must_hold_LEVELS_plus_2_at_most_IDX_W u_illegal ();
+      LEVELS_plus_2_must_be_at_most_IDX_W u_illegal ();
     end
-    if (IDX_W > 24) begin : gen_illegal_7
-      must_hold_IDX_W_at_most_24 u_illegal ();
-    end
+    if (IDX_W > 24) begin : gen_illegal_7 IDX_W_must_be_at_most_24 u_illegal (); end
     if (LATENCY != 0) begin : gen_other_latency
       relief_level_decision_has_LATENCY_0_not_the_one_asked_for u_illegal ();
     end else if (VARIANT != 32'h4ae3ce84) begin : gen_other_variant

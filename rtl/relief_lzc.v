@@ -11,44 +11,40 @@ module relief_lzc #(
 );
   localparam integer CountW = $clog2(W + 1);
 
-  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
   generate
-    if (1 > W) begin : gen_illegal_0
-      must_hold_1_at_most_W u_illegal ();
-    end
-    if (W > 64) begin : gen_illegal_1
-      must_hold_W_at_most_64 u_illegal ();
-    end
+    if (W < 1) begin : gen_illegal_0 W_must_be_at_least_1 u_illegal (); end
+    if (W > 64) begin : gen_illegal_1 W_must_be_at_most_64 u_illegal (); end
   endgenerate
 
-  // Ones below the last bit: the count of an all-zero word comes out as W by itself.
+  // Padded with ones below the last bit, so that the count of an all-zero word is W.
   localparam integer PadW = 1 << CountW;
   wire [PadW-1:0] padded = {bits, {(PadW - W){1'b1}}};
 
-  // Level s joins neighbours to groups of 2 << s bits, and knows of each whether it is all zeros
-  // and else how many lead: the upper half's count, or 2^s and the lower half's. The topmost bits
-  // of the count are ready first.
+  // Binary tree. Level s covers groups of 2 << s bits: whether a group is all zeros, and else its
+  // leading-zero count, which is that of the upper half, or 2^s plus that of the lower half. The
+  // most significant bits of the count have the shortest path.
   genvar s, g;
   generate
     for (s = 0; s < CountW; s = s + 1) begin : gen_level
       localparam integer Groups = PadW >> (s + 1);
       wire [Groups-1:0]         empty;
-      wire [Groups*(s+1)-1:0]   lead;
+      wire [Groups*(s+1)-1:0]   lzc;
       for (g = 0; g < Groups; g = g + 1) begin : gen_group
         if (s == 0) begin : gen_first
           assign empty[g] = ~(padded[2*g+1] | padded[2*g]);
-          assign lead[g]  = ~padded[2*g+1];
+          assign lzc[g]   = ~padded[2*g+1];
         end else begin : gen_later
           wire         upper_empty = gen_level[s-1].empty[2*g+1];
-          wire [s-1:0] upper_lead = gen_level[s-1].lead[(2*g+1)*s+:s];
-          wire [s-1:0] lower_lead = gen_level[s-1].lead[2*g*s+:s];
+          wire [s-1:0] upper_lzc = gen_level[s-1].lzc[(2*g+1)*s+:s];
+          wire [s-1:0] lower_lzc = gen_level[s-1].lzc[2*g*s+:s];
           assign empty[g]             = upper_empty & gen_level[s-1].empty[2*g];
-          assign lead[g*(s+1)+:(s+1)] = {upper_empty, upper_empty ? lower_lead : upper_lead};
+          assign lzc[g*(s+1)+:(s+1)] = {upper_empty, upper_empty ? lower_lzc : upper_lzc};
         end
       end
     end
   endgenerate
-  assign count = gen_level[CountW-1].lead;
+  assign count = gen_level[CountW-1].lzc;
 
   // verilator lint_off UNUSED
   wire unused_last = &{1'b0, gen_level[CountW-1].empty};

@@ -9,7 +9,7 @@ module relief_multi_level_down #(
   parameter integer LEVELS  = 8,   // the map has 2^LEVELS x 2^LEVELS texels
   parameter integer IDX_W   = 14,  // bits of a signed, unwrapped texel coordinate
   parameter integer LATENCY = 0,   // clocks that it was generated for
-  parameter integer VARIANT = 32'h4703594c  // digest of what is no parameter
+  parameter integer VARIANT = 32'h44b45e20  // digest of what is no parameter
 ) (
   // 1 .. LEVELS (the result is not used at 0) [levels]
   input  wire [$clog2(LEVELS+1)-1:0] level,
@@ -30,36 +30,30 @@ module relief_multi_level_down #(
 );
   localparam integer LevelW = $clog2(LEVELS + 1);
 
-  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
   generate
-    if (2 > LEVELS) begin : gen_illegal_0
-      must_hold_2_at_most_LEVELS u_illegal ();
-    end
-    if (LEVELS > 12) begin : gen_illegal_1
-      must_hold_LEVELS_at_most_12 u_illegal ();
-    end
+    if (LEVELS < 2) begin : gen_illegal_0 LEVELS_must_be_at_least_2 u_illegal (); end
+    if (LEVELS > 12) begin : gen_illegal_1 LEVELS_must_be_at_most_12 u_illegal (); end
     if (LEVELS + 2 > IDX_W) begin : gen_illegal_2
-      must_hold_LEVELS_plus_2_at_most_IDX_W u_illegal ();
+      LEVELS_plus_2_must_be_at_most_IDX_W u_illegal ();
     end
-    if (IDX_W > 24) begin : gen_illegal_3
-      must_hold_IDX_W_at_most_24 u_illegal ();
-    end
+    if (IDX_W > 24) begin : gen_illegal_3 IDX_W_must_be_at_most_24 u_illegal (); end
     if (LATENCY != 0) begin : gen_other_latency
       relief_multi_level_down_has_LATENCY_0_not_the_one_asked_for u_illegal ();
-    end else if (VARIANT != 32'h4703594c) begin : gen_other_variant
-      relief_multi_level_down_has_VARIANT_4703594c_levels_down_2_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h44b45e20) begin : gen_other_variant
+      relief_multi_level_down_has_VARIANT_44b45e20_levels_down_2_not_the_one_asked_for u_illegal ();
     end
   endgenerate
 
   wire              jump = ~crossed & ~({3'd0, level} < {{(LevelW + 1){1'b0}}, 2'd2});
   wire [LevelW+2:0] jumped = {3'd0, level} - {{(LevelW + 1){1'b0}}, 2'd2};
   wire [LevelW-1:0] next_level = jump ? jumped[LevelW-1:0] : (level - {{(LevelW - 1){1'b0}}, 1'b1});
-  wire              x_before = $signed(x_hit) < $signed(x_low);
-  wire              x_behind = $signed(x_high) < $signed(x_hit);
-  wire [IDX_W-1:0]  x_child = x_before ? x_low : x_behind ? x_high : x_hit;
-  wire              y_before = $signed(y_hit) < $signed(y_low);
-  wire              y_behind = $signed(y_high) < $signed(y_hit);
-  wire [IDX_W-1:0]  y_child = y_before ? y_low : y_behind ? y_high : y_hit;
+  wire              x_is_below = $signed(x_hit) < $signed(x_low);
+  wire              x_is_above = $signed(x_high) < $signed(x_hit);
+  wire [IDX_W-1:0]  x_child = x_is_below ? x_low : x_is_above ? x_high : x_hit;
+  wire              y_is_below = $signed(y_hit) < $signed(y_low);
+  wire              y_is_above = $signed(y_high) < $signed(y_hit);
+  wire [IDX_W-1:0]  y_child = y_is_below ? y_low : y_is_above ? y_high : y_hit;
 
   // Bits that nothing needs, named so that no lint has to be switched off for the rest.
   // verilator lint_off UNUSED

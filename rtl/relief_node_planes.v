@@ -21,20 +21,14 @@ module relief_node_planes #(
   output wire                        even     // the plane also bounds the parent node
 );
 
-  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
   generate
-    if (2 > LEVELS) begin : gen_illegal_0
-      must_hold_2_at_most_LEVELS u_illegal ();
-    end
-    if (LEVELS > 12) begin : gen_illegal_1
-      must_hold_LEVELS_at_most_12 u_illegal ();
-    end
+    if (LEVELS < 2) begin : gen_illegal_0 LEVELS_must_be_at_least_2 u_illegal (); end
+    if (LEVELS > 12) begin : gen_illegal_1 LEVELS_must_be_at_most_12 u_illegal (); end
     if (LEVELS + 2 > IDX_W) begin : gen_illegal_2
-      must_hold_LEVELS_plus_2_at_most_IDX_W u_illegal ();
+      LEVELS_plus_2_must_be_at_most_IDX_W u_illegal ();
     end
-    if (IDX_W > 24) begin : gen_illegal_3
-      must_hold_IDX_W_at_most_24 u_illegal ();
-    end
+    if (IDX_W > 24) begin : gen_illegal_3 IDX_W_must_be_at_most_24 u_illegal (); end
     if (LATENCY != 0) begin : gen_other_latency
       relief_node_planes_has_LATENCY_0_not_the_one_asked_for u_illegal ();
     end else if (VARIANT != 32'h2afa0fb3) begin : gen_other_variant

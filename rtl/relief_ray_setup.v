@@ -17,7 +17,7 @@ module relief_ray_setup #(
   parameter integer HEIGHT_W = 8,   // bits of a height code
   parameter integer TILE_W   = 4,   // a ray travels less than 2^TILE_W tiles along each axis
   parameter integer LATENCY  = 21,  // clocks that it was generated for
-  parameter integer VARIANT  = 32'h1476c652  // digest of what is no parameter
+  parameter integer VARIANT  = 32'h32708489  // digest of what is no parameter
 ) (
   input  wire                        clk,      // rising edge
   input  wire                        ce,       // clock enable: registers hold while 0
@@ -64,69 +64,37 @@ module relief_ray_setup #(
   localparam integer Least = LEVELS + (1 << (EXP_W - 1)) + 1;
   localparam integer Ulps = MAN_W + 1;
 
-  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
   generate
-    if (2 > EXP_W) begin : gen_illegal_0
-      must_hold_2_at_most_EXP_W u_illegal ();
-    end
-    if (EXP_W > 11) begin : gen_illegal_1
-      must_hold_EXP_W_at_most_11 u_illegal ();
-    end
-    if (16 > MAN_W) begin : gen_illegal_2
-      must_hold_16_at_most_MAN_W u_illegal ();
-    end
-    if (MAN_W > 28) begin : gen_illegal_3
-      must_hold_MAN_W_at_most_28 u_illegal ();
-    end
-    if (2 > LEVELS) begin : gen_illegal_4
-      must_hold_2_at_most_LEVELS u_illegal ();
-    end
-    if (LEVELS > 12) begin : gen_illegal_5
-      must_hold_LEVELS_at_most_12 u_illegal ();
-    end
-    if (2 > HEIGHT_W) begin : gen_illegal_6
-      must_hold_2_at_most_HEIGHT_W u_illegal ();
-    end
-    if (HEIGHT_W > 16) begin : gen_illegal_7
-      must_hold_HEIGHT_W_at_most_16 u_illegal ();
-    end
+    if (EXP_W < 2) begin : gen_illegal_0 EXP_W_must_be_at_least_2 u_illegal (); end
+    if (EXP_W > 11) begin : gen_illegal_1 EXP_W_must_be_at_most_11 u_illegal (); end
+    if (MAN_W < 16) begin : gen_illegal_2 MAN_W_must_be_at_least_16 u_illegal (); end
+    if (MAN_W > 28) begin : gen_illegal_3 MAN_W_must_be_at_most_28 u_illegal (); end
+    if (LEVELS < 2) begin : gen_illegal_4 LEVELS_must_be_at_least_2 u_illegal (); end
+    if (LEVELS > 12) begin : gen_illegal_5 LEVELS_must_be_at_most_12 u_illegal (); end
+    if (HEIGHT_W < 2) begin : gen_illegal_6 HEIGHT_W_must_be_at_least_2 u_illegal (); end
+    if (HEIGHT_W > 16) begin : gen_illegal_7 HEIGHT_W_must_be_at_most_16 u_illegal (); end
     if (HEIGHT_W > MAN_W + 1) begin : gen_illegal_8
-      must_hold_HEIGHT_W_at_most_MAN_W_plus_1 u_illegal ();
+      HEIGHT_W_must_be_at_most_MAN_W_plus_1 u_illegal ();
     end
-    if (1 > TILE_W) begin : gen_illegal_9
-      must_hold_1_at_most_TILE_W u_illegal ();
-    end
-    if (TILE_W > 8) begin : gen_illegal_10
-      must_hold_TILE_W_at_most_8 u_illegal ();
-    end
+    if (TILE_W < 1) begin : gen_illegal_9 TILE_W_must_be_at_least_1 u_illegal (); end
+    if (TILE_W > 8) begin : gen_illegal_10 TILE_W_must_be_at_most_8 u_illegal (); end
     if (LEVELS + TILE_W + 2 > 24) begin : gen_illegal_11
-      must_hold_LEVELS_plus_TILE_W_plus_2_at_most_24 u_illegal ();
+      LEVELS_plus_TILE_W_plus_2_must_be_at_most_24 u_illegal ();
     end
     if (LEVELS + TILE_W + 1 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_12
-      must_hold_LEVELS_plus_TILE_W_plus_1_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
+      LEVELS_plus_TILE_W_plus_1_must_be_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
     end
     if (HEIGHT_W + 2 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_13
-      must_hold_HEIGHT_W_plus_2_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
+      HEIGHT_W_plus_2_must_be_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
     end
     if (MAN_W > LEVELS + (1 << (EXP_W - 1)) - 1) begin : gen_illegal_14
-      must_hold_MAN_W_at_most_LEVELS_plus_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
-    end
-    if (EXP_W > 11) begin : gen_illegal_15
-      must_hold_EXP_W_at_most_11 u_illegal ();
-    end
-    if (MAN_W > 28) begin : gen_illegal_16
-      must_hold_MAN_W_at_most_28 u_illegal ();
-    end
-    if (EXP_W > 11) begin : gen_illegal_17
-      must_hold_EXP_W_at_most_11 u_illegal ();
-    end
-    if (MAN_W > 28) begin : gen_illegal_18
-      must_hold_MAN_W_at_most_28 u_illegal ();
+      MAN_W_must_be_at_most_LEVELS_plus_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
     end
     if (LATENCY != 21) begin : gen_other_latency
       relief_ray_setup_has_LATENCY_21_not_the_one_asked_for u_illegal ();
-    end else if (VARIANT != 32'h1476c652) begin : gen_other_variant
-      relief_ray_setup_has_VARIANT_1476c652_nearest_even_flush_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h32708489) begin : gen_other_variant
+      relief_ray_setup_has_VARIANT_32708489_nearest_even_flush_not_the_one_asked_for u_illegal ();
     end
   endgenerate
 
@@ -267,7 +235,7 @@ module relief_ray_setup #(
     .result(s3_x_first)
   );
   wire [FloatW-1:0] s4_x_end;
-  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h3711d0be)) u_x_end (
+  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h6bc4a879)) u_x_end (
     .clk   (clk),
     .ce    (ce),
     .a     (s1_x_p),
@@ -316,7 +284,7 @@ module relief_ray_setup #(
     .result(s3_y_first)
   );
   wire [FloatW-1:0] s4_y_end;
-  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h3711d0be)) u_y_end (
+  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h6bc4a879)) u_y_end (
     .clk   (clk),
     .ce    (ce),
     .a     (s1_y_p),
@@ -341,7 +309,7 @@ module relief_ray_setup #(
   // ---- stage 2: x_bias --------------------------------------------------- ray_setup.rs
   // A power of two above the position estimate's error, subtracted against the direction.
   wire [FloatW-1:0] s5_x_pb;
-  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h3711d0be)) u_x_back (
+  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h6bc4a879)) u_x_back (
     .clk   (clk),
     .ce    (ce),
     .a     (s2_x_p),
@@ -352,7 +320,7 @@ module relief_ray_setup #(
   // ---- stage 2: y_bias --------------------------------------------------- ray_setup.rs
   // A power of two above the position estimate's error, subtracted against the direction.
   wire [FloatW-1:0] s5_y_pb;
-  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h3711d0be)) u_y_back (
+  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h6bc4a879)) u_y_back (
     .clk   (clk),
     .ce    (ce),
     .a     (s2_y_p),
@@ -414,7 +382,7 @@ module relief_ray_setup #(
     .LEVELS (LEVELS),
     .IDX_W  (IdxW),
     .LATENCY(0),
-    .VARIANT(32'h5f64d48d)
+    .VARIANT(32'h4c35fe41)
   ) u_start_level (
     .x    (s6_x_first),
     .y    (s6_y_first),

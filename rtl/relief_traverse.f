@@ -7,8 +7,8 @@ relief_fp_to_int.v
 relief_start_level.v
 relief_ray_setup.v
 relief_setup_delay.v
-relief_stream_skid.v
-relief_word_skid.v
+relief_spill_register.v
+relief_spill_data.v
 relief_node_planes.v
 relief_interleave.v
 relief_height_address.v

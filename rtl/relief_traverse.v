@@ -19,7 +19,7 @@ module relief_traverse #(
   parameter integer FRAC_W     = 12,     // fraction bits of the hit position
   parameter integer TAG_W      = 8,      // bits of a ray's tag
   parameter integer STEP_LIMIT = 65535,  // iterations after which a ray is given up
-  parameter integer VARIANT    = 32'h3ab6e241,  // digest of what is no parameter
+  parameter integer VARIANT    = 32'h1163ba2e,  // digest of what is no parameter
   // file for $readmemh with the words of the pyramid, level 0 first; "": none
   parameter MEM_INIT = ""
 ) (
@@ -29,9 +29,10 @@ module relief_traverse #(
   input  wire                 load_en,        // write a word of the pyramid (while idle is 1)
   input  wire [2*LEVELS:0]    load_addr,      // where: level 0 first, the root last [words]
   input  wire [HEIGHT_W-1:0]  load_data,      // largest height in that node [height codes]
-  input  wire                 in_valid,       // a ray is offered
-  output wire                 in_ready,       // it is taken at the next edge
-  input  wire [TAG_W-1:0]     in_tag,         // comes back with the result [bits]
+  input  wire                 in_valid,       // input valid
+  // input ready (transfer when valid && ready); registered
+  output wire                 in_ready,
+  input  wire [TAG_W-1:0]     in_tag,         // identifies the ray: out_tag of its result [bits]
   // entry point at the top plane, 0 <= u < 1 [float, tiles]
   input  wire [EXP_W+MAN_W:0] in_u,
   // entry point at the top plane, 0 <= v < 1 [float, tiles]
@@ -40,8 +41,8 @@ module relief_traverse #(
   input  wire [EXP_W+MAN_W:0] in_du,
   // v travelled while the height falls from 1 to 0 [float, tiles]
   input  wire [EXP_W+MAN_W:0] in_dv,
-  output wire                 out_valid,      // a result is offered
-  input  wire                 out_ready,      // it is taken at the next edge
+  output wire                 out_valid,      // output valid
+  input  wire                 out_ready,      // output ready (transfer when valid && ready)
   output wire [TAG_W-1:0]     out_tag,        // tag of the ray [bits]
   output wire [LEVELS-1:0]    out_i,          // hit texel, column (u) [texels]
   output wire [LEVELS-1:0]    out_j,          // hit texel, row (v) [texels]
@@ -55,9 +56,9 @@ module relief_traverse #(
   output wire [15:0]          out_steps,      // nodes visited [iterations]
   output wire [15:0]          out_crossings,  // of these, node crossings [iterations]
   output wire [15:0]          out_ups,        // levels gone up [levels]
-  // the slot that starts now holds a ray: counts the loop's load
+  // the slot in stage 0 holds a ray; its mean is the loop's utilization
   output wire                 slot_busy,
-  // no ray is inside: neither in set-up, nor in the loop, nor waiting as a result
+  // no ray in flight: none in setup, in the loop or waiting at the output
   output wire                 idle
 );
   localparam integer FloatW = EXP_W + MAN_W + 1;
@@ -65,121 +66,91 @@ module relief_traverse #(
   localparam integer IdxW = LEVELS + TILE_W + 2;
   localparam integer StepsBeforeLast = STEP_LIMIT - 1;
 
-  // Illegal parameters end elaboration here: the missing module's name says what must hold.
+  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
   generate
-    if (2 > EXP_W) begin : gen_illegal_0
-      must_hold_2_at_most_EXP_W u_illegal ();
-    end
-    if (EXP_W > 11) begin : gen_illegal_1
-      must_hold_EXP_W_at_most_11 u_illegal ();
-    end
-    if (7 > MAN_W) begin : gen_illegal_2
-      must_hold_7_at_most_MAN_W u_illegal ();
-    end
-    if (MAN_W > 28) begin : gen_illegal_3
-      must_hold_MAN_W_at_most_28 u_illegal ();
-    end
-    if (2 > LEVELS) begin : gen_illegal_4
-      must_hold_2_at_most_LEVELS u_illegal ();
-    end
-    if (LEVELS > 12) begin : gen_illegal_5
-      must_hold_LEVELS_at_most_12 u_illegal ();
-    end
-    if (2 > HEIGHT_W) begin : gen_illegal_6
-      must_hold_2_at_most_HEIGHT_W u_illegal ();
-    end
-    if (HEIGHT_W > 16) begin : gen_illegal_7
-      must_hold_HEIGHT_W_at_most_16 u_illegal ();
-    end
+    if (EXP_W < 2) begin : gen_illegal_0 EXP_W_must_be_at_least_2 u_illegal (); end
+    if (EXP_W > 11) begin : gen_illegal_1 EXP_W_must_be_at_most_11 u_illegal (); end
+    if (MAN_W < 7) begin : gen_illegal_2 MAN_W_must_be_at_least_7 u_illegal (); end
+    if (MAN_W > 28) begin : gen_illegal_3 MAN_W_must_be_at_most_28 u_illegal (); end
+    if (LEVELS < 2) begin : gen_illegal_4 LEVELS_must_be_at_least_2 u_illegal (); end
+    if (LEVELS > 12) begin : gen_illegal_5 LEVELS_must_be_at_most_12 u_illegal (); end
+    if (HEIGHT_W < 2) begin : gen_illegal_6 HEIGHT_W_must_be_at_least_2 u_illegal (); end
+    if (HEIGHT_W > 16) begin : gen_illegal_7 HEIGHT_W_must_be_at_most_16 u_illegal (); end
     if (HEIGHT_W > MAN_W + 1) begin : gen_illegal_8
-      must_hold_HEIGHT_W_at_most_MAN_W_plus_1 u_illegal ();
+      HEIGHT_W_must_be_at_most_MAN_W_plus_1 u_illegal ();
     end
-    if (1 > TILE_W) begin : gen_illegal_9
-      must_hold_1_at_most_TILE_W u_illegal ();
-    end
-    if (TILE_W > 8) begin : gen_illegal_10
-      must_hold_TILE_W_at_most_8 u_illegal ();
-    end
+    if (TILE_W < 1) begin : gen_illegal_9 TILE_W_must_be_at_least_1 u_illegal (); end
+    if (TILE_W > 8) begin : gen_illegal_10 TILE_W_must_be_at_most_8 u_illegal (); end
     if (LEVELS + TILE_W + 2 > 24) begin : gen_illegal_11
-      must_hold_LEVELS_plus_TILE_W_plus_2_at_most_24 u_illegal ();
+      LEVELS_plus_TILE_W_plus_2_must_be_at_most_24 u_illegal ();
     end
     if (LEVELS + TILE_W + 1 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_12
-      must_hold_LEVELS_plus_TILE_W_plus_1_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
+      LEVELS_plus_TILE_W_plus_1_must_be_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
     end
     if (HEIGHT_W + 2 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_13
-      must_hold_HEIGHT_W_plus_2_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
+      HEIGHT_W_plus_2_must_be_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
     end
     if (MAN_W > LEVELS + (1 << (EXP_W - 1)) - 1) begin : gen_illegal_14
-      must_hold_MAN_W_at_most_LEVELS_plus_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
+      MAN_W_must_be_at_most_LEVELS_plus_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
     end
-    if (1 > FRAC_W) begin : gen_illegal_15
-      must_hold_1_at_most_FRAC_W u_illegal ();
-    end
-    if (FRAC_W > 16) begin : gen_illegal_16
-      must_hold_FRAC_W_at_most_16 u_illegal ();
-    end
-    if (1 > TAG_W) begin : gen_illegal_17
-      must_hold_1_at_most_TAG_W u_illegal ();
-    end
-    if (TAG_W > 32) begin : gen_illegal_18
-      must_hold_TAG_W_at_most_32 u_illegal ();
-    end
-    if (1 > STEP_LIMIT) begin : gen_illegal_19
-      must_hold_1_at_most_STEP_LIMIT u_illegal ();
-    end
+    if (FRAC_W < 1) begin : gen_illegal_15 FRAC_W_must_be_at_least_1 u_illegal (); end
+    if (FRAC_W > 16) begin : gen_illegal_16 FRAC_W_must_be_at_most_16 u_illegal (); end
+    if (TAG_W < 1) begin : gen_illegal_17 TAG_W_must_be_at_least_1 u_illegal (); end
+    if (TAG_W > 32) begin : gen_illegal_18 TAG_W_must_be_at_most_32 u_illegal (); end
+    if (STEP_LIMIT < 1) begin : gen_illegal_19 STEP_LIMIT_must_be_at_least_1 u_illegal (); end
     if (STEP_LIMIT > 65535) begin : gen_illegal_20
-      must_hold_STEP_LIMIT_at_most_65535 u_illegal ();
+      STEP_LIMIT_must_be_at_most_65535 u_illegal ();
     end
     if (FRAC_W + LEVELS + MAN_W + TILE_W + 2 > 60) begin : gen_illegal_21
-      must_hold_FRAC_W_plus_LEVELS_plus_MAN_W_plus_TILE_W_plus_2_at_most_60 u_illegal ();
+      FRAC_W_plus_LEVELS_plus_MAN_W_plus_TILE_W_plus_2_must_be_at_most_60 u_illegal ();
     end
-    if (VARIANT != 32'h3ab6e241) begin : gen_other_variant
-      relief_traverse_has_VARIANT_3ab6e241_watertight_selective_not_the_one_asked_for u_illegal ();
+    if (VARIANT != 32'h1163ba2e) begin : gen_other_variant
+      relief_traverse_has_VARIANT_1163ba2e_watertight_selective_not_the_one_asked_for u_illegal ();
     end
   endgenerate
 
   // ---- state that comes back from the last stage, and handshakes
-  reg              s0_back_valid;
-  reg [TAG_W-1:0]  s0_back_tag;
-  reg [FloatW-1:0] s0_back_p_x;
-  reg [FloatW-1:0] s0_back_pb_x;
-  reg [FloatW-1:0] s0_back_d_x;
-  reg [FloatW-1:0] s0_back_r_x;
-  reg              s0_back_never_x;
-  reg              s0_back_neg_x;
-  reg [FloatW-1:0] s0_back_p_y;
-  reg [FloatW-1:0] s0_back_pb_y;
-  reg [FloatW-1:0] s0_back_d_y;
-  reg [FloatW-1:0] s0_back_r_y;
-  reg              s0_back_never_y;
-  reg              s0_back_neg_y;
-  reg [LevelW-1:0] s0_back_level;
-  reg [IdxW-1:0]   s0_back_x;
-  reg [IdxW-1:0]   s0_back_y;
-  reg [FloatW-1:0] s0_back_t;
-  reg              s0_back_done;
-  reg              s0_back_wall;
-  reg              s0_back_limit;
-  reg [15:0]       s0_back_steps;
-  reg [15:0]       s0_back_crossings;
-  reg [15:0]       s0_back_ups;
-  reg              s0_back_crossed;
-  reg              s0_has_come_in;
-  reg              s0_has_gone_out;
-  reg [6:0]        s0_rays_inside;
-  reg              s0_some_inside;
+  reg              s0_loop_valid_q;
+  reg [TAG_W-1:0]  s0_loop_tag_q;
+  reg [FloatW-1:0] s0_loop_p_x_q;
+  reg [FloatW-1:0] s0_loop_pb_x_q;
+  reg [FloatW-1:0] s0_loop_d_x_q;
+  reg [FloatW-1:0] s0_loop_r_x_q;
+  reg              s0_loop_never_x_q;
+  reg              s0_loop_neg_x_q;
+  reg [FloatW-1:0] s0_loop_p_y_q;
+  reg [FloatW-1:0] s0_loop_pb_y_q;
+  reg [FloatW-1:0] s0_loop_d_y_q;
+  reg [FloatW-1:0] s0_loop_r_y_q;
+  reg              s0_loop_never_y_q;
+  reg              s0_loop_neg_y_q;
+  reg [LevelW-1:0] s0_loop_level_q;
+  reg [IdxW-1:0]   s0_loop_x_q;
+  reg [IdxW-1:0]   s0_loop_y_q;
+  reg [FloatW-1:0] s0_loop_t_q;
+  reg              s0_loop_done_q;
+  reg              s0_loop_wall_q;
+  reg              s0_loop_limit_q;
+  reg [15:0]       s0_loop_steps_q;
+  reg [15:0]       s0_loop_crossings_q;
+  reg [15:0]       s0_loop_ups_q;
+  reg              s0_loop_crossed_q;
+  reg              s0_in_transfer_q;
+  reg              s0_out_transfer_q;
+  reg [6:0]        s0_in_flight;
+  reg              s0_any_in_flight;
   wire hit_valid;
-  wire hit_room;
+  wire hit_ready;
   wire setup_valid;
-  wire setup_room;
+  wire setup_ready;
 
-  // ---- stage 0: leave ----------------------------------------------------- traverse.rs
-  // A ray that is done leaves when the output pipeline moves.
-  wire s0_leaves = s0_back_valid & s0_back_done & hit_room;
-  wire s0_is_free = ~s0_back_valid | s0_leaves;
+  // ---- stage 0: retire ---------------------------------------------------- traverse.rs
+  // A finished ray retires when the output pipeline is ready; until then it recirculates unchanged.
+  wire s0_retire = s0_loop_valid_q & s0_loop_done_q & hit_ready;
+  wire s0_slot_free = ~s0_loop_valid_q | s0_retire;
 
-  // ---- stage 0: set up ---------------------------------------------------- traverse.rs
-  // The setup pipeline holds while its ray finds no free slot.
+  // ---- stage 0: setup ----------------------------------------------------- traverse.rs
+  // The setup pipeline stalls while its last stage holds a ray and the slot in stage 0 is not free.
   wire              s0_set_ok;
   wire [LevelW-1:0] s0_set_level;
   wire [FloatW-1:0] s0_set_p_x;
@@ -203,10 +174,10 @@ module relief_traverse #(
     .HEIGHT_W(HEIGHT_W),
     .TILE_W  (TILE_W),
     .LATENCY (21),
-    .VARIANT (32'h1476c652)
+    .VARIANT (32'h32708489)
   ) u_setup (
     .clk    (clk),
-    .ce     (setup_room),
+    .ce     (setup_ready),
     .u      (in_u),
     .v      (in_v),
     .du     (in_du),
@@ -232,204 +203,203 @@ module relief_traverse #(
   wire [TAG_W-1:0] s0_set_tag;
   relief_setup_delay #(.W(TAG_W), .LATENCY(21), .VARIANT(32'h306304c2)) u_setup_delay (
     .clk      (clk),
-    .ce       (setup_room),
+    .ce       (setup_ready),
     .rst      (rst),
     .in_valid (in_valid),
     .out_valid(s0_is_set),
     .in_data  (in_tag),
     .out_data (s0_set_tag)
   );
-  wire setup_skid_ready;
-  wire s0_setup_tracked;
-  wire s0_setup_skid_first;
-  wire s0_setup_skid_second;
-  wire s0_setup_skid_turn;
-  relief_stream_skid #(.VARIANT(32'h34741979)) u_setup_skid (
+  wire setup_spill_ready;
+  wire s0_setup_spill_load_first;
+  wire s0_setup_spill_load_second;
+  wire s0_setup_spill_rd_sel;
+  relief_spill_register #(.VARIANT(32'h7a7e1d0d)) u_setup_spill (
     .clk        (clk),
     .rst        (rst),
     .in_valid   (s0_is_set),
-    .in_ready   (setup_skid_ready),
-    .out_valid  (s0_setup_tracked),
-    .out_ready  (s0_is_free),
-    .first_open (s0_setup_skid_first),
-    .second_open(s0_setup_skid_second),
-    .turn       (s0_setup_skid_turn)
+    .in_ready   (setup_spill_ready),
+    .out_valid  (setup_valid),
+    .out_ready  (s0_slot_free),
+    .load_first (s0_setup_spill_load_first),
+    .load_second(s0_setup_spill_load_second),
+    .rd_sel     (s0_setup_spill_rd_sel)
   );
   wire s0_new_ok;
-  relief_word_skid #(.W(1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_ok (
+  relief_spill_data #(.W(1), .VARIANT(32'h299460a6)) u_setup_spill_new_ok (
     .clk        (clk),
-    .first_open (s0_setup_skid_first),
-    .second_open(s0_setup_skid_second),
-    .turn       (s0_setup_skid_turn),
+    .load_first (s0_setup_spill_load_first),
+    .load_second(s0_setup_spill_load_second),
+    .rd_sel     (s0_setup_spill_rd_sel),
     .in_data    (s0_set_ok),
     .out_data   (s0_new_ok)
   );
   wire [LevelW-1:0] s0_new_level;
-  relief_word_skid #(.W($clog2(LEVELS + 1)), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_level (
+  relief_spill_data #(.W($clog2(LEVELS + 1)), .VARIANT(32'h299460a6)) u_setup_spill_new_level (
     .clk        (clk),
-    .first_open (s0_setup_skid_first),
-    .second_open(s0_setup_skid_second),
-    .turn       (s0_setup_skid_turn),
+    .load_first (s0_setup_spill_load_first),
+    .load_second(s0_setup_spill_load_second),
+    .rd_sel     (s0_setup_spill_rd_sel),
     .in_data    (s0_set_level),
     .out_data   (s0_new_level)
   );
   wire [FloatW-1:0] s0_new_p_x;
-  relief_word_skid #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_p_x (
+  relief_spill_data #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h299460a6)) u_setup_spill_new_p_x (
     .clk        (clk),
-    .first_open (s0_setup_skid_first),
-    .second_open(s0_setup_skid_second),
-    .turn       (s0_setup_skid_turn),
+    .load_first (s0_setup_spill_load_first),
+    .load_second(s0_setup_spill_load_second),
+    .rd_sel     (s0_setup_spill_rd_sel),
     .in_data    (s0_set_p_x),
     .out_data   (s0_new_p_x)
   );
   wire [FloatW-1:0] s0_new_pb_x;
-  relief_word_skid #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_pb_x (
+  relief_spill_data #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h299460a6)) u_setup_spill_new_pb_x (
     .clk        (clk),
-    .first_open (s0_setup_skid_first),
-    .second_open(s0_setup_skid_second),
-    .turn       (s0_setup_skid_turn),
+    .load_first (s0_setup_spill_load_first),
+    .load_second(s0_setup_spill_load_second),
+    .rd_sel     (s0_setup_spill_rd_sel),
     .in_data    (s0_set_pb_x),
     .out_data   (s0_new_pb_x)
   );
   wire [FloatW-1:0] s0_new_d_x;
-  relief_word_skid #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_d_x (
+  relief_spill_data #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h299460a6)) u_setup_spill_new_d_x (
     .clk        (clk),
-    .first_open (s0_setup_skid_first),
-    .second_open(s0_setup_skid_second),
-    .turn       (s0_setup_skid_turn),
+    .load_first (s0_setup_spill_load_first),
+    .load_second(s0_setup_spill_load_second),
+    .rd_sel     (s0_setup_spill_rd_sel),
     .in_data    (s0_set_d_x),
     .out_data   (s0_new_d_x)
   );
   wire [FloatW-1:0] s0_new_r_x;
-  relief_word_skid #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_r_x (
+  relief_spill_data #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h299460a6)) u_setup_spill_new_r_x (
     .clk        (clk),
-    .first_open (s0_setup_skid_first),
-    .second_open(s0_setup_skid_second),
-    .turn       (s0_setup_skid_turn),
+    .load_first (s0_setup_spill_load_first),
+    .load_second(s0_setup_spill_load_second),
+    .rd_sel     (s0_setup_spill_rd_sel),
     .in_data    (s0_set_r_x),
     .out_data   (s0_new_r_x)
   );
   wire s0_new_never_x;
-  relief_word_skid #(.W(1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_never_x (
+  relief_spill_data #(.W(1), .VARIANT(32'h299460a6)) u_setup_spill_new_never_x (
     .clk        (clk),
-    .first_open (s0_setup_skid_first),
-    .second_open(s0_setup_skid_second),
-    .turn       (s0_setup_skid_turn),
+    .load_first (s0_setup_spill_load_first),
+    .load_second(s0_setup_spill_load_second),
+    .rd_sel     (s0_setup_spill_rd_sel),
     .in_data    (s0_set_never_x),
     .out_data   (s0_new_never_x)
   );
   wire s0_new_neg_x;
-  relief_word_skid #(.W(1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_neg_x (
+  relief_spill_data #(.W(1), .VARIANT(32'h299460a6)) u_setup_spill_new_neg_x (
     .clk        (clk),
-    .first_open (s0_setup_skid_first),
-    .second_open(s0_setup_skid_second),
-    .turn       (s0_setup_skid_turn),
+    .load_first (s0_setup_spill_load_first),
+    .load_second(s0_setup_spill_load_second),
+    .rd_sel     (s0_setup_spill_rd_sel),
     .in_data    (s0_set_neg_x),
     .out_data   (s0_new_neg_x)
   );
   wire [IdxW-1:0] s0_new_first_x;
-  relief_word_skid #(.W(LEVELS + TILE_W + 2), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_first_x (
+  relief_spill_data #(.W(LEVELS + TILE_W + 2), .VARIANT(32'h299460a6)) u_setup_spill_new_first_x (
     .clk        (clk),
-    .first_open (s0_setup_skid_first),
-    .second_open(s0_setup_skid_second),
-    .turn       (s0_setup_skid_turn),
+    .load_first (s0_setup_spill_load_first),
+    .load_second(s0_setup_spill_load_second),
+    .rd_sel     (s0_setup_spill_rd_sel),
     .in_data    (s0_set_first_x),
     .out_data   (s0_new_first_x)
   );
   wire [FloatW-1:0] s0_new_p_y;
-  relief_word_skid #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_p_y (
+  relief_spill_data #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h299460a6)) u_setup_spill_new_p_y (
     .clk        (clk),
-    .first_open (s0_setup_skid_first),
-    .second_open(s0_setup_skid_second),
-    .turn       (s0_setup_skid_turn),
+    .load_first (s0_setup_spill_load_first),
+    .load_second(s0_setup_spill_load_second),
+    .rd_sel     (s0_setup_spill_rd_sel),
     .in_data    (s0_set_p_y),
     .out_data   (s0_new_p_y)
   );
   wire [FloatW-1:0] s0_new_pb_y;
-  relief_word_skid #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_pb_y (
+  relief_spill_data #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h299460a6)) u_setup_spill_new_pb_y (
     .clk        (clk),
-    .first_open (s0_setup_skid_first),
-    .second_open(s0_setup_skid_second),
-    .turn       (s0_setup_skid_turn),
+    .load_first (s0_setup_spill_load_first),
+    .load_second(s0_setup_spill_load_second),
+    .rd_sel     (s0_setup_spill_rd_sel),
     .in_data    (s0_set_pb_y),
     .out_data   (s0_new_pb_y)
   );
   wire [FloatW-1:0] s0_new_d_y;
-  relief_word_skid #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_d_y (
+  relief_spill_data #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h299460a6)) u_setup_spill_new_d_y (
     .clk        (clk),
-    .first_open (s0_setup_skid_first),
-    .second_open(s0_setup_skid_second),
-    .turn       (s0_setup_skid_turn),
+    .load_first (s0_setup_spill_load_first),
+    .load_second(s0_setup_spill_load_second),
+    .rd_sel     (s0_setup_spill_rd_sel),
     .in_data    (s0_set_d_y),
     .out_data   (s0_new_d_y)
   );
   wire [FloatW-1:0] s0_new_r_y;
-  relief_word_skid #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_r_y (
+  relief_spill_data #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h299460a6)) u_setup_spill_new_r_y (
     .clk        (clk),
-    .first_open (s0_setup_skid_first),
-    .second_open(s0_setup_skid_second),
-    .turn       (s0_setup_skid_turn),
+    .load_first (s0_setup_spill_load_first),
+    .load_second(s0_setup_spill_load_second),
+    .rd_sel     (s0_setup_spill_rd_sel),
     .in_data    (s0_set_r_y),
     .out_data   (s0_new_r_y)
   );
   wire s0_new_never_y;
-  relief_word_skid #(.W(1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_never_y (
+  relief_spill_data #(.W(1), .VARIANT(32'h299460a6)) u_setup_spill_new_never_y (
     .clk        (clk),
-    .first_open (s0_setup_skid_first),
-    .second_open(s0_setup_skid_second),
-    .turn       (s0_setup_skid_turn),
+    .load_first (s0_setup_spill_load_first),
+    .load_second(s0_setup_spill_load_second),
+    .rd_sel     (s0_setup_spill_rd_sel),
     .in_data    (s0_set_never_y),
     .out_data   (s0_new_never_y)
   );
   wire s0_new_neg_y;
-  relief_word_skid #(.W(1), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_neg_y (
+  relief_spill_data #(.W(1), .VARIANT(32'h299460a6)) u_setup_spill_new_neg_y (
     .clk        (clk),
-    .first_open (s0_setup_skid_first),
-    .second_open(s0_setup_skid_second),
-    .turn       (s0_setup_skid_turn),
+    .load_first (s0_setup_spill_load_first),
+    .load_second(s0_setup_spill_load_second),
+    .rd_sel     (s0_setup_spill_rd_sel),
     .in_data    (s0_set_neg_y),
     .out_data   (s0_new_neg_y)
   );
   wire [IdxW-1:0] s0_new_first_y;
-  relief_word_skid #(.W(LEVELS + TILE_W + 2), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_first_y (
+  relief_spill_data #(.W(LEVELS + TILE_W + 2), .VARIANT(32'h299460a6)) u_setup_spill_new_first_y (
     .clk        (clk),
-    .first_open (s0_setup_skid_first),
-    .second_open(s0_setup_skid_second),
-    .turn       (s0_setup_skid_turn),
+    .load_first (s0_setup_spill_load_first),
+    .load_second(s0_setup_spill_load_second),
+    .rd_sel     (s0_setup_spill_rd_sel),
     .in_data    (s0_set_first_y),
     .out_data   (s0_new_first_y)
   );
   wire [TAG_W-1:0] s0_new_tag;
-  relief_word_skid #(.W(TAG_W), .VARIANT(32'h25a4b2c2)) u_setup_skid_new_tag (
+  relief_spill_data #(.W(TAG_W), .VARIANT(32'h299460a6)) u_setup_spill_new_tag (
     .clk        (clk),
-    .first_open (s0_setup_skid_first),
-    .second_open(s0_setup_skid_second),
-    .turn       (s0_setup_skid_turn),
+    .load_first (s0_setup_spill_load_first),
+    .load_second(s0_setup_spill_load_second),
+    .rd_sel     (s0_setup_spill_rd_sel),
     .in_data    (s0_set_tag),
     .out_data   (s0_new_tag)
   );
-  wire s0_admits = setup_valid & s0_is_free;
+  wire s0_accept = setup_valid & s0_slot_free;
 
   // ---- stage 0: slot ------------------------------------------------------ traverse.rs
-  // The new ray, or the one that comes back.
+  // Stage 0 holds the new ray, or the one that recirculates.
   wire s0_new_refused = ~s0_new_ok;
-  wire s0_keeps = (s0_back_valid & ~s0_leaves) | s0_admits;
+  wire s0_slot_busy = (s0_loop_valid_q & ~s0_retire) | s0_accept;
 
   // ---- stage 0: write back ------------------------------------------------ traverse.rs
   // A ray that is done goes round unchanged.
-  wire s0_came_in = in_valid & setup_room;
-  wire went_out = hit_valid & out_ready;
+  wire s0_in_transfer = in_valid & setup_ready;
+  wire out_transfer = hit_valid & out_ready;
 
   // ---- stage 0: idle ------------------------------------------------------ traverse.rs
-  // Rays that came in and did not go out; the one that came in last is counted a clock later.
-  wire       s0_one_ray_less = s0_has_gone_out & ~s0_has_come_in;
-  wire [6:0] s0_rays_next = s0_rays_inside +
-      {{6{s0_one_ray_less}}, s0_has_come_in ^ s0_has_gone_out};
-  wire       s0_some_next = |s0_rays_next;
-  wire       s0_is_idle = ~(s0_some_inside | s0_has_come_in);
+  // Rays in flight: input transfers less output transfers, counted one clock late.
+  wire       s0_in_flight_down = s0_out_transfer_q & ~s0_in_transfer_q;
+  wire [6:0] s0_in_flight_next = s0_in_flight +
+      {{6{s0_in_flight_down}}, s0_in_transfer_q ^ s0_out_transfer_q};
+  wire       s0_any_in_flight_next = |s0_in_flight_next;
+  wire       s0_is_idle = ~(s0_any_in_flight | s0_in_transfer_q);
 
   // ---- stage 0: result ---------------------------------------------------- traverse.rs
-  // The ray that leaves, from the state registers.
+  // The ray that retires, from the loop registers.
   wire [FRAC_W-1:0] hit_fu;
   relief_hit_position #(
     .EXP_W  (EXP_W),
@@ -437,14 +407,14 @@ module relief_traverse #(
     .IDX_W  (IdxW),
     .FRAC_W (FRAC_W),
     .LATENCY(7),
-    .VARIANT(32'h6781d1af)
+    .VARIANT(32'h066a94ea)
   ) u_hit_u (
     .clk     (clk),
-    .ce      (hit_room),
-    .p       (s0_back_p_x),
-    .d       (s0_back_d_x),
-    .t       (s0_back_t),
-    .x       (s0_back_x),
+    .ce      (hit_ready),
+    .p       (s0_loop_p_x_q),
+    .d       (s0_loop_d_x_q),
+    .t       (s0_loop_t_q),
+    .x       (s0_loop_x_q),
     .fraction(hit_fu)
   );
   wire [FRAC_W-1:0] hit_fv;
@@ -454,232 +424,231 @@ module relief_traverse #(
     .IDX_W  (IdxW),
     .FRAC_W (FRAC_W),
     .LATENCY(7),
-    .VARIANT(32'h6781d1af)
+    .VARIANT(32'h066a94ea)
   ) u_hit_v (
     .clk     (clk),
-    .ce      (hit_room),
-    .p       (s0_back_p_y),
-    .d       (s0_back_d_y),
-    .t       (s0_back_t),
-    .x       (s0_back_y),
+    .ce      (hit_ready),
+    .p       (s0_loop_p_y_q),
+    .d       (s0_loop_d_y_q),
+    .t       (s0_loop_t_q),
+    .x       (s0_loop_y_q),
     .fraction(hit_fv)
   );
   wire [TAG_W-1:0] hit_tag;
   relief_hit_delay #(.W(TAG_W), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_tag (
     .clk     (clk),
-    .ce      (hit_room),
-    .in_data (s0_back_tag),
+    .ce      (hit_ready),
+    .in_data (s0_loop_tag_q),
     .out_data(hit_tag)
   );
   wire [LEVELS-1:0] hit_i;
   relief_hit_delay #(.W(LEVELS), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_i (
     .clk     (clk),
-    .ce      (hit_room),
-    .in_data (s0_back_x[LEVELS-1:0]),
+    .ce      (hit_ready),
+    .in_data (s0_loop_x_q[LEVELS-1:0]),
     .out_data(hit_i)
   );
   wire [LEVELS-1:0] hit_j;
   relief_hit_delay #(.W(LEVELS), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_j (
     .clk     (clk),
-    .ce      (hit_room),
-    .in_data (s0_back_y[LEVELS-1:0]),
+    .ce      (hit_ready),
+    .in_data (s0_loop_y_q[LEVELS-1:0]),
     .out_data(hit_j)
   );
   wire [FloatW-1:0] hit_t;
   relief_hit_delay #(.W(FloatW), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_t (
     .clk     (clk),
-    .ce      (hit_room),
-    .in_data (s0_back_t),
+    .ce      (hit_ready),
+    .in_data (s0_loop_t_q),
     .out_data(hit_t)
   );
   wire hit_wall;
   relief_hit_delay #(.W(1), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_wall (
     .clk     (clk),
-    .ce      (hit_room),
-    .in_data (s0_back_wall),
+    .ce      (hit_ready),
+    .in_data (s0_loop_wall_q),
     .out_data(hit_wall)
   );
   wire hit_limit;
   relief_hit_delay #(.W(1), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_limit (
     .clk     (clk),
-    .ce      (hit_room),
-    .in_data (s0_back_limit),
+    .ce      (hit_ready),
+    .in_data (s0_loop_limit_q),
     .out_data(hit_limit)
   );
   wire [15:0] hit_steps;
   relief_hit_delay #(.W(16), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_steps (
     .clk     (clk),
-    .ce      (hit_room),
-    .in_data (s0_back_steps),
+    .ce      (hit_ready),
+    .in_data (s0_loop_steps_q),
     .out_data(hit_steps)
   );
   wire [15:0] hit_crossings;
   relief_hit_delay #(.W(16), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_crossings (
     .clk     (clk),
-    .ce      (hit_room),
-    .in_data (s0_back_crossings),
+    .ce      (hit_ready),
+    .in_data (s0_loop_crossings_q),
     .out_data(hit_crossings)
   );
   wire [15:0] hit_ups;
   relief_hit_delay #(.W(16), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_ups (
     .clk     (clk),
-    .ce      (hit_room),
-    .in_data (s0_back_ups),
+    .ce      (hit_ready),
+    .in_data (s0_loop_ups_q),
     .out_data(hit_ups)
   );
-  wire hit_tracked;
+  wire hit_found;
   relief_hit_valid_delay #(.LATENCY(7), .VARIANT(32'h6f836e41)) u_hit_valid (
     .clk      (clk),
-    .ce       (hit_room),
+    .ce       (hit_ready),
     .rst      (rst),
-    .in_valid (s0_leaves),
-    .out_valid(hit_tracked)
+    .in_valid (s0_retire),
+    .out_valid(hit_found)
   );
 
-  // ---- stage 0: wait ------------------------------------------------------ traverse.rs
-  // A result that nobody takes yet.
-  wire hit_skid_ready;
-  wire hit_waits;
-  wire s0_hit_skid_first;
-  wire s0_hit_skid_second;
-  wire s0_hit_skid_turn;
-  relief_stream_skid #(.VARIANT(32'h34741979)) u_hit_skid (
+  // ---- stage 0: output ---------------------------------------------------- traverse.rs
+  // Results wait here until they transfer.
+  wire hit_spill_ready;
+  wire s0_hit_spill_load_first;
+  wire s0_hit_spill_load_second;
+  wire s0_hit_spill_rd_sel;
+  relief_spill_register #(.VARIANT(32'h7a7e1d0d)) u_hit_spill (
     .clk        (clk),
     .rst        (rst),
-    .in_valid   (hit_tracked),
-    .in_ready   (hit_skid_ready),
-    .out_valid  (hit_waits),
+    .in_valid   (hit_found),
+    .in_ready   (hit_spill_ready),
+    .out_valid  (hit_valid),
     .out_ready  (out_ready),
-    .first_open (s0_hit_skid_first),
-    .second_open(s0_hit_skid_second),
-    .turn       (s0_hit_skid_turn)
+    .load_first (s0_hit_spill_load_first),
+    .load_second(s0_hit_spill_load_second),
+    .rd_sel     (s0_hit_spill_rd_sel)
   );
-  wire [TAG_W-1:0] s0_waiting_tag;
-  relief_word_skid #(.W(TAG_W), .VARIANT(32'h25a4b2c2)) u_hit_skid_waiting_tag (
+  wire [TAG_W-1:0] s0_result_tag;
+  relief_spill_data #(.W(TAG_W), .VARIANT(32'h299460a6)) u_hit_spill_result_tag (
     .clk        (clk),
-    .first_open (s0_hit_skid_first),
-    .second_open(s0_hit_skid_second),
-    .turn       (s0_hit_skid_turn),
+    .load_first (s0_hit_spill_load_first),
+    .load_second(s0_hit_spill_load_second),
+    .rd_sel     (s0_hit_spill_rd_sel),
     .in_data    (hit_tag),
-    .out_data   (s0_waiting_tag)
+    .out_data   (s0_result_tag)
   );
-  wire [LEVELS-1:0] s0_waiting_i;
-  relief_word_skid #(.W(LEVELS), .VARIANT(32'h25a4b2c2)) u_hit_skid_waiting_i (
+  wire [LEVELS-1:0] s0_result_i;
+  relief_spill_data #(.W(LEVELS), .VARIANT(32'h299460a6)) u_hit_spill_result_i (
     .clk        (clk),
-    .first_open (s0_hit_skid_first),
-    .second_open(s0_hit_skid_second),
-    .turn       (s0_hit_skid_turn),
+    .load_first (s0_hit_spill_load_first),
+    .load_second(s0_hit_spill_load_second),
+    .rd_sel     (s0_hit_spill_rd_sel),
     .in_data    (hit_i),
-    .out_data   (s0_waiting_i)
+    .out_data   (s0_result_i)
   );
-  wire [LEVELS-1:0] s0_waiting_j;
-  relief_word_skid #(.W(LEVELS), .VARIANT(32'h25a4b2c2)) u_hit_skid_waiting_j (
+  wire [LEVELS-1:0] s0_result_j;
+  relief_spill_data #(.W(LEVELS), .VARIANT(32'h299460a6)) u_hit_spill_result_j (
     .clk        (clk),
-    .first_open (s0_hit_skid_first),
-    .second_open(s0_hit_skid_second),
-    .turn       (s0_hit_skid_turn),
+    .load_first (s0_hit_spill_load_first),
+    .load_second(s0_hit_spill_load_second),
+    .rd_sel     (s0_hit_spill_rd_sel),
     .in_data    (hit_j),
-    .out_data   (s0_waiting_j)
+    .out_data   (s0_result_j)
   );
-  wire [FloatW-1:0] s0_waiting_t;
-  relief_word_skid #(.W(FloatW), .VARIANT(32'h25a4b2c2)) u_hit_skid_waiting_t (
+  wire [FloatW-1:0] s0_result_t;
+  relief_spill_data #(.W(FloatW), .VARIANT(32'h299460a6)) u_hit_spill_result_t (
     .clk        (clk),
-    .first_open (s0_hit_skid_first),
-    .second_open(s0_hit_skid_second),
-    .turn       (s0_hit_skid_turn),
+    .load_first (s0_hit_spill_load_first),
+    .load_second(s0_hit_spill_load_second),
+    .rd_sel     (s0_hit_spill_rd_sel),
     .in_data    (hit_t),
-    .out_data   (s0_waiting_t)
+    .out_data   (s0_result_t)
   );
-  wire s0_waiting_wall;
-  relief_word_skid #(.W(1), .VARIANT(32'h25a4b2c2)) u_hit_skid_waiting_wall (
+  wire s0_result_wall;
+  relief_spill_data #(.W(1), .VARIANT(32'h299460a6)) u_hit_spill_result_wall (
     .clk        (clk),
-    .first_open (s0_hit_skid_first),
-    .second_open(s0_hit_skid_second),
-    .turn       (s0_hit_skid_turn),
+    .load_first (s0_hit_spill_load_first),
+    .load_second(s0_hit_spill_load_second),
+    .rd_sel     (s0_hit_spill_rd_sel),
     .in_data    (hit_wall),
-    .out_data   (s0_waiting_wall)
+    .out_data   (s0_result_wall)
   );
-  wire s0_waiting_limit;
-  relief_word_skid #(.W(1), .VARIANT(32'h25a4b2c2)) u_hit_skid_waiting_limit (
+  wire s0_result_limit;
+  relief_spill_data #(.W(1), .VARIANT(32'h299460a6)) u_hit_spill_result_limit (
     .clk        (clk),
-    .first_open (s0_hit_skid_first),
-    .second_open(s0_hit_skid_second),
-    .turn       (s0_hit_skid_turn),
+    .load_first (s0_hit_spill_load_first),
+    .load_second(s0_hit_spill_load_second),
+    .rd_sel     (s0_hit_spill_rd_sel),
     .in_data    (hit_limit),
-    .out_data   (s0_waiting_limit)
+    .out_data   (s0_result_limit)
   );
-  wire [15:0] s0_waiting_steps;
-  relief_word_skid #(.W(16), .VARIANT(32'h25a4b2c2)) u_hit_skid_waiting_steps (
+  wire [15:0] s0_result_steps;
+  relief_spill_data #(.W(16), .VARIANT(32'h299460a6)) u_hit_spill_result_steps (
     .clk        (clk),
-    .first_open (s0_hit_skid_first),
-    .second_open(s0_hit_skid_second),
-    .turn       (s0_hit_skid_turn),
+    .load_first (s0_hit_spill_load_first),
+    .load_second(s0_hit_spill_load_second),
+    .rd_sel     (s0_hit_spill_rd_sel),
     .in_data    (hit_steps),
-    .out_data   (s0_waiting_steps)
+    .out_data   (s0_result_steps)
   );
-  wire [15:0] s0_waiting_crossings;
-  relief_word_skid #(.W(16), .VARIANT(32'h25a4b2c2)) u_hit_skid_waiting_crossings (
+  wire [15:0] s0_result_crossings;
+  relief_spill_data #(.W(16), .VARIANT(32'h299460a6)) u_hit_spill_result_crossings (
     .clk        (clk),
-    .first_open (s0_hit_skid_first),
-    .second_open(s0_hit_skid_second),
-    .turn       (s0_hit_skid_turn),
+    .load_first (s0_hit_spill_load_first),
+    .load_second(s0_hit_spill_load_second),
+    .rd_sel     (s0_hit_spill_rd_sel),
     .in_data    (hit_crossings),
-    .out_data   (s0_waiting_crossings)
+    .out_data   (s0_result_crossings)
   );
-  wire [15:0] s0_waiting_ups;
-  relief_word_skid #(.W(16), .VARIANT(32'h25a4b2c2)) u_hit_skid_waiting_ups (
+  wire [15:0] s0_result_ups;
+  relief_spill_data #(.W(16), .VARIANT(32'h299460a6)) u_hit_spill_result_ups (
     .clk        (clk),
-    .first_open (s0_hit_skid_first),
-    .second_open(s0_hit_skid_second),
-    .turn       (s0_hit_skid_turn),
+    .load_first (s0_hit_spill_load_first),
+    .load_second(s0_hit_spill_load_second),
+    .rd_sel     (s0_hit_spill_rd_sel),
     .in_data    (hit_ups),
-    .out_data   (s0_waiting_ups)
+    .out_data   (s0_result_ups)
   );
-  wire [FRAC_W-1:0] s0_waiting_fu;
-  relief_word_skid #(.W(FRAC_W), .VARIANT(32'h25a4b2c2)) u_hit_skid_waiting_fu (
+  wire [FRAC_W-1:0] s0_result_fu;
+  relief_spill_data #(.W(FRAC_W), .VARIANT(32'h299460a6)) u_hit_spill_result_fu (
     .clk        (clk),
-    .first_open (s0_hit_skid_first),
-    .second_open(s0_hit_skid_second),
-    .turn       (s0_hit_skid_turn),
+    .load_first (s0_hit_spill_load_first),
+    .load_second(s0_hit_spill_load_second),
+    .rd_sel     (s0_hit_spill_rd_sel),
     .in_data    (hit_fu),
-    .out_data   (s0_waiting_fu)
+    .out_data   (s0_result_fu)
   );
-  wire [FRAC_W-1:0] s0_waiting_fv;
-  relief_word_skid #(.W(FRAC_W), .VARIANT(32'h25a4b2c2)) u_hit_skid_waiting_fv (
+  wire [FRAC_W-1:0] s0_result_fv;
+  relief_spill_data #(.W(FRAC_W), .VARIANT(32'h299460a6)) u_hit_spill_result_fv (
     .clk        (clk),
-    .first_open (s0_hit_skid_first),
-    .second_open(s0_hit_skid_second),
-    .turn       (s0_hit_skid_turn),
+    .load_first (s0_hit_spill_load_first),
+    .load_second(s0_hit_spill_load_second),
+    .rd_sel     (s0_hit_spill_rd_sel),
     .in_data    (hit_fv),
-    .out_data   (s0_waiting_fv)
+    .out_data   (s0_result_fv)
   );
 
   // ---- stage 1: registers ------------------------------------------------- traverse.rs
-  reg [TAG_W-1:0]  s1_back_tag;
-  reg [FloatW-1:0] s1_back_p_x;
-  reg [FloatW-1:0] s1_back_pb_x;
-  reg [FloatW-1:0] s1_back_d_x;
-  reg [FloatW-1:0] s1_back_r_x;
-  reg              s1_back_never_x;
-  reg              s1_back_neg_x;
-  reg [FloatW-1:0] s1_back_p_y;
-  reg [FloatW-1:0] s1_back_pb_y;
-  reg [FloatW-1:0] s1_back_d_y;
-  reg [FloatW-1:0] s1_back_r_y;
-  reg              s1_back_never_y;
-  reg              s1_back_neg_y;
-  reg [LevelW-1:0] s1_back_level;
-  reg [IdxW-1:0]   s1_back_x;
-  reg [IdxW-1:0]   s1_back_y;
-  reg [FloatW-1:0] s1_back_t;
-  reg              s1_back_done;
-  reg              s1_back_wall;
-  reg              s1_back_limit;
-  reg [15:0]       s1_back_steps;
-  reg [15:0]       s1_back_crossings;
-  reg [15:0]       s1_back_ups;
-  reg              s1_back_crossed;
-  reg              s1_admits;
+  reg [TAG_W-1:0]  s1_loop_tag_q;
+  reg [FloatW-1:0] s1_loop_p_x_q;
+  reg [FloatW-1:0] s1_loop_pb_x_q;
+  reg [FloatW-1:0] s1_loop_d_x_q;
+  reg [FloatW-1:0] s1_loop_r_x_q;
+  reg              s1_loop_never_x_q;
+  reg              s1_loop_neg_x_q;
+  reg [FloatW-1:0] s1_loop_p_y_q;
+  reg [FloatW-1:0] s1_loop_pb_y_q;
+  reg [FloatW-1:0] s1_loop_d_y_q;
+  reg [FloatW-1:0] s1_loop_r_y_q;
+  reg              s1_loop_never_y_q;
+  reg              s1_loop_neg_y_q;
+  reg [LevelW-1:0] s1_loop_level_q;
+  reg [IdxW-1:0]   s1_loop_x_q;
+  reg [IdxW-1:0]   s1_loop_y_q;
+  reg [FloatW-1:0] s1_loop_t_q;
+  reg              s1_loop_done_q;
+  reg              s1_loop_wall_q;
+  reg              s1_loop_limit_q;
+  reg [15:0]       s1_loop_steps_q;
+  reg [15:0]       s1_loop_crossings_q;
+  reg [15:0]       s1_loop_ups_q;
+  reg              s1_loop_crossed_q;
+  reg              s1_accept;
   reg [TAG_W-1:0]  s1_new_tag;
   reg [FloatW-1:0] s1_new_p_x;
   reg [FloatW-1:0] s1_new_pb_x;
@@ -699,83 +668,83 @@ module relief_traverse #(
   reg              s1_new_refused;
   reg              s1_valid;
   always @(posedge clk) begin
-    s1_back_tag       <= s0_back_tag;
-    s1_back_p_x       <= s0_back_p_x;
-    s1_back_pb_x      <= s0_back_pb_x;
-    s1_back_d_x       <= s0_back_d_x;
-    s1_back_r_x       <= s0_back_r_x;
-    s1_back_never_x   <= s0_back_never_x;
-    s1_back_neg_x     <= s0_back_neg_x;
-    s1_back_p_y       <= s0_back_p_y;
-    s1_back_pb_y      <= s0_back_pb_y;
-    s1_back_d_y       <= s0_back_d_y;
-    s1_back_r_y       <= s0_back_r_y;
-    s1_back_never_y   <= s0_back_never_y;
-    s1_back_neg_y     <= s0_back_neg_y;
-    s1_back_level     <= s0_back_level;
-    s1_back_x         <= s0_back_x;
-    s1_back_y         <= s0_back_y;
-    s1_back_t         <= s0_back_t;
-    s1_back_done      <= s0_back_done;
-    s1_back_wall      <= s0_back_wall;
-    s1_back_limit     <= s0_back_limit;
-    s1_back_steps     <= s0_back_steps;
-    s1_back_crossings <= s0_back_crossings;
-    s1_back_ups       <= s0_back_ups;
-    s1_back_crossed   <= s0_back_crossed;
-    s1_admits         <= s0_admits;
-    s1_new_tag        <= s0_new_tag;
-    s1_new_p_x        <= s0_new_p_x;
-    s1_new_pb_x       <= s0_new_pb_x;
-    s1_new_d_x        <= s0_new_d_x;
-    s1_new_r_x        <= s0_new_r_x;
-    s1_new_never_x    <= s0_new_never_x;
-    s1_new_neg_x      <= s0_new_neg_x;
-    s1_new_p_y        <= s0_new_p_y;
-    s1_new_pb_y       <= s0_new_pb_y;
-    s1_new_d_y        <= s0_new_d_y;
-    s1_new_r_y        <= s0_new_r_y;
-    s1_new_never_y    <= s0_new_never_y;
-    s1_new_neg_y      <= s0_new_neg_y;
-    s1_new_level      <= s0_new_level;
-    s1_new_first_x    <= s0_new_first_x;
-    s1_new_first_y    <= s0_new_first_y;
-    s1_new_refused    <= s0_new_refused;
+    s1_loop_tag_q       <= s0_loop_tag_q;
+    s1_loop_p_x_q       <= s0_loop_p_x_q;
+    s1_loop_pb_x_q      <= s0_loop_pb_x_q;
+    s1_loop_d_x_q       <= s0_loop_d_x_q;
+    s1_loop_r_x_q       <= s0_loop_r_x_q;
+    s1_loop_never_x_q   <= s0_loop_never_x_q;
+    s1_loop_neg_x_q     <= s0_loop_neg_x_q;
+    s1_loop_p_y_q       <= s0_loop_p_y_q;
+    s1_loop_pb_y_q      <= s0_loop_pb_y_q;
+    s1_loop_d_y_q       <= s0_loop_d_y_q;
+    s1_loop_r_y_q       <= s0_loop_r_y_q;
+    s1_loop_never_y_q   <= s0_loop_never_y_q;
+    s1_loop_neg_y_q     <= s0_loop_neg_y_q;
+    s1_loop_level_q     <= s0_loop_level_q;
+    s1_loop_x_q         <= s0_loop_x_q;
+    s1_loop_y_q         <= s0_loop_y_q;
+    s1_loop_t_q         <= s0_loop_t_q;
+    s1_loop_done_q      <= s0_loop_done_q;
+    s1_loop_wall_q      <= s0_loop_wall_q;
+    s1_loop_limit_q     <= s0_loop_limit_q;
+    s1_loop_steps_q     <= s0_loop_steps_q;
+    s1_loop_crossings_q <= s0_loop_crossings_q;
+    s1_loop_ups_q       <= s0_loop_ups_q;
+    s1_loop_crossed_q   <= s0_loop_crossed_q;
+    s1_accept           <= s0_accept;
+    s1_new_tag          <= s0_new_tag;
+    s1_new_p_x          <= s0_new_p_x;
+    s1_new_pb_x         <= s0_new_pb_x;
+    s1_new_d_x          <= s0_new_d_x;
+    s1_new_r_x          <= s0_new_r_x;
+    s1_new_never_x      <= s0_new_never_x;
+    s1_new_neg_x        <= s0_new_neg_x;
+    s1_new_p_y          <= s0_new_p_y;
+    s1_new_pb_y         <= s0_new_pb_y;
+    s1_new_d_y          <= s0_new_d_y;
+    s1_new_r_y          <= s0_new_r_y;
+    s1_new_never_y      <= s0_new_never_y;
+    s1_new_neg_y        <= s0_new_neg_y;
+    s1_new_level        <= s0_new_level;
+    s1_new_first_x      <= s0_new_first_x;
+    s1_new_first_y      <= s0_new_first_y;
+    s1_new_refused      <= s0_new_refused;
   end
   always @(posedge clk) begin
     if (rst) begin
       s1_valid <= 1'b0;
     end else begin
-      s1_valid <= s0_keeps;
+      s1_valid <= s0_slot_busy;
     end
   end
 
   // ---- stage 1: slot ------------------------------------------------------ traverse.rs
-  // The new ray, or the one that comes back.
-  wire [TAG_W-1:0]  s1_tag = s1_admits ? s1_new_tag : s1_back_tag;
-  wire [FloatW-1:0] s1_p_x = s1_admits ? s1_new_p_x : s1_back_p_x;
-  wire [FloatW-1:0] s1_pb_x = s1_admits ? s1_new_pb_x : s1_back_pb_x;
-  wire [FloatW-1:0] s1_d_x = s1_admits ? s1_new_d_x : s1_back_d_x;
-  wire [FloatW-1:0] s1_r_x = s1_admits ? s1_new_r_x : s1_back_r_x;
-  wire              s1_never_x = s1_admits ? s1_new_never_x : s1_back_never_x;
-  wire              s1_neg_x = s1_admits ? s1_new_neg_x : s1_back_neg_x;
-  wire [FloatW-1:0] s1_p_y = s1_admits ? s1_new_p_y : s1_back_p_y;
-  wire [FloatW-1:0] s1_pb_y = s1_admits ? s1_new_pb_y : s1_back_pb_y;
-  wire [FloatW-1:0] s1_d_y = s1_admits ? s1_new_d_y : s1_back_d_y;
-  wire [FloatW-1:0] s1_r_y = s1_admits ? s1_new_r_y : s1_back_r_y;
-  wire              s1_never_y = s1_admits ? s1_new_never_y : s1_back_never_y;
-  wire              s1_neg_y = s1_admits ? s1_new_neg_y : s1_back_neg_y;
-  wire [LevelW-1:0] s1_level = s1_admits ? s1_new_level : s1_back_level;
-  wire [IdxW-1:0]   s1_x = s1_admits ? s1_new_first_x : s1_back_x;
-  wire [IdxW-1:0]   s1_y = s1_admits ? s1_new_first_y : s1_back_y;
-  wire [FloatW-1:0] s1_t = s1_admits ? {FloatW{1'b0}} : s1_back_t;
-  wire              s1_done = s1_admits ? s1_new_refused : s1_back_done;
-  wire              s1_wall = s1_admits ? 1'b0 : s1_back_wall;
-  wire              s1_limit = s1_admits ? s1_new_refused : s1_back_limit;
-  wire [15:0]       s1_steps = s1_admits ? 16'd0 : s1_back_steps;
-  wire [15:0]       s1_crossings = s1_admits ? 16'd0 : s1_back_crossings;
-  wire [15:0]       s1_ups = s1_admits ? 16'd0 : s1_back_ups;
-  wire              s1_has_crossed = s1_admits ? 1'b0 : s1_back_crossed;
+  // Stage 0 holds the new ray, or the one that recirculates.
+  wire [TAG_W-1:0]  s1_tag = s1_accept ? s1_new_tag : s1_loop_tag_q;
+  wire [FloatW-1:0] s1_p_x = s1_accept ? s1_new_p_x : s1_loop_p_x_q;
+  wire [FloatW-1:0] s1_pb_x = s1_accept ? s1_new_pb_x : s1_loop_pb_x_q;
+  wire [FloatW-1:0] s1_d_x = s1_accept ? s1_new_d_x : s1_loop_d_x_q;
+  wire [FloatW-1:0] s1_r_x = s1_accept ? s1_new_r_x : s1_loop_r_x_q;
+  wire              s1_never_x = s1_accept ? s1_new_never_x : s1_loop_never_x_q;
+  wire              s1_neg_x = s1_accept ? s1_new_neg_x : s1_loop_neg_x_q;
+  wire [FloatW-1:0] s1_p_y = s1_accept ? s1_new_p_y : s1_loop_p_y_q;
+  wire [FloatW-1:0] s1_pb_y = s1_accept ? s1_new_pb_y : s1_loop_pb_y_q;
+  wire [FloatW-1:0] s1_d_y = s1_accept ? s1_new_d_y : s1_loop_d_y_q;
+  wire [FloatW-1:0] s1_r_y = s1_accept ? s1_new_r_y : s1_loop_r_y_q;
+  wire              s1_never_y = s1_accept ? s1_new_never_y : s1_loop_never_y_q;
+  wire              s1_neg_y = s1_accept ? s1_new_neg_y : s1_loop_neg_y_q;
+  wire [LevelW-1:0] s1_level = s1_accept ? s1_new_level : s1_loop_level_q;
+  wire [IdxW-1:0]   s1_x = s1_accept ? s1_new_first_x : s1_loop_x_q;
+  wire [IdxW-1:0]   s1_y = s1_accept ? s1_new_first_y : s1_loop_y_q;
+  wire [FloatW-1:0] s1_t = s1_accept ? {FloatW{1'b0}} : s1_loop_t_q;
+  wire              s1_done = s1_accept ? s1_new_refused : s1_loop_done_q;
+  wire              s1_wall = s1_accept ? 1'b0 : s1_loop_wall_q;
+  wire              s1_limit = s1_accept ? s1_new_refused : s1_loop_limit_q;
+  wire [15:0]       s1_steps = s1_accept ? 16'd0 : s1_loop_steps_q;
+  wire [15:0]       s1_crossings = s1_accept ? 16'd0 : s1_loop_crossings_q;
+  wire [15:0]       s1_ups = s1_accept ? 16'd0 : s1_loop_ups_q;
+  wire              s1_has_crossed = s1_accept ? 1'b0 : s1_loop_crossed_q;
 
   // ---- stage 2: registers ------------------------------------------------- traverse.rs
   reg              s2_valid;
@@ -922,7 +891,7 @@ module relief_traverse #(
     .MAN_W  (MAN_W),
     .IDX_W  (IdxW),
     .LATENCY(8),
-    .VARIANT(32'h25aebe8a)
+    .VARIANT(32'h005a549c)
   ) u_time_x (
     .clk  (clk),
     .ce   (1'b1),
@@ -938,7 +907,7 @@ module relief_traverse #(
     .MAN_W  (MAN_W),
     .IDX_W  (IdxW),
     .LATENCY(8),
-    .VARIANT(32'h25aebe8a)
+    .VARIANT(32'h005a549c)
   ) u_time_y (
     .clk  (clk),
     .ce   (1'b1),
@@ -1007,7 +976,7 @@ module relief_traverse #(
     .MAN_W   (MAN_W),
     .HEIGHT_W(HEIGHT_W),
     .LATENCY (4),
-    .VARIANT (32'h19fd8447)
+    .VARIANT (32'h4c16b98b)
   ) u_height_test (
     .clk   (clk),
     .ce    (1'b1),
@@ -1098,7 +1067,7 @@ module relief_traverse #(
     .MAN_W  (MAN_W),
     .IDX_W  (IdxW),
     .LATENCY(7),
-    .VARIANT(32'h76e8304f)
+    .VARIANT(32'h18f1ea56)
   ) u_predict_x (
     .clk   (clk),
     .ce    (1'b1),
@@ -1113,7 +1082,7 @@ module relief_traverse #(
     .MAN_W  (MAN_W),
     .IDX_W  (IdxW),
     .LATENCY(7),
-    .VARIANT(32'h76e8304f)
+    .VARIANT(32'h18f1ea56)
   ) u_predict_y (
     .clk   (clk),
     .ce    (1'b1),
@@ -1149,7 +1118,7 @@ module relief_traverse #(
     .EXP_W  (EXP_W),
     .MAN_W  (MAN_W),
     .LATENCY(2),
-    .VARIANT(32'h5b4c5bf5)
+    .VARIANT(32'h1a8ee4db)
   ) u_crossing (
     .clk      (clk),
     .ce       (1'b1),
@@ -1293,7 +1262,7 @@ module relief_traverse #(
     .LEVELS (LEVELS),
     .IDX_W  (IdxW),
     .LATENCY(0),
-    .VARIANT(32'h4703594c)
+    .VARIANT(32'h44b45e20)
   ) u_down (
     .level     (s17_level),
     .crossed   (s17_has_crossed),
@@ -1462,80 +1431,78 @@ module relief_traverse #(
 
   // ---- back to stage 0
   always @(posedge clk) begin
-    s0_back_tag       <= s18_tag;
-    s0_back_p_x       <= s18_p_x;
-    s0_back_pb_x      <= s18_pb_x;
-    s0_back_d_x       <= s18_d_x;
-    s0_back_r_x       <= s18_r_x;
-    s0_back_never_x   <= s18_never_x;
-    s0_back_neg_x     <= s18_neg_x;
-    s0_back_p_y       <= s18_p_y;
-    s0_back_pb_y      <= s18_pb_y;
-    s0_back_d_y       <= s18_d_y;
-    s0_back_r_y       <= s18_r_y;
-    s0_back_never_y   <= s18_never_y;
-    s0_back_neg_y     <= s18_neg_y;
-    s0_back_level     <= s18_done ? s18_level : s18_level_next;
-    s0_back_x         <= s18_done ? s18_x : s18_x_next;
-    s0_back_y         <= s18_done ? s18_y : s18_y_next;
-    s0_back_t         <= s18_done ? s18_t : s18_t_after;
-    s0_back_wall      <= s18_done ? s18_wall : (s18_hit & s18_below);
-    s0_back_steps     <= s18_steps_next;
-    s0_back_crossings <= s18_crossings + {15'd0, s18_crossed_now};
-    s0_back_ups       <= s18_ups + {15'd0, s18_up_now};
-    s0_back_crossed   <= s18_has_crossed | s18_crossed_now;
+    s0_loop_tag_q       <= s18_tag;
+    s0_loop_p_x_q       <= s18_p_x;
+    s0_loop_pb_x_q      <= s18_pb_x;
+    s0_loop_d_x_q       <= s18_d_x;
+    s0_loop_r_x_q       <= s18_r_x;
+    s0_loop_never_x_q   <= s18_never_x;
+    s0_loop_neg_x_q     <= s18_neg_x;
+    s0_loop_p_y_q       <= s18_p_y;
+    s0_loop_pb_y_q      <= s18_pb_y;
+    s0_loop_d_y_q       <= s18_d_y;
+    s0_loop_r_y_q       <= s18_r_y;
+    s0_loop_never_y_q   <= s18_never_y;
+    s0_loop_neg_y_q     <= s18_neg_y;
+    s0_loop_level_q     <= s18_done ? s18_level : s18_level_next;
+    s0_loop_x_q         <= s18_done ? s18_x : s18_x_next;
+    s0_loop_y_q         <= s18_done ? s18_y : s18_y_next;
+    s0_loop_t_q         <= s18_done ? s18_t : s18_t_after;
+    s0_loop_wall_q      <= s18_done ? s18_wall : (s18_hit & s18_below);
+    s0_loop_steps_q     <= s18_steps_next;
+    s0_loop_crossings_q <= s18_crossings + {15'd0, s18_crossed_now};
+    s0_loop_ups_q       <= s18_ups + {15'd0, s18_up_now};
+    s0_loop_crossed_q   <= s18_has_crossed | s18_crossed_now;
   end
   always @(posedge clk) begin
     if (rst) begin
-      s0_back_valid   <= 1'b0;
-      s0_has_come_in  <= 1'b0;
-      s0_has_gone_out <= 1'b0;
-      s0_rays_inside  <= 7'd0;
-      s0_some_inside  <= 1'b0;
+      s0_loop_valid_q   <= 1'b0;
+      s0_in_transfer_q  <= 1'b0;
+      s0_out_transfer_q <= 1'b0;
+      s0_in_flight      <= 7'd0;
+      s0_any_in_flight  <= 1'b0;
     end else begin
-      s0_back_valid   <= s18_valid;
-      s0_has_come_in  <= s0_came_in;
-      s0_has_gone_out <= went_out;
-      s0_rays_inside  <= s0_rays_next;
-      s0_some_inside  <= s0_some_next;
+      s0_loop_valid_q   <= s18_valid;
+      s0_in_transfer_q  <= s0_in_transfer;
+      s0_out_transfer_q <= out_transfer;
+      s0_in_flight      <= s0_in_flight_next;
+      s0_any_in_flight  <= s0_any_in_flight_next;
     end
   end
   // An unknown bit of a simulation counts as 1: none reaches a handshake.
   always @(posedge clk) begin
     if (!(s18_done | s18_ends_now)) begin
-      s0_back_done <= 1'b0;
+      s0_loop_done_q <= 1'b0;
     end else begin
-      s0_back_done <= 1'b1;
+      s0_loop_done_q <= 1'b1;
     end
   end
   // An unknown bit of a simulation counts as 1: none reaches a handshake.
   always @(posedge clk) begin
     if (!(s18_limit | s18_given_up)) begin
-      s0_back_limit <= 1'b0;
+      s0_loop_limit_q <= 1'b0;
     end else begin
-      s0_back_limit <= 1'b1;
+      s0_loop_limit_q <= 1'b1;
     end
   end
 
-  assign hit_valid = hit_waits;
-  assign hit_room = hit_skid_ready;
-  assign setup_valid = s0_setup_tracked;
-  assign setup_room = setup_skid_ready;
-  assign in_ready = setup_room;
-  assign slot_busy = s0_keeps;
+  assign hit_ready = hit_spill_ready;
+  assign setup_ready = setup_spill_ready;
+  assign in_ready = setup_ready;
+  assign slot_busy = s0_slot_busy;
   assign idle = s0_is_idle;
   assign out_valid = hit_valid;
-  assign out_tag = s0_waiting_tag;
-  assign out_i = s0_waiting_i;
-  assign out_j = s0_waiting_j;
-  assign out_t = s0_waiting_t;
-  assign out_wall = s0_waiting_wall;
-  assign out_limit = s0_waiting_limit;
-  assign out_steps = s0_waiting_steps;
-  assign out_crossings = s0_waiting_crossings;
-  assign out_ups = s0_waiting_ups;
-  assign out_fu = s0_waiting_fu;
-  assign out_fv = s0_waiting_fv;
+  assign out_tag = s0_result_tag;
+  assign out_i = s0_result_i;
+  assign out_j = s0_result_j;
+  assign out_t = s0_result_t;
+  assign out_wall = s0_result_wall;
+  assign out_limit = s0_result_limit;
+  assign out_steps = s0_result_steps;
+  assign out_crossings = s0_result_crossings;
+  assign out_ups = s0_result_ups;
+  assign out_fu = s0_result_fu;
+  assign out_fv = s0_result_fv;
 endmodule
 `ifndef YOSYS
 `default_nettype wire

@@ -15,7 +15,7 @@ module relief_fv_multi_level_down;
   wire [3:0] level_down;
   wire [13:0] x_down;
   wire [13:0] y_down;
-  relief_multi_level_down #(.LEVELS(8), .IDX_W(14), .LATENCY(0), .VARIANT(32'h4703594c)) dut (
+  relief_multi_level_down #(.LEVELS(8), .IDX_W(14), .LATENCY(0), .VARIANT(32'h44b45e20)) dut (
     .level(level),
     .crossed(crossed),
     .x_low(x_low),

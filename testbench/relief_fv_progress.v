@@ -54,7 +54,7 @@ module relief_fv_progress;
   wire [3:0] d_level_down;
   wire [13:0] d_x_down;
   wire [13:0] d_y_down;
-  relief_multi_level_down #(.LEVELS(8), .IDX_W(14), .LATENCY(0), .VARIANT(32'h4703594c)) d_dut (
+  relief_multi_level_down #(.LEVELS(8), .IDX_W(14), .LATENCY(0), .VARIANT(32'h44b45e20)) d_dut (
     .level(d_level),
     .crossed(d_crossed),
     .x_low(d_x_low),

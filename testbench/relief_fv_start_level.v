@@ -8,7 +8,7 @@ module relief_fv_start_level;
   (* anyconst *) wire [13:0] x_end;
   (* anyconst *) wire [13:0] y_end;
   wire [3:0] level;
-  relief_start_level #(.LEVELS(8), .IDX_W(14), .LATENCY(0), .VARIANT(32'h5f64d48d)) dut (
+  relief_start_level #(.LEVELS(8), .IDX_W(14), .LATENCY(0), .VARIANT(32'h4c35fe41)) dut (
     .x(x),
     .y(y),
     .x_end(x_end),

@@ -60,7 +60,7 @@ module relief_tb_multi_level_down #(
     .LEVELS(LEVELS),
     .IDX_W(IDX_W),
     .LATENCY(0),
-    .VARIANT(32'h4703594c)
+    .VARIANT(32'h44b45e20)
   ) dut (
     .level(in_level),
     .crossed(in_crossed),

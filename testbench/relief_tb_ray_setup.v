@@ -84,7 +84,7 @@ module relief_tb_ray_setup #(
     .HEIGHT_W(HEIGHT_W),
     .TILE_W(TILE_W),
     .LATENCY(21),
-    .VARIANT(32'h1476c652)
+    .VARIANT(32'h32708489)
   ) dut (
     .clk(clk),
     .ce(ce),

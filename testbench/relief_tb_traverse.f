@@ -7,8 +7,8 @@
 ../rtl/relief_start_level.v
 ../rtl/relief_ray_setup.v
 ../rtl/relief_setup_delay.v
-../rtl/relief_stream_skid.v
-../rtl/relief_word_skid.v
+../rtl/relief_spill_register.v
+../rtl/relief_spill_data.v
 ../rtl/relief_node_planes.v
 ../rtl/relief_interleave.v
 ../rtl/relief_height_address.v

@@ -1,0 +1,1 @@
+relief_spill_register.v

@@ -1,1 +1,0 @@
-relief_stream_skid.v

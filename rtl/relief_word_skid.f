@@ -1,1 +1,0 @@
-relief_word_skid.v

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+// Proof harness: first in, first out, no word lost or duplicated, and a valid output is stable until it transfers, by induction.
+//
+// Words carry their number, modulo 16: the output word must have the number of the next pop.
+`default_nettype none
+module relief_fv_spill_register (input wire clk);
+  (* anyseq *) wire rst;
+  (* anyseq *) wire in_valid;
+  (* anyseq *) wire out_ready;
+  wire in_ready, out_valid, load_first, load_second, rd_sel;
+  reg [3:0] pushes, pops;
+  wire [3:0] out_data;
+  relief_spill_register #(.VARIANT(32'h7a7e1d0d)) dut (
+    .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready), .out_valid(out_valid), .out_ready(out_ready),
+    .load_first(load_first), .load_second(load_second), .rd_sel(rd_sel)
+  );
+  relief_spill_data #(.W(4), .VARIANT(32'h299460a6)) word (
+    .clk(clk), .load_first(load_first), .load_second(load_second), .rd_sel(rd_sel), .in_data(pushes), .out_data(out_data)
+  );
+
+  // The script connects these to registers inside.
+  (* keep *) wire first_valid, second_valid, valid_q, wr_sel_q, rd_sel_q, out_of_reset;
+  (* keep *) wire [3:0] first_word, second_word;
+  wire [3:0] inside = pushes - pops;
+  reg started, was_stalled;
+  reg [3:0] was;
+  initial {started, was_stalled} = 0;
+  always @(posedge clk) begin
+    started <= 1;
+    was_stalled <= out_valid && !out_ready && !rst;
+    was <= out_data;
+    pushes <= rst ? 4'd0 : pushes + (in_valid && in_ready);
+    pops <= rst ? 4'd0 : pops + (out_valid && out_ready);
+  end
+  always @* begin
+    if (!started) assume (rst);
+    if (started) begin
+      // The claim: as many words inside as slots are valid, and the output is the oldest.
+      assert (inside <= 2);
+      assert (inside == first_valid + second_valid);
+      assert (out_valid == (inside != 0));
+      if (out_valid) assert (out_data == pops);
+      if (was_stalled) assert (out_valid && out_data == was);
+      if (in_ready) assert (inside < 2);
+      // Invariants that make the induction hold.
+      assert (out_valid == valid_q && rd_sel == rd_sel_q);
+      assert ((wr_sel_q ^ rd_sel_q) == (inside == 1));
+      assert (inside != 1 || (rd_sel_q ? second_valid : first_valid));
+      if (out_of_reset) assert (in_ready == (inside < 2) && load_first == !first_valid && load_second == !second_valid);
+      if (!out_of_reset) assert (inside == 0 && !in_ready && !load_first && !load_second && !wr_sel_q);
+      if (first_valid) assert (first_word == (rd_sel_q ? pops + 4'd1 : pops));
+      if (second_valid) assert (second_word == (rd_sel_q ? pops : pops + 4'd1));
+    end
+  end
+endmodule
+`ifndef YOSYS
+`default_nettype wire
+`endif
