@@ -9,6 +9,7 @@ mod stored;
 use super::synth::without_tools;
 use rayon::prelude::*;
 use replay::{Job, TARGETS, UNITS, replay};
+use std::sync::Mutex;
 use stored::Entry;
 
 /// Every job at a small format; the traversal with five levels, of which the pyramid is a block memory, by both Yosys.
@@ -45,7 +46,7 @@ fn small_netlists_replay_the_vectors() {
     }
 }
 
-/// Everything, one after the other. With `RELIEFRTL_REFRESH=1` only what the stored results are not of, and each result is stored at once;
+/// Everything, as many at a time as there are cores. With `RELIEFRTL_REFRESH=1` only what the stored results are not of, and each result is stored at once;
 /// without, all that is stored, and the results are the stored ones.
 #[test]
 #[ignore = "an hour of synthesis and simulation; part of sh tools/test.sh --full"]
@@ -54,27 +55,35 @@ fn netlists_replay_as_the_stored_results_say() {
         return;
     }
     let refresh = std::env::var("RELIEFRTL_REFRESH").is_ok_and(|v| v == "1");
-    let mut kept = stored::read();
-    let mut wrong = Vec::new();
-    for job in plan() {
-        let known = kept.iter().find(|e| e.is_of(&job)).cloned();
-        if refresh && known.as_ref().is_some_and(|e| e.digests == stored::digests_of(&job)) {
-            continue;
+    let kept = Mutex::new(stored::read());
+    let wrong = Mutex::new(Vec::new());
+    // What takes minutes stands last, so both cores have work to the end.
+    plan().par_iter().with_max_len(1).for_each(|job| {
+        let known = kept.lock().unwrap().iter().find(|e| e.is_of(job)).cloned();
+        if refresh && known.as_ref().is_some_and(|e| e.digests == stored::digests_of(job)) {
+            return;
         }
-        let seen = replay(&job);
+        let seen = replay(job);
         println!("{}: {} of {} mismatched", seen.name(), seen.mismatched, seen.rows);
         if refresh {
-            kept.retain(|e| !e.is_of(&job));
+            let mut kept = kept.lock().unwrap();
+            kept.retain(|e| !e.is_of(job));
             kept.push(seen.clone());
             kept.retain(|e| plan().iter().any(|j| e.is_of(j)));
             stored::write(&mut kept);
         } else if known.as_ref() != Some(&seen) {
-            wrong.push(format!("{}: {} of {}, and not what is stored", seen.name(), seen.mismatched, seen.rows));
+            wrong.lock().unwrap().push(format!(
+                "{}: {} of {}, and not what is stored",
+                seen.name(),
+                seen.mismatched,
+                seen.rows
+            ));
         }
         if seen.mismatched != 0 {
-            wrong.push(format!("{}: {} of {} mismatched", seen.name(), seen.mismatched, seen.rows));
+            wrong.lock().unwrap().push(format!("{}: {} of {} mismatched", seen.name(), seen.mismatched, seen.rows));
         }
-    }
+    });
+    let wrong = wrong.into_inner().unwrap();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
