@@ -4,11 +4,15 @@ use crate::bench::{Further, Point, PointKind, cover};
 use crate::catalogue::units;
 use crate::config::Config;
 use crate::error::{Error, Result};
+use crate::ir::Module;
+use crate::units::all;
 use crate::units::traversal::traverse;
 use crate::vectors::read_set;
+use crate::verilog::delayed_bit;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::Arc;
 
 /// Points of one file that are reached, and all of them.
 #[derive(Clone, Debug, Default)]
@@ -67,7 +71,18 @@ pub fn coverage(c: &Config, dir: &Path) -> Result<Coverage> {
         Ok(Further { place, over })
     };
     let further = FURTHER.iter().map(further).collect::<Result<Vec<_>>>()?;
-    Ok(judged(&cover(dir, &names, &further)?, *c == Config::default()))
+    let modules: BTreeMap<String, Arc<Module>> = all(&d).into_iter().map(|m| (m.name.clone(), m)).collect();
+    let points = cover(dir, &names, &further)?.into_iter().map(|(p, count)| (by_value(p, &modules), count)).collect();
+    Ok(judged(&points, *c == Config::default()))
+}
+
+/// A bit of a shift register that delays several values, by the value that it belongs to.
+fn by_value(mut p: Point, modules: &BTreeMap<String, Arc<Module>>) -> Point {
+    let bit =
+        p.name.strip_suffix(']').and_then(|n| n.rsplit_once('[')).and_then(|(net, bit)| Some((net, bit.parse().ok()?)));
+    let value = bit.and_then(|(net, bit)| delayed_bit(modules.get(&p.unit)?, net, bit));
+    p.name = value.unwrap_or(p.name);
+    p
 }
 
 /// Sorts points by file, and holds those that are not reached against the list.

@@ -85,20 +85,45 @@ impl Bundle {
     }
 }
 
+/// Bit `bit` of the shift register `net` of a module at its default parameters, by the name that it would have in a register of its own, such as
+/// `s3_ups[7]`; `None` if the module has no such register.
+pub fn delayed_bit(m: &Module, net: &str, bit: u32) -> Option<String> {
+    let names = Names::new(m);
+    let bundles = Bundles::of(&names);
+    let b = bundles.list.iter().find(|b| b.net() == net)?;
+    let defaults = m.default_binding();
+    let width = |id: NodeId| m.node(id).width.eval(&defaults) as u32;
+    let word: u32 = b.values.iter().map(|v| width(v.1)).sum();
+    // Words enter at the low end; in a word the first value is on top.
+    let (stage, mut rest) = (b.from + 1 + bit / word, bit % word);
+    let (_, last) = b.values.iter().rev().find(|v| {
+        let here = rest < width(v.1);
+        rest -= if here { 0 } else { width(v.1) };
+        here
+    })?;
+    let name = format!("s{stage}_{}", m.node(*last).name.as_ref()?);
+    (stage < b.to).then(|| if width(*last) == 1 { name } else { format!("{name}[{rest}]") })
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::{Style, print_module};
-    use crate::ir::Builder;
+    use super::delayed_bit;
+    use crate::ir::{Builder, Module};
 
-    /// The text of a module whose three words of 8 bits come out four clocks later.
-    fn text(visible: &[&str]) -> String {
+    /// A module whose three words of 8 bits come out four clocks later.
+    fn module(visible: &[&str]) -> std::sync::Arc<Module> {
         let b = Builder::new("m", file!(), "delays");
         b.clock();
         visible.iter().for_each(|name| b.visible(name));
         let words = ["x", "y", "z"].map(|name| b.input(name, 8, "bits", "a word").named(&format!("word_{name}")));
         let outs = ["a", "b", "c"].map(|name| b.output(name, 8, "bits", "the word"));
         outs.iter().zip(words).for_each(|(out, word)| b.drive(*out, word, Some(4)));
-        print_module(&b.finish(Some(4), &[]), &Style::default())
+        b.finish(Some(4), &[])
+    }
+
+    fn text(visible: &[&str]) -> String {
+        print_module(&module(visible), &Style::default())
     }
 
     #[test]
@@ -112,5 +137,15 @@ mod tests {
         assert!(some.contains("reg [47:0] s0_to_s4;") && some.contains("s3_word_y <= s2_word_y;"), "{some}");
         // Three registers are none that a bundle is for.
         assert!(!text(&["word_x", "word_y"]).contains("_to_"));
+    }
+
+    #[test]
+    fn bits_of_a_shift_register_have_names() {
+        let m = module(&[]);
+        let name = |bit| delayed_bit(&m, "s0_to_s4", bit);
+        assert_eq!(name(0).as_deref(), Some("s1_word_z[0]"));
+        assert_eq!(name(8 + 3).as_deref(), Some("s1_word_y[3]"));
+        assert_eq!(name(2 * 24 + 23).as_deref(), Some("s3_word_x[7]"));
+        assert_eq!((name(72), delayed_bit(&m, "s0_to_s3", 0)), (None, None));
     }
 }

@@ -8,5 +8,6 @@ mod prim;
 mod style;
 mod text;
 
+pub use carry::delayed_bit;
 pub use style::{SPDX, Style};
 pub use text::print_module;
