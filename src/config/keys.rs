@@ -231,7 +231,7 @@ pub const KEYS: &[Key] = &[
     ),
     key(
         "latency.handshake",
-        "registers in the way of ready: a spill_register behind the setup and behind the hit (1), one behind the choice of the ray that leaves (2), and a credit_fifo instead of the stream_skids, before which nothing has an enable (3)",
+        "what decouples ready: a spill_register after setup and after the hit (1), the decision which ray retires registered as well (2), a credit_fifo instead of the spill registers, and no clock enable before it (3)",
         Legal::Whole(0, 3),
     ),
     key(

@@ -1,5 +1,6 @@
 //! The project itself: its layers, its committed tree, its guide.
 mod emission;
+mod glossary;
 mod guide;
 mod layers;
 mod unit_table;
