@@ -3,9 +3,9 @@
 //! `cargo run --release --example oracle_speed -- [STRIDE]`
 use rayon::prelude::*;
 use reliefrtl::config::{Config, MapKind, View};
+use reliefrtl::measure::exact_ray;
 use reliefrtl::oracle::{ExactMap, ExactRay};
 use reliefrtl::project::{Scene, encode};
-use reliefrtl::report::exact_ray;
 use std::time::Instant;
 
 fn main() {

@@ -6,8 +6,8 @@ use super::views::{Pixels, Viewed, look};
 use crate::config::{Config, MapKind};
 use crate::error::Result;
 use crate::golden::RayInput;
+use crate::measure::{DEFINITION, Spread, WrongTexel, accuracy, uv_given};
 use crate::project::{Scene, encode};
-use crate::report::{DEFINITION, Spread, WrongTexel, accuracy, uv_given};
 use crate::trace::trace_golden;
 use serde::Serialize;
 

@@ -4,8 +4,8 @@ use super::output::{spinner, table};
 use crate::config::View;
 use crate::error::{Error, Result};
 use crate::files::Part;
+use crate::measure::steps;
 use crate::project::{self, Scene, check_tree};
-use crate::report::steps;
 use crate::scene::Camera;
 use serde_json::json;
 

@@ -5,8 +5,8 @@ use super::views::{Pixels, Viewed, look};
 use crate::config::check::plain;
 use crate::config::{Config, View};
 use crate::error::{Error, Result};
+use crate::fit::{Budget, Fit, Limits, SETS, Trial, Truth, fit_checked};
 use crate::project::Scene;
-use crate::report::{Budget, Fit, Limits, SETS, Trial, Truth, fit_checked};
 use serde_json::json;
 
 /// Runs `fit`.

@@ -6,9 +6,9 @@ use crate::config::{Config, DatapathKind, Design, ModeConfig};
 use crate::error::{Error, Result};
 use crate::files::Part;
 use crate::golden::{Pyramid, RayHit, RayInput, decode_time};
+use crate::measure::endure::{Endured, endure as endured, modes};
+use crate::measure::hard::HardFigures;
 use crate::project::Scene;
-use crate::report::endure::{Endured, endure as endured, modes};
-use crate::report::hard::HardFigures;
 use crate::scene::hard::{Case, HardScene, footprints};
 use serde_json::{Value, json};
 

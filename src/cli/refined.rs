@@ -2,8 +2,8 @@
 use super::output::table;
 use crate::config::Config;
 use crate::error::Result;
+use crate::measure::{Spread, bilinear};
 use crate::project::{Scene, encode};
-use crate::report::{Spread, bilinear};
 use crate::scene::ViewRay;
 use serde::Serialize;
 use std::path::Path;

@@ -3,7 +3,7 @@ use super::args::{Cli, RaysArg, ReportArgs};
 use super::shell::quoted;
 use crate::config::{Config, MapKind, View};
 use crate::error::{Error, Result};
-use crate::report::page::{Extent, Plan, Selection, cells, files, write};
+use crate::report::{Extent, Plan, Selection, cells, files, write};
 use clap::ValueEnum;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;

@@ -1,101 +1,143 @@
-//! Refined hits against the exact root of the interpolated surface (`docs/bilinear.md`).
-use super::accuracy::exact_ray;
-use super::page::replay::trace_again;
-use super::page::stats::Spread;
-use super::uv::uv_error;
-use crate::config::{Config, Design};
+//! The bilinear refinement: its error against the exact root, and what it does to a magnified picture.
+use super::pictures::{SIZE, cameras, data_uri};
+use super::plan::{Map, Plan, Rays};
+use super::table::{Table, real};
+use crate::config::{Config, DatapathConfig, MapConfig, ModeConfig};
 use crate::error::Result;
-use crate::golden::{Patch, Pyramid, RayHit, RayInput, Refined, Watertight, decode_time};
-use crate::oracle::{Dyadic, ExactMap, Root};
-use crate::scene::{ViewRay, border};
+use crate::golden::{RayInput, encode_ray};
+use crate::measure::bilinear;
+use crate::scene::border::tiles;
+use crate::scene::{Picture, Shader, ViewRay, evenly};
+use crate::trace::{shade_point, trace_interp};
 use rayon::prelude::*;
-use std::path::Path;
+use serde_json::{Value, json};
 
-/// The exact root is enclosed to 2^-30 height codes.
-const ROOT_BITS: u32 = 30;
+/// Rays of a view, evenly over the picture: the exact root costs far more than the exact walk.
+const RAYS: usize = 120;
+/// EXP_W and MAN_W.
+const FORMATS: [(u32, u32); 3] = [(7, 16), (8, 23), (5, 10)];
+/// log2 of the side of the map in the pictures: texels must be large to be seen.
+const PICTURE_LEVELS: u32 = 5;
 
-/// Refined hits of some rays, and how far they are from the exact surface. A refined hit is compared with the first root in its own window.
-#[derive(Clone, Debug, Default)]
-pub struct Bilinear {
-    /// Rays that were refined: all that have a hit.
-    pub rays: u64,
-    /// Of these, by [`Patch::ALL`]: hit, above, below.
-    pub patches: [u64; 3],
-    /// Of the hits, those whose window has no root.
-    pub rootless: u64,
-    /// Of the others, those whose window has one: the ray passes the surface and is back at the window's end.
-    pub missed: u64,
-    /// Error of the parameter in height codes, of hits with a root, and the ray.
-    pub t: Spread,
-    /// The block hit's own distance from that root, in height codes.
-    pub t_block: Spread,
-    /// Error of the position in texels.
-    pub uv: Spread,
-    /// The block hit's own distance from the root's place, in texels.
-    pub uv_block: Spread,
+/// The refined design of a format on a site's map; `None` if there is none.
+fn config(plan: &Plan, site: &Map, (exp, man): (u32, u32)) -> Option<Config> {
+    let (mut c, s) = (plan.config.clone(), &site.spec);
+    (c.format.exp, c.format.man, c.traverse.levels) = (exp, man, s.levels);
+    (c.datapath, c.mode) = (DatapathConfig::default(), ModeConfig { bilinear: true, ..super::plan::BEST });
+    (c.map.kind, c.map.scale, c.map.repeat, c.map.border) = (s.kind, s.scale, s.repeat, s.border);
+    c.map.file = site.file.clone();
+    c.validate().is_ok().then_some(c)
 }
 
-/// One ray's comparison.
-struct Judged {
-    hit: RayHit,
-    refined: Refined,
-    root: Option<Root>,
-    /// Where the root is, in texels.
-    place: [f64; 2],
+fn rays(c: &Config, site: &Map, of: &Rays) -> Result<Vec<ViewRay>> {
+    Ok(evenly(&site.set(c, &of.set, of.stride)?, Some(RAYS)))
 }
 
-/// Compares the refined hits of `rays` over `texels` with the exact surface. `d` is a watertight design without a level of detail.
+fn words(c: &Config, rays: &[ViewRay]) -> Vec<RayInput> {
+    rays.iter().map(|r| encode_ray(&c.design(), [r.u, r.v, r.du, r.dv])).collect()
+}
+
+/// Refined hits against the exact root, a row a map, view and format.
 ///
 /// # Errors
-/// A design that is not legal, or words that are not numbers.
-///
-/// # Panics
-/// If the pyramid has other levels or height bits than the design.
-pub fn bilinear(d: &Design, pyramid: &Pyramid, texels: &[u32], rays: &[RayInput]) -> Result<Bilinear> {
-    let golden = Watertight::new(d)?;
-    let t = &d.traverse;
-    let map = ExactMap { levels: t.levels, height_bits: t.height_bits, texels };
-    let judge = |r: &RayInput| -> Result<Option<Judged>> {
-        let hit = golden.trace(pyramid, r);
-        let Some(refined) = golden.refine(pyramid, r, &hit) else { return Ok(None) };
-        let exact = exact_ray(d, r)?;
-        let read = |t: u64| Dyadic::read(t, d.format.exp, d.format.man).expect("a window's ends are finite");
-        let ends = refined.window.map(read);
-        let root = map.bilinear_root(&exact, [&ends[0], &ends[1]], ROOT_BITS)?;
-        let at = root.map_or(0.0, |r| r.low);
-        let (side, bottom) = (2f64.powi(t.levels as i32), f64::from((1u32 << t.height_bits) - 1));
-        let place = [0, 1].map(|a: usize| (exact.p[a].to_f64() + exact.d[a].to_f64() * at / bottom) * side);
-        Ok(Some(Judged { hit, refined, root, place }))
+/// As [`bilinear`].
+pub fn table(plan: &Plan) -> Result<Table> {
+    let keys = [
+        ("map", "map"),
+        ("levels", "levels"),
+        ("view", "view"),
+        ("format", "float"),
+        ("rays", "rays"),
+        ("hit", "hit"),
+        ("above", "above"),
+        ("below", "below"),
+        ("rootless", "hit without a root"),
+        ("missed", "root not seen"),
+        ("t_p50", "t p50, codes"),
+        ("t_p99", "t p99"),
+        ("t_max", "t max"),
+        ("uv_p50", "uv p50, texel"),
+        ("uv_p99", "uv p99"),
+        ("uv_max", "uv max"),
+        ("block_p50", "block hit, uv p50"),
+        ("block_p99", "block hit, uv p99"),
+        ("words", "u v du dv (hex) of the largest"),
+        ("command", "see it again"),
+    ];
+    let mut t = Table::new("bilinear", &keys);
+    let side = plan.config.traverse.levels;
+    let views: Vec<&Rays> = plan.rays.iter().filter(|r| r.elevation.is_none()).collect();
+    let views = &views;
+    let jobs: Vec<_> = plan
+        .sites
+        .iter()
+        .filter(|s| s.spec.levels == side)
+        .flat_map(|site| FORMATS.into_iter().filter_map(move |f| config(plan, site, f).map(|c| (site, f, c))))
+        .flat_map(|(site, format, c)| views.iter().map(move |view| (site, format, c.clone(), *view)))
+        .collect();
+    let one = |(site, format, c, view): &(&Map, (u32, u32), Config, &Rays)| -> Result<Vec<Value>> {
+        let rays = rays(c, site, view)?;
+        let words = words(c, &rays);
+        let b = bilinear(&c.design(), &site.pyramid, &site.texels, &words)?;
+        let w = words.get(b.uv.max_ray).filter(|_| b.uv.rays > 0);
+        Ok(vec![
+            json!(site.spec.name),
+            json!(site.spec.levels),
+            json!(view.set.name),
+            json!(format!("{}/{}", format.0, format.1)),
+            json!(b.rays),
+            json!(b.patches[0]),
+            json!(b.patches[1]),
+            json!(b.patches[2]),
+            json!(b.rootless),
+            json!(b.missed),
+            real(b.t.p50),
+            real(b.t.p99),
+            real(b.t.max),
+            real(b.uv.p50),
+            real(b.uv.p99),
+            real(b.uv.max),
+            real(b.uv_block.p50),
+            real(b.uv_block.p99),
+            json!(w.map(|w| format!("{:x} {:x} {:x} {:x}", w.u, w.v, w.du, w.dv))),
+            json!(b.command(c, site.file.as_deref(), &rays)),
+        ])
     };
-    let all = rays.par_iter().map(judge).collect::<Result<Vec<_>>>()?;
-    let mut b = Bilinear::default();
-    let mut errors: [Vec<(f64, usize)>; 4] = Default::default();
-    for (ray, x) in all.iter().enumerate().filter_map(|(k, x)| Some((k, x.as_ref()?))) {
-        b.rays += 1;
-        b.patches[x.refined.patch as usize] += 1;
-        let Some(root) = x.root else {
-            b.rootless += u64::from(x.refined.patch == Patch::Hit);
-            continue;
-        };
-        if x.refined.patch != Patch::Hit {
-            b.missed += 1;
-            continue;
-        }
-        let r = &x.refined;
-        let found = RayHit { i: r.i, j: r.j, fu: r.fu, fv: r.fv, ..x.hit };
-        let late = |t: u64| (decode_time(d, t) - root.low).abs();
-        let uv = |hit: &RayHit| uv_error(d, t.levels, hit, x.place);
-        let values = [late(r.t), late(x.hit.t), uv(&found), uv(&x.hit)];
-        errors.iter_mut().zip(values).for_each(|(list, v)| list.push((v, ray)));
-    }
-    [b.t, b.t_block, b.uv, b.uv_block] = errors.map(Spread::of);
-    Ok(b)
+    let rows: Vec<Vec<Value>> = jobs.par_iter().map(one).collect::<Result<_>>()?;
+    rows.into_iter().for_each(|row| t.push(row));
+    Ok(t)
 }
 
-impl Bilinear {
-    /// The command that shows the ray of the largest position error again; `rays` are those that were compared, before rounding.
-    pub fn command(&self, c: &Config, file: Option<&Path>, rays: &[ViewRay]) -> String {
-        let Some(r) = rays.get(self.uv.max_ray).filter(|_| self.uv.rays > 0) else { return String::new() };
-        trace_again(c, file, border::given(c.map.border, [r.u, r.v, r.du, r.dv]))
+/// A map of few texels by its block hits, and by its refined ones; null if there is no such design.
+///
+/// # Errors
+/// A map or a design that is not legal.
+pub fn pictures(plan: &Plan) -> Result<Value> {
+    let first = &plan.sites[0].spec;
+    let levels = PICTURE_LEVELS + first.border.levels();
+    // A file is resampled for this: the picture shows texels, not the map.
+    let file = plan.sites[0].file.clone();
+    let map = plan.config.map.clone();
+    let map = MapConfig { kind: first.kind, file, seed: first.seed, resample: true, crop: false, pad: false, ..map };
+    let site = Map::new(&plan.config, &map, levels, false)?;
+    let Some(c) = config(plan, &site, FORMATS[0]) else { return Ok(Value::Null) };
+    let s = &site.spec;
+    let shader = Shader::new(&site.texels, s.levels, s.height_bits, s.scale, tiles(s.border, s.repeat), s.kind);
+    let mut out = Vec::new();
+    for (view, camera) in cameras(plan) {
+        let rays = site.rays(&c, &camera, 1)?;
+        let words = words(&c, &rays);
+        let picture = |bilinear: bool| -> Result<String> {
+            let mut d = c.design();
+            d.mode.bilinear = bilinear;
+            let hits = trace_interp(&d, &site.pyramid, &words)?;
+            let mut pixels = vec![None; (SIZE.0 * SIZE.1) as usize];
+            for (r, h) in rays.iter().zip(hits.iter()).filter(|x| !x.1.limit) {
+                pixels[(r.py * SIZE.0 + r.px) as usize] = Some(shade_point(&d, h));
+            }
+            data_uri(&Picture::shaded(&shader, SIZE.0 as usize, SIZE.1 as usize, &pixels))
+        };
+        out.push(json!({"view": view, "pair": [picture(false)?, picture(true)?]}));
     }
+    Ok(json!({"map": s.name, "side": 1u64 << levels, "views": out}))
 }

@@ -1,19 +1,21 @@
-//! Figures: steps, error against the exact oracle, speed of the engines. Each with its count and its worst case.
-mod accuracy;
+//! The report: speed against error of every design, as one page, JSON and CSV with the same numbers.
 mod bilinear;
-mod cost;
-pub mod endure;
-mod fit;
-pub mod hard;
-pub mod page;
-mod steps;
-pub mod turns;
-mod uv;
+mod charts;
+mod figures;
+mod inventory;
+mod measurement;
+mod pictures;
+mod plan;
+mod published;
+mod replay;
+mod sections;
+mod store;
+mod svg;
+mod table;
+mod units;
+mod write;
 
-pub use accuracy::{Accuracy, WrongTexel, accuracy, exact_ray, uv_given};
-pub use bilinear::{Bilinear, bilinear};
-pub use cost::Cost;
-pub use fit::{Budget, Checked, Fit, Limits, Rejected, SETS, Trial, Truth, fit, fit_checked};
-pub use page::stats::Spread;
-pub use steps::{PUBLISHED, Published, ROWS, Steps, TRIM_ROWS, steps};
-pub use uv::{DEFINITION, GIVEN_BITS, given_ray, place, uv_error};
+pub use measurement::{Measurement, MeasurementSpec, Witness};
+pub use plan::{Extent, ModeSet, Plan, Selection};
+pub use store::{Work, cells};
+pub use write::{Output, files, write};

@@ -1,9 +1,9 @@
 //! The bilinear refinement against the exact surface between texel centres (`docs/bilinear.md`).
 use reliefrtl::config::{Config, MapKind, View};
 use reliefrtl::golden::{Patch, Pyramid, RayInput, Refined, Watertight, float};
+use reliefrtl::measure::exact_ray;
 use reliefrtl::oracle::{Dyadic, ExactMap, ExactRay};
 use reliefrtl::project::Scene;
-use reliefrtl::report::exact_ray;
 
 const FORMATS: [(u32, u32); 3] = [(7, 16), (8, 23), (5, 10)];
 

@@ -3,7 +3,7 @@
 //! `RELIEFRTL_RAYS` sets the rays a case; `RELIEFRTL_SEED` their seed.
 use reliefrtl::config::{Config, DatapathKind, Design, Trim};
 use reliefrtl::golden::float;
-use reliefrtl::report::hard::{HardFigures, modes};
+use reliefrtl::measure::hard::{HardFigures, modes};
 use reliefrtl::scene::hard::Case;
 use std::collections::BTreeSet;
 use std::path::Path;

@@ -4,8 +4,8 @@ use dashu::integer::{IBig, UBig};
 use dashu::rational::RBig;
 use reliefrtl::config::{Config, DatapathKind, Design};
 use reliefrtl::golden::{RayInput, decode_travel, encode_ray, float};
+use reliefrtl::measure::exact_ray;
 use reliefrtl::oracle::{ExactHit, ExactMap, Ratio};
-use reliefrtl::report::exact_ray;
 use reliefrtl::scene::hard::Case;
 
 /// Texel, wall, parameter, texels visited.

@@ -6,9 +6,9 @@ use reliefrtl::config::{Config, Design, LevelUp, ModeConfig, Profile, TraverseCo
 use reliefrtl::golden::{Pyramid, RayHit, RayInput, Tracer, encode_ray};
 use reliefrtl::interp::Traffic;
 use reliefrtl::ir::Binding;
+use reliefrtl::measure::endure::{endure, modes};
+use reliefrtl::measure::hard::answer;
 use reliefrtl::project::hardware;
-use reliefrtl::report::endure::{endure, modes};
-use reliefrtl::report::hard::answer;
 use reliefrtl::scene::hard::Case;
 use reliefrtl::trace::{Pipeline, hit};
 use reliefrtl::vectors::set_files;

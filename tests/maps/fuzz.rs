@@ -358,7 +358,7 @@ fn manifests() {
 
 #[test]
 fn stored_measurements() {
-    use reliefrtl::report::page::{Extent, Plan, Selection, cells};
+    use reliefrtl::report::{Extent, Plan, Selection, cells};
     let mut config = Config::default();
     (config.traverse.levels, config.view.width, config.view.height, config.view.stride) = (3, 64, 48, 16);
     let mut plan = Plan::new(&config, &Selection { extent: Extent::Tiny, ..Selection::default() }).unwrap();

@@ -11,8 +11,8 @@ const LAYERS: &[&[&str]] = &[
     &["interp", "verilog"],
     &["units", "scene"],
     &["emit", "trace"],
-    &["vectors", "bench", "proofs", "synth"],
-    &["catalogue", "report"],
+    &["vectors", "bench", "proofs", "synth", "measure"],
+    &["catalogue", "fit", "report"],
     &["project"],
     &["cli"],
 ];
@@ -162,7 +162,7 @@ fn the_rules_find_what_they_are_for() {
     ] {
         assert!(broken(user, used).is_some(), "{user} uses {used}");
     }
-    for (user, used) in [("golden", "config"), ("trace", "golden"), ("trace", "units"), ("report", "oracle")] {
+    for (user, used) in [("golden", "config"), ("trace", "golden"), ("trace", "units"), ("measure", "oracle")] {
         assert_eq!(broken(user, used), None);
     }
     let names = |s: &str| named(s).into_iter().collect::<Vec<_>>().join(" ");

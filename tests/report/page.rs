@@ -1,10 +1,11 @@
 //! The report on a tiny selection: page, JSON and CSV hold the same numbers, and a resumed run writes the same bytes.
 use reliefrtl::config::{Config, DatapathKind, LevelUp, MapKind, Trim, View};
+use reliefrtl::fit::{Trial, Truth};
 use reliefrtl::format::FloatFormat;
 use reliefrtl::golden::encode_ray;
+use reliefrtl::measure::{Spread, accuracy, uv_given};
 use reliefrtl::project::Scene;
-use reliefrtl::report::page::{Extent, ModeSet, Output, Plan, Selection, Work, cells, files, write};
-use reliefrtl::report::{Spread, Trial, Truth, accuracy, uv_given};
+use reliefrtl::report::{Extent, ModeSet, Output, Plan, Selection, Work, cells, files, write};
 use reliefrtl::scene::{RaySet, RaySource, RayTable};
 use reliefrtl::trace::trace_golden;
 use serde_json::Value;

@@ -2,7 +2,7 @@
 use super::{Engine, SceneArgs, unit_name};
 use crate::config::{DatapathKind, MapKind};
 use crate::format::FloatFormat;
-use crate::report::page::ModeSet;
+use crate::report::ModeSet;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 

@@ -7,8 +7,8 @@ use rand_chacha::ChaCha8Rng;
 use reliefrtl::config::{DatapathConfig, DatapathKind, Design, ModeConfig, TraverseConfig};
 use reliefrtl::golden::fixed::{Fixed, FixedAxis};
 use reliefrtl::golden::{Pyramid, RayHit, RayInput, Tracer, decode_time, encode_ray};
+use reliefrtl::measure::exact_ray;
 use reliefrtl::oracle::ExactMap;
-use reliefrtl::report::exact_ray;
 
 /// A fixed-point design.
 pub fn design(f: u32, w: u32, levels: u32, height_bits: u32, tile_bits: u32) -> Design {

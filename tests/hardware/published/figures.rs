@@ -4,8 +4,8 @@ use reliefrtl::config::{Config, DatapathKind, LevelUp, MapKind, ModeConfig, View
 use reliefrtl::golden::{Decision, Pyramid, RayInput, Tracer};
 use reliefrtl::interp::{FlatOp, Kind, Traffic};
 use reliefrtl::ir::Binding;
+use reliefrtl::measure::accuracy;
 use reliefrtl::project::{Scene, encode};
-use reliefrtl::report::accuracy;
 use reliefrtl::trace::{Pipeline, diagnose_in, hit, trace_golden};
 
 /// Rays, those given up, those in the wrong texel: over the maps and all three views, every 16th pixel, seed 1.

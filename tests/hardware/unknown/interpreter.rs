@@ -5,7 +5,7 @@ use reliefrtl::config::{Config, Design, ModeConfig, Profile};
 use reliefrtl::golden::{RayHit, Tracer};
 use reliefrtl::interp::Tracked;
 use reliefrtl::ir::Binding;
-use reliefrtl::report::endure::modes;
+use reliefrtl::measure::endure::modes;
 use reliefrtl::trace::{Pipeline, hit_row, images, row};
 
 /// How much of the memory is loaded.

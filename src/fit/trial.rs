@@ -2,8 +2,8 @@
 use crate::config::{DatapathKind, Design};
 use crate::error::Result;
 use crate::golden::{Pyramid, RayHit, RayInput, encode_ray};
+use crate::measure::{Cost, Spread, Steps, exact_ray, given_ray, place, steps, uv_error};
 use crate::oracle::{ExactHit, ExactMap};
-use crate::report::{Cost, Spread, Steps, exact_ray, given_ray, place, steps, uv_error};
 use crate::trace::trace_golden;
 use rayon::prelude::*;
 

@@ -2,7 +2,7 @@
 use super::design::{BEST, DesignSpec};
 use crate::config::{Config, DatapathConfig, DatapathKind, LevelUp, MapKind, ModeConfig, Trim, View};
 use crate::format::FloatFormat;
-use crate::report::ROWS;
+use crate::measure::ROWS;
 use crate::scene::RaySet;
 use std::path::PathBuf;
 

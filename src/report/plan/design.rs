@@ -4,7 +4,7 @@ use crate::config::{
 };
 use crate::error::Result;
 use crate::golden::Tracer;
-use crate::report::ROWS;
+use crate::measure::ROWS;
 use serde::{Deserialize, Serialize};
 
 /// A design, as a cell names it: what does not matter to its datapath is left out.

@@ -1,12 +1,10 @@
-//! The commands that show a witness again.
-use super::measurement::{Measurement, Witness};
-use super::plan::{Map, Plan};
+//! The command that traces one ray of a configuration again.
 use crate::config::Config;
 use serde_json::Value;
 use std::path::Path;
 
 /// `--set key=value` of everything in `c` that is not the default.
-fn sets(c: &Config) -> String {
+pub fn settings(c: &Config) -> String {
     let plain = |c: &Config| serde_json::to_value(c).expect("a configuration is plain data");
     let (now, usual) = (plain(c), plain(&Config::default()));
     let mut out = String::new();
@@ -28,35 +26,17 @@ fn sets(c: &Config) -> String {
     out
 }
 
-/// The map's part of a command line.
-fn arguments(plan: &Plan, site: &Map, cell: &Measurement) -> String {
-    let mut c = cell.spec.design.config(&plan.config, site.spec.levels);
-    (c.map, c.vectors) = (plan.config.map.clone(), Default::default());
-    (c.latency, c.emit) = (Default::default(), Default::default());
-    (c.map.kind, c.map.scale, c.map.repeat) = (site.spec.kind, site.spec.scale, site.spec.repeat);
-    let map = site.file.as_ref().map_or(String::new(), |f| format!(" --map '{}'", f.display()));
-    map + &sets(&c)
-}
-
 /// Traces a ray (u, v, du, dv, in tiles of the map) again with the configuration's design on its map, or on that of `file`.
-pub(in crate::report) fn trace_again(c: &Config, file: Option<&Path>, numbers: [f64; 4]) -> String {
+pub fn trace_again(c: &Config, file: Option<&Path>, numbers: [f64; 4]) -> String {
     let mut c = c.clone();
     (c.vectors, c.latency, c.emit) = Default::default();
     let map = file.map_or(String::new(), |f| format!(" --map '{}'", f.display()));
-    line(numbers, &(map + &sets(&c)))
+    again(numbers, &(map + &settings(&c)))
 }
 
 /// A ray as a table, its hit as another.
-fn line([u, v, du, dv]: [f64; 4], arguments: &str) -> String {
+pub fn again([u, v, du, dv]: [f64; 4], arguments: &str) -> String {
     format!(
         "printf 'u,v,du,dv\\n{u:?},{v:?},{du:?},{dv:?}\\n' > ray.csv && reliefrtl trace --engine golden --rays ray.csv --out hit.csv{arguments}; cat hit.csv"
     )
-}
-
-/// Traces the witness again: its ray as a table, its hit as another.
-pub fn command(plan: &Plan, cell: &Measurement, w: &Witness) -> String {
-    let Some(site) = plan.sites.iter().find(|s| s.spec == cell.spec.map) else {
-        return String::new();
-    };
-    line(w.numbers, &arguments(plan, site, cell))
 }

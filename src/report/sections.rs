@@ -3,8 +3,8 @@ use super::figures::DesignPoint;
 use super::measurement::{Measurement, Witness};
 use super::plan::{Plan, mode_label};
 use super::replay::command;
-use super::stats::{BINS, bound, upper};
 use super::table::{Table, grouped, real};
+use crate::measure::spread::{BINS, bound, upper};
 use serde_json::{Value, json};
 
 /// "k of N", or "0 of N (95 % bound 3/N)".

@@ -3,7 +3,7 @@ use super::measurement::Measurement;
 use super::plan::{BEST, Plan};
 use super::table::{Table, real};
 use crate::config::{DatapathKind, MapKind, ModeConfig, View};
-use crate::report::{PUBLISHED, ROWS};
+use crate::measure::{PUBLISHED, ROWS};
 use serde_json::{Value, json};
 
 /// Table 2: probability of a node crossing in per cent; scene, then [10] and [12] for front, oblique, grazing.

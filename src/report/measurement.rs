@@ -1,11 +1,11 @@
 //! One cell: a map, a view and a design, measured on the view's rays.
 use super::plan::{DesignSpec, Job, Map, MapSpec, Plan};
-use super::stats::Spread;
 use crate::config::Design;
 use crate::error::{Error, Result};
 use crate::golden::{RayInput, decode_time, encode_ray};
+use crate::measure::spread::Spread;
+use crate::measure::{exact_ray, given_ray, place, steps, uv_error};
 use crate::oracle::{ExactHit, ExactMap, ExactRay};
-use crate::report::{exact_ray, given_ray, place, steps, uv_error};
 use crate::scene::{Camera, ViewRay, border, evenly};
 use crate::trace::trace_golden;
 use rayon::prelude::*;

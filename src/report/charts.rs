@@ -1,10 +1,10 @@
 //! The charts of the report.
 use super::figures::{Aggregate, DesignPoint, Series};
 use super::plan::{BEST, DesignSpec, Plan, mode_label};
-use super::stats::{BINS, upper};
 use super::svg::{Chart, Line, Mark, Scale, decades};
 use super::table::short;
 use crate::config::DatapathKind;
+use crate::measure::spread::{BINS, upper};
 
 /// Colour and shape of a design.
 fn kind(d: &DesignSpec) -> usize {

@@ -13,7 +13,7 @@ pub use synthesized::{Synthesized, UnitFigures};
 
 use crate::config::{Config, DatapathKind, MapConfig, MapKind, View};
 use crate::error::Result;
-use crate::report::PUBLISHED;
+use crate::measure::PUBLISHED;
 use crate::scene::{Camera, RaySet, RaySource};
 use serde::Serialize;
 

@@ -8,7 +8,7 @@ use super::{bilinear, charts, inventory, pictures, published, sections};
 use crate::config::{LevelUp, ModeConfig, Trim};
 use crate::error::{Error, Result};
 use crate::files::write_inside;
-use crate::report::{DEFINITION, GIVEN_BITS, ROWS};
+use crate::measure::{DEFINITION, GIVEN_BITS, ROWS};
 use crate::scene::{Camera, RaySource};
 use rayon::prelude::*;
 use serde_json::{Value, json};

@@ -1,9 +1,9 @@
 //! Cells put together: a dot a design, and how errors and steps go with angle, map size and width.
 use super::measurement::Measurement;
 use super::plan::{BEST, DesignSpec, Plan, Synthesized, mode_label};
-use super::stats::{BINS, bound};
 use crate::config::DatapathKind;
-use crate::report::Cost;
+use crate::measure::Cost;
+use crate::measure::spread::{BINS, bound};
 use rayon::prelude::*;
 
 /// Cells of one design, put together.

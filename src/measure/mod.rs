@@ -1,0 +1,20 @@
+//! The numbers: iterations, error against the exact oracle, corner cases, what every ray ends in, cost, turns. Each with its count and its
+//! worst case, as plain data; who prints them words them.
+mod accuracy;
+mod again;
+mod bilinear;
+mod cost;
+pub mod endure;
+pub mod hard;
+pub mod spread;
+mod steps;
+pub mod turns;
+mod uv;
+
+pub use accuracy::{Accuracy, WrongTexel, accuracy, exact_ray, uv_given};
+pub use again::{again, settings, trace_again};
+pub use bilinear::{Bilinear, bilinear};
+pub use cost::Cost;
+pub use spread::Spread;
+pub use steps::{PUBLISHED, Published, ROWS, Steps, TRIM_ROWS, steps};
+pub use uv::{DEFINITION, GIVEN_BITS, given_ray, place, uv_error};
