@@ -233,8 +233,8 @@ fn codes_of_signals_are_documented() {
     let help = Command::new(env!("CARGO_BIN_EXE_reliefrtl")).arg("--help").output().unwrap();
     let help = String::from_utf8(help.stdout).unwrap();
     assert!(!help.contains('\u{1b}'), "colours are for terminals: {help}");
-    let readme = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md")).unwrap();
+    let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/cli.md")).unwrap();
     for code in ["129", "130", "143"] {
-        assert!(help.contains(code) && readme.contains(code), "{code}");
+        assert!(help.contains(code) && page.contains(code), "{code}");
     }
 }

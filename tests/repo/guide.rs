@@ -1,4 +1,4 @@
-//! What `docs/traverse.md` promises: its bench prints what it says, its table lists the ports, its ray hits there.
+//! What README and `docs/traverse.md` promise: README is one screen, its links lead somewhere and its instance elaborates; of the guide, its bench prints what it says, its table lists the ports, its ray hits there.
 use reliefrtl::config::Config;
 use reliefrtl::units::traversal::traverse;
 use std::path::Path;
@@ -19,6 +19,57 @@ fn block(language: &str) -> String {
     assert_eq!(text.matches(&opening).count(), 1, "one block of {language}");
     let (_, rest) = text.split_once(&opening).expect("counted");
     rest.split_once("```\n").expect("the block ends").0.to_owned()
+}
+
+#[test]
+fn the_readme_is_one_screen_and_its_links_lead_somewhere() {
+    let text = std::fs::read_to_string(root().join("README.md")).expect("text");
+    assert!(text.lines().count() <= 90, "{} lines", text.lines().count());
+    let pages = std::fs::read_dir(root().join("docs")).expect("a directory").map(|e| e.expect("an entry").path());
+    let pages = pages.filter(|p| p.extension().is_some_and(|e| e == "md"));
+    let mut links = 0;
+    for page in pages.chain(["README.md", "CONTRIBUTING.md"].map(|p| root().join(p))) {
+        let text = std::fs::read_to_string(&page).expect("text");
+        for target in text.split("](").skip(1).filter_map(|rest| rest.split_once(')')).map(|(target, _)| target) {
+            let file = target.split('#').next().unwrap_or_default();
+            let there = file.is_empty() || file.contains("://") || page.parent().expect("a folder").join(file).exists();
+            assert!(there, "{}: {target} leads nowhere", page.display());
+            links += 1;
+        }
+    }
+    assert!(links > 60, "{links} links");
+}
+
+#[test]
+fn the_instance_of_the_readme_elaborates() {
+    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
+        println!("skipped: RELIEFRTL_NO_SIMULATORS=1");
+        return;
+    }
+    let readme = std::fs::read_to_string(root().join("README.md")).expect("text");
+    let (_, rest) = readme.split_once("```verilog\n").expect("an instance");
+    let instance = rest.split_once("```\n").expect("the block ends").0;
+    let module = traverse(&Config::default().design()).module;
+    let net = |p: &reliefrtl::ir::Port| {
+        // A net has the name of its port, without `out_` where that is no handshake.
+        let pin = format!(".{}(", p.name);
+        let (_, rest) = instance.split_once(&pin).unwrap_or_else(|| panic!("the instance connects no {}", p.name));
+        format!(
+            "wire [{}:0] {};\n",
+            p.width.eval(&module.default_binding()) - 1,
+            rest.split_once(')').expect("closed").0
+        )
+    };
+    let nets: String = module.ports.iter().map(net).collect();
+    let dir = tempfile::tempdir().expect("a temporary directory");
+    let source = dir.path().join("top.v");
+    std::fs::write(&source, format!("module top;\n{nets}{instance}endmodule\n")).expect("writable");
+    let mut c = Command::new("iverilog");
+    let out =
+        c.args(["-g2005", "-Wall", "-y", "rtl", "-s", "top", "-t", "null"]).arg(&source).current_dir(root()).output();
+    let out = out.expect("Icarus Verilog is not installed: run `sh tools/test.sh`, or set RELIEFRTL_NO_SIMULATORS=1");
+    let said = String::from_utf8_lossy(&out.stderr).into_owned() + &String::from_utf8_lossy(&out.stdout);
+    assert!(out.status.success() && said.is_empty(), "{said}");
 }
 
 #[test]

@@ -1,5 +1,5 @@
-//! README's table of units is what the catalogue says: names, clocks, parameters and summaries of every unit of the watertight datapath, and
-//! `docs/bilinear.md` adds clocks up right. `RELIEFRTL_REFRESH=1 cargo test --release --test repo unit_table` writes README's anew.
+//! The table of units in `docs/units.md` is what the catalogue says: names, clocks, parameters and summaries of every unit of the watertight datapath, and
+//! `docs/bilinear.md` adds clocks up right. `RELIEFRTL_REFRESH=1 cargo test --release --test repo unit_table` writes it anew.
 use reliefrtl::config::Config;
 use reliefrtl::emit;
 use reliefrtl::ir::Module;
@@ -76,18 +76,18 @@ fn table() -> String {
 }
 
 #[test]
-fn the_readme_lists_the_units() {
-    let file = path("README.md");
+fn the_page_of_units_lists_them() {
+    let file = path("docs/units.md");
     let text = std::fs::read_to_string(&file).unwrap();
-    let (before, rest) = text.split_once(BEGIN).expect("README marks where the table begins");
-    let (there, after) = rest.split_once(END).expect("README marks where the table ends");
+    let (before, rest) = text.split_once(BEGIN).expect("docs/units.md marks where the table begins");
+    let (there, after) = rest.split_once(END).expect("docs/units.md marks where the table ends");
     let table = table();
     if std::env::var_os("RELIEFRTL_REFRESH").is_some() {
         std::fs::write(&file, format!("{before}{BEGIN}{table}{END}{after}")).unwrap();
         return;
     }
     let differs = table.lines().zip(there.lines()).find(|(a, b)| a != b);
-    assert!(table == there, "README's table of units has drifted: refresh it with `{REFRESH}`; first: {differs:?}");
+    assert!(table == there, "the table of docs/units.md has drifted: refresh it with `{REFRESH}`; first: {differs:?}");
     // The rows come from the modules: what `level_decision` has is there to the last parameter.
     let decision = all(&Config::default().design()).into_iter().find(|m| m.name == "level_decision").unwrap();
     let row = there.lines().find(|l| l.starts_with("| `level_decision`")).unwrap();
