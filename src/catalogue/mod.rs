@@ -22,7 +22,7 @@ pub use rays::{RaySet, ray_columns, ray_set, ray_set_at};
 pub use row::{Context, Row};
 pub use unit::{Counted, Legal, Model, Stimulus, UNITS, Unit, entry, proofs, unit_entries};
 
-use crate::config::Design;
+use crate::config::{Config, DatapathKind, Design};
 use crate::error::{Error, Result};
 use crate::ir::{Binding, Module, Port};
 use crate::units;
@@ -36,6 +36,33 @@ pub fn units(d: &Design) -> Vec<Arc<Module>> {
     units::all(d).into_iter().filter(|m| checked(m)).collect()
 }
 
+/// Settings that bring units which another configuration has not: those of the default, and those that another default would lack.
+pub const SETTINGS: [&str; 11] = [
+    "emit.units",
+    "latency.divider=table",
+    "mode.trim=always",
+    "mode.lod=true",
+    "mode.bilinear=true",
+    "latency.divider=rows",
+    "latency.memory=1",
+    "latency.memory=2",
+    "latency.handshake=1",
+    "latency.handshake=3",
+    "latency.delay_line=3",
+];
+
+/// The first of [`SETTINGS`], or another datapath, with which there is a module of this name.
+fn setting_of(d: &Design, name: &str) -> Option<String> {
+    unit_entries().find(|u| u.name == name)?;
+    let kinds = DatapathKind::ALL.map(|kind| format!("datapath.kind={}", kind.word()));
+    SETTINGS.map(String::from).into_iter().filter(|s| s.contains('=')).chain(kinds).find(|set| {
+        let mut c = Config::default();
+        (c.mode, c.latency, c.datapath) = (d.mode, d.latency, d.datapath);
+        let set = c.apply_set(set).and_then(|()| c.validate()).is_ok();
+        set && units::all(&c.design()).iter().any(|m| m.name == name)
+    })
+}
+
 /// A unit by name.
 ///
 /// # Errors
@@ -43,6 +70,9 @@ pub fn units(d: &Design) -> Vec<Arc<Module>> {
 pub fn find(d: &Design, name: &str) -> Result<Arc<Module>> {
     let mut all = units::all(d);
     all.extend(units::available(d));
+    if let Some(setting) = (!all.iter().any(|m| m.name == name)).then(|| setting_of(d, name)).flatten() {
+        return Err(Error::input(format!("the configuration has no unit {name}: it comes with --set {setting}")));
+    }
     let near = all.iter().max_by(|a, b| strsim::jaro(&a.name, name).total_cmp(&strsim::jaro(&b.name, name)));
     let near = near.map(|m| m.name.clone()).unwrap_or_default();
     let miss = || Error::input(format!("no unit is named {name}; did you mean {near}? (`reliefrtl list` shows all)"));

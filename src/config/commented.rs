@@ -20,7 +20,9 @@ impl Config {
             for key in KEYS.iter().filter(|key| key.split().0 == *section) {
                 let name = key.split().1;
                 let _ = match key.legal {
-                    Legal::Flag | Legal::Path | Legal::Number | Legal::Text => writeln!(text, "# {}.", key.about),
+                    Legal::Flag | Legal::Path | Legal::Number | Legal::Mark | Legal::Text => {
+                        writeln!(text, "# {}.", key.about)
+                    }
                     legal => writeln!(text, "# {}: {legal}.", key.about.replace(':', ",")),
                 };
                 let value = table.get(*section).and_then(|entries| entries.get(name));

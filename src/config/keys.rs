@@ -23,6 +23,8 @@ pub enum Legal {
     Path,
     /// A finite number; the key may be absent.
     Number,
+    /// A finite number or an infinity; the key may be absent.
+    Mark,
     /// Some text; the key may be absent.
     Text,
     /// Two finite numbers, the smaller first, or `auto`; the key may be absent.
@@ -45,6 +47,7 @@ impl fmt::Display for Legal {
             Self::Word(words) | Self::Words(words) | Self::SomeWords(words) => f.write_str(&words.join(", ")),
             Self::Path => f.write_str("a path"),
             Self::Number => f.write_str("a number"),
+            Self::Mark => f.write_str("a number, or inf for both infinities"),
             Self::Text => f.write_str("text in quotes"),
             Self::Range => f.write_str("[low, high] with low below high, or \"auto\""),
             Self::Size => f.write_str("[width, height], each 1 to 2^31 - 1"),
@@ -57,7 +60,7 @@ impl fmt::Display for Legal {
 impl Legal {
     /// Whether the key may be absent; `--set key=none` then removes it.
     pub(super) const fn optional(self) -> bool {
-        matches!(self, Self::Path | Self::Number | Self::Text | Self::Range | Self::Size)
+        matches!(self, Self::Path | Self::Number | Self::Mark | Self::Text | Self::Range | Self::Size)
     }
 
     /// Adds the range to a JSON schema entry; types and words are there already.
@@ -84,7 +87,8 @@ impl Legal {
             Self::Timescale => {
                 entry.insert("pattern".into(), "^(10{0,2}([munpf]?s)/10{0,2}([munpf]?s))?$".into());
             }
-            Self::Flag | Self::Word(_) | Self::Path | Self::Number | Self::Text | Self::Range | Self::Size => {}
+            Self::Flag | Self::Word(_) | Self::Path | Self::Number | Self::Mark => {}
+            Self::Text | Self::Range | Self::Size => {}
         }
     }
 }
@@ -261,7 +265,11 @@ pub const KEYS: &[Key] = &[
         Legal::Word(Border::WORDS),
     ),
     key("map.range", "heights of the file, in its units, that become 0 and full height", Legal::Range),
-    key("map.nodata", "the file's value for no data, if the file does not say so itself", Legal::Number),
+    key(
+        "map.nodata",
+        "the file's value for no data, if the file does not say so itself; inf: both infinities",
+        Legal::Mark,
+    ),
     key("map.fill", "height of texels without data, in the file's units; without it they are an error", Legal::Number),
     key("map.channel", "the channel that holds the heights, where a file has several", Legal::Text),
     key("map.part", "the part or page, by name or number from 0, where a file has several", Legal::Text),

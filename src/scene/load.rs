@@ -121,6 +121,8 @@ struct Seen {
     missing: (u64, Option<(usize, usize)>),
     /// Heights out of the range that was asked about, or infinite.
     outside: u64,
+    /// The first infinite height that does not stand for no data, and how many there are.
+    infinite: Option<((usize, usize), f64, u64)>,
     texels: u64,
 }
 
@@ -144,7 +146,11 @@ struct NoData {
 
 impl NoData {
     fn is(self, sample: f64) -> bool {
-        sample.is_nan() || self.value.is_some_and(|value| self.samples.same(sample, value))
+        let marks = |value: f64| match value.is_infinite() {
+            true => sample.is_infinite(),
+            false => self.samples.same(sample, value),
+        };
+        sample.is_nan() || self.value.is_some_and(marks)
     }
 }
 
@@ -170,6 +176,9 @@ fn scan(
                 seen.outside += u64::from(out);
                 if sample.is_finite() {
                     seen.height(sample);
+                } else {
+                    let (first, value, count) = seen.infinite.unwrap_or(((x, y), sample, 0));
+                    seen.infinite = Some((first, value, count + 1));
                 }
             }
         }
@@ -204,8 +213,8 @@ fn range_of(
         (Some(MapRange::Limits([low, high])), _) => Ok(((low, high), whole(low, high))),
         (Some(MapRange::Auto(_)), _) => {
             let seen = scan(source, map, kept, None)?;
-            if seen.outside > 0 {
-                return Err(Error::input(format!("{} of {} heights are infinite", seen.outside, seen.texels)));
+            if let Some(error) = infinite(&seen) {
+                return Err(error);
             }
             let (low, high) = seen.ends.ok_or_else(|| Error::input("no texel has data"))?;
             Ok(((low, high), whole(low, high)))
@@ -306,7 +315,22 @@ fn missing(seen: &Seen, value: Option<f64>, note: Option<String>, low: f64) -> E
     ))
 }
 
+/// No range holds an infinite height.
+fn infinite(seen: &Seen) -> Option<Error> {
+    let ((x, y), value, count) = seen.infinite?;
+    let fill = plain(seen.ends.map_or(0.0, |ends| ends.0));
+    Some(Error::input(format!(
+        "pixel ({x}, {y}) is {}, as {count} of {} heights are infinite: if that stands for no data, say so and give the height that they take, \
+         in the file's units, as --set map.nodata=inf --set map.fill={fill}",
+        plain(value),
+        seen.texels
+    )))
+}
+
 fn outside((x, y): (usize, usize), sample: f64, (low, high): (f64, f64), map: &MapConfig, seen: &Seen) -> Error {
+    if let Some(error) = infinite(seen) {
+        return error;
+    }
     let needed = match map.range {
         None => "heights must be in 0 to 1".to_owned(),
         Some(_) => format!("map.range = [{}, {}]", plain(low), plain(high)),

@@ -1,6 +1,32 @@
 //! `check`: what a mismatch, an edited tree and a changed row are told as.
 use super::{SMALL, run, said};
 
+/// A unit that another configuration has is no misspelt one.
+#[test]
+fn a_unit_of_another_configuration_says_what_brings_it() {
+    let dir = tempfile::tempdir().unwrap();
+    for (unit, setting) in [
+        ("delay_line", "latency.delay_line=3"),
+        ("chord_end", "mode.trim=always"),
+        ("exit_plane", "datapath.kind=published"),
+    ] {
+        let run = |more: &[&str]| {
+            let line = [&["check", "--unit", unit, "--set", "vectors.arithmetic=40"][..], more].concat();
+            let out = std::process::Command::new(env!("CARGO_BIN_EXE_reliefrtl"))
+                .args(line)
+                .current_dir(dir.path())
+                .output()
+                .unwrap();
+            (out.status.code(), String::from_utf8_lossy(&out.stderr).into_owned())
+        };
+        let (code, said) = run(&[]);
+        assert!(code == Some(2) && said.contains(&format!("it comes with --set {setting}")), "{unit}: {said}");
+        // What is advised works.
+        let (code, said) = run(&["--set", setting]);
+        assert_eq!(code, Some(0), "{unit}: {said}");
+    }
+}
+
 #[test]
 fn the_first_mismatch_is_a_waveform() {
     let small = ["--set", "vectors.arithmetic=100", "--set", "vectors.planned=false"];

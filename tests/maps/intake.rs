@@ -30,7 +30,29 @@ fn a_range_in_the_file_s_units() {
     let (map, _) = decode_as(&float_tiff(&[7.0; 16], None), "m.tif", &keys(&["map.range=auto"])).unwrap();
     assert_eq!(map.samples, [0.0; 16], "one height is the bottom");
     let told = sentence(decode_as(&float_tiff(&[f32::INFINITY; 16], None), "m.tif", &keys(&["map.range=auto"])));
-    assert_eq!(told, "m.tif: 16 of 16 heights are infinite");
+    assert!(told.starts_with("m.tif: pixel (0, 0) is inf, as 16 of 16 heights are infinite"), "{told}");
+}
+
+/// What the sentence advises is read; no range is advised that holds no infinity either.
+#[test]
+fn infinite_heights_stand_for_no_data_where_that_is_said() {
+    let mut metres = METRES;
+    (metres[15], metres[6]) = (f32::INFINITY, f32::NEG_INFINITY);
+    let file = float_tiff(&metres, None);
+    for range in [&[][..], &["map.range=auto"], &["map.range=100,850"]] {
+        let told = sentence(decode_as(&file, "m.tif", &keys(range)));
+        assert!(told.contains("is -inf, as 2 of 16 heights are infinite") && told.contains("pixel (2, 1)"), "{told}");
+        let advice = "--set map.nodata=inf --set map.fill=";
+        let (_, fill) = told.split_once(advice).unwrap_or_else(|| panic!("{told}"));
+        let fill = format!("map.fill={fill}");
+        let set = ["map.nodata=inf", &fill, "map.range=auto"];
+        let (map, taken) = decode_as(&file, "m.tif", &keys(&set)).unwrap();
+        assert_eq!((taken.nodata_texels, map.samples[15], map.samples[6]), (2, 0.0, 0.0));
+    }
+    // A height is not taken for one.
+    let (_, taken) =
+        decode_as(&float_tiff(&METRES, None), "m.tif", &keys(&["map.nodata=-inf", "map.range=auto"])).unwrap();
+    assert_eq!(taken.nodata_texels, 0);
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! The table of units in `docs/units.md` is what the catalogue says: names, clocks, parameters and summaries of every unit of the watertight datapath, and
 //! `docs/bilinear.md` adds clocks up right. `RELIEFRTL_REFRESH=1 cargo test --release --test repo unit_table` writes it anew.
+use reliefrtl::catalogue::SETTINGS;
 use reliefrtl::config::Config;
 use reliefrtl::emit;
 use reliefrtl::ir::Module;
@@ -12,21 +13,6 @@ use std::sync::Arc;
 const REFRESH: &str = "RELIEFRTL_REFRESH=1 cargo test --release --test repo unit_table";
 const BEGIN: &str = "<!-- units: written by `RELIEFRTL_REFRESH=1 cargo test --release --test repo unit_table` -->\n";
 const END: &str = "<!-- end of units -->\n";
-
-/// What may bring units that the default configuration has not, in the order of the table; whatever the default is.
-const WITH: [&str; 11] = [
-    "emit.units",
-    "latency.divider=table",
-    "mode.trim=always",
-    "mode.lod=true",
-    "mode.bilinear=true",
-    "latency.divider=rows",
-    "latency.memory=1",
-    "latency.memory=2",
-    "latency.handshake=1",
-    "latency.handshake=3",
-    "latency.delay_line=3",
-];
 
 fn path(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(name)
@@ -68,7 +54,7 @@ fn table() -> String {
     let mut out =
         "| unit | clocks | parameters | what it does | only with |\n| --- | --- | --- | --- | --- |\n".to_owned();
     let mut seen = BTreeSet::new();
-    for with in [""].into_iter().chain(WITH) {
+    for with in [""].into_iter().chain(SETTINGS) {
         let list = units(with, &mut seen);
         list.iter().for_each(|m| out += &row(m, &t, with));
     }
