@@ -407,9 +407,10 @@ mod tests {
         (d.latency, d.latency.handshake) = (choice.latency, 0);
         assert!(choice.provenance(120, &d, Scope::Traversal).contains("registers between the units were changed"));
         let unit = ["fp_div".to_string()];
-        let choice = for_clock(250, &d, Scope::Alone(&unit)).unwrap();
+        let mhz = of("fp_div", 20);
+        let choice = for_clock(mhz, &d, Scope::Alone(&unit)).unwrap();
         (d.latency, d.latency.div) = (choice.latency, 22);
-        assert!(choice.provenance(250, &d, Scope::Alone(&unit)).contains("fp_div in 22 clocks was not measured"));
+        assert!(choice.provenance(mhz, &d, Scope::Alone(&unit)).contains("fp_div in 22 clocks was not measured"));
         let unit = ["fp_from_int".to_string()];
         let choice = for_clock(130, &d, Scope::Alone(&unit)).unwrap();
         (d.latency, d.traverse.levels) = (choice.latency, 10);
