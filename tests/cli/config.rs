@@ -115,7 +115,7 @@ fn how_a_map_is_read() {
     for (line, what) in [
         ("size = [0, 4]", "is no size"),
         ("size = [4]", "is no size"),
-        ("nodata = nan", "is not a finite number"),
+        ("nodata = nan", "is not a number, or inf for both infinities"),
         ("fill = \"0\"", "is not a finite number"),
         ("channel = \"\"", "is not a text in quotes"),
         ("part = 1", "is not a text in quotes"),

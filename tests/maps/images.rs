@@ -153,7 +153,7 @@ fn floats_out_of_range_name_the_pixel() {
     );
     assert_eq!(
         refused(&grey_float_tiff(&[0.0, f32::INFINITY], 2, 1)),
-        "map: pixel (1, 0) is inf: heights must be in 0 to 1; 1 of 2 texels lie outside, and the file's heights go from 0 to 0: use --set map.range=auto"
+        "map: pixel (1, 0) is inf, as 1 of 2 heights are infinite: if that stands for no data, say so and give the height that they take, in the file's units, as --set map.nodata=inf --set map.fill=0"
     );
     assert_eq!(
         refused(&one_channel_exr("Y", &[0.0, 0.0, 1.5, 0.0], 2)),
