@@ -110,65 +110,6 @@ impl Builder {
         self.st.borrow_mut().m.throughput = text.into();
     }
 
-    fn port(&self, name: &str, dir: Dir, width: Expr, unit: &str, doc: &str, stage: Stage) -> usize {
-        let mut st = self.st.borrow_mut();
-        st.m.ports.push(Port { name: name.into(), dir, width, doc: doc.into(), unit: unit.into(), stage });
-        st.m.ports.len() - 1
-    }
-    /// The clock port.
-    pub fn clock(&self) {
-        let i = self.port("clk", Dir::In, Expr::from(1), "clock", "rising edge", None);
-        self.st.borrow_mut().m.clk = Some(i);
-    }
-    /// The clock enable port: every register of the module holds while it is 0.
-    pub fn clock_enable(&self) -> Sig<'_> {
-        let i = self.port("ce", Dir::In, Expr::from(1), "bit", "clock enable: registers hold while 0", None);
-        self.st.borrow_mut().m.ce = Some(i);
-        self.push_at(Op::Input(i), vec![], Expr::from(1), None).named("ce")
-    }
-    /// The reset port: synchronous, active high; for valid bits and counts.
-    pub fn reset(&self) -> Sig<'_> {
-        let i = self.port(
-            "rst",
-            Dir::In,
-            Expr::from(1),
-            "bit",
-            "synchronous, active high; clears valid bits and counts, no data",
-            None,
-        );
-        self.st.borrow_mut().m.rst = Some(i);
-        self.push_at(Op::Input(i), vec![], Expr::from(1), None).named("rst")
-    }
-    /// A data input, read in stage 0.
-    pub fn input(&self, name: &str, width: impl Into<Expr>, unit: &str, doc: &str) -> Sig<'_> {
-        self.input_at(name, width.into(), unit, doc, Some(0))
-    }
-    /// An input that belongs to no stage: handshakes, load ports, values that stand still.
-    pub fn input_static(&self, name: &str, width: impl Into<Expr>, unit: &str, doc: &str) -> Sig<'_> {
-        self.input_at(name, width.into(), unit, doc, None)
-    }
-    fn input_at(&self, name: &str, width: Expr, unit: &str, doc: &str, stage: Stage) -> Sig<'_> {
-        let i = self.port(name, Dir::In, width.clone(), unit, doc, stage);
-        self.push_at(Op::Input(i), vec![], width, stage).named(name)
-    }
-    /// Declares an output in port order; drive it with [`Builder::drive`].
-    pub fn output(&self, name: &str, width: impl Into<Expr>, unit: &str, doc: &str) -> usize {
-        self.port(name, Dir::Out, width.into(), unit, doc, None)
-    }
-    /// Drives an output; `stage` delays it to a stage.
-    #[track_caller]
-    pub fn drive(&self, port: usize, v: Sig<'_>, stage: Option<u32>) {
-        let v = match stage {
-            Some(s) => v.at(s),
-            None => v,
-        };
-        let mut st = self.st.borrow_mut();
-        let (pw, vw) = (st.m.ports[port].width.eval(&st.defaults), st.m.node(v.id).width.eval(&st.defaults));
-        assert!(pw == vw, "{}: output {} has {pw} bits, its driver {vw}", st.m.name, st.m.ports[port].name);
-        st.m.ports[port].stage = st.m.node(v.id).stage;
-        st.m.outputs.push((port, v.id));
-    }
-
     /// Places the named sections over `latency` stages, balancing their weights (in LUT hops).
     pub fn plan(&self, latency: u32, sections: &[(&str, u32)]) {
         self.plan_from(0, latency, sections);

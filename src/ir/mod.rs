@@ -7,6 +7,7 @@ mod lines;
 mod loops;
 mod module;
 mod names;
+mod ports;
 mod schedule;
 mod sig;
 mod verify;

@@ -1,6 +1,6 @@
 //! Verilog-2005 text of a module: prepared names first, then a walk that never changes the graph.
 mod align;
-mod carry;
+mod bundle;
 mod expr;
 mod header;
 mod layout;
@@ -8,6 +8,6 @@ mod prim;
 mod style;
 mod text;
 
-pub use carry::delayed_bit;
+pub use bundle::delayed_bit;
 pub use style::{SPDX, Style};
 pub use text::print_module;

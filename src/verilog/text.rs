@@ -1,6 +1,6 @@
 //! The whole text of a module: what stands before the body, then stages, loop, outputs.
 use super::align::aligned;
-use super::carry::{Bundle, Bundles};
+use super::bundle::{Bundle, Bundles};
 use super::expr::{Binds, Expressions};
 use super::header::has_word;
 use super::layout::{COLUMNS, bare, filled, range, wrap};
