@@ -32,8 +32,27 @@ use std::sync::Arc;
 
 /// The units that have vectors of their own, leaves first: those whose entry has a model, and whose latency is fixed.
 pub fn units(d: &Design) -> Vec<Arc<Module>> {
-    let checked = |m: &Module| m.latency.is_some() && entry(d, &m.name).is_some_and(|u| u.model.is_some());
-    units::all(d).into_iter().filter(|m| checked(m)).collect()
+    units::all(d).into_iter().filter(|m| m.latency.is_some() && has_vectors(d, m)).collect()
+}
+
+/// Whether a module has vectors of its own: rays, as `traverse`, or rows with the results of its model.
+pub fn has_vectors(d: &Design, m: &Module) -> bool {
+    m.latency.is_none() && m.name == "traverse" || entry(d, &m.name).is_some_and(|u| u.model.is_some())
+}
+
+/// That these units have no vectors, and what checks them instead.
+pub fn without_vectors(d: &Design, names: &[String]) -> String {
+    let top = units::traversal::traverse(d).module;
+    let one = |name: &String| {
+        let inside = top.hierarchy().iter().any(|m| m.name == *name);
+        let rays = "rays through traverse check it (`check --unit traverse`)";
+        let proved: Vec<&str> = entry(d, name).into_iter().flat_map(|u| u.proofs).map(|proof| proof.name).collect();
+        let proved = (!proved.is_empty()).then(|| format!("`prove` has proofs of it ({})", proved.join(", ")));
+        let how: Vec<String> = inside.then(|| rays.to_owned()).into_iter().chain(proved).collect();
+        let how = if how.is_empty() { String::new() } else { format!(": {}", how.join(", and ")) };
+        format!("{name} has no vectors of its own{how}")
+    };
+    names.iter().map(one).collect::<Vec<_>>().join("; ")
 }
 
 /// Settings that bring units which another configuration has not: those of the default, and those that another default would lack.

@@ -54,7 +54,12 @@ pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
         Some(taken) => println!("map {taken}\nconfig {}, seed {}", c.hash(), c.vectors.seed),
         None => println!("map {}, config {}, seed {}", scene.name, c.hash(), c.vectors.seed),
     }
-    println!("{} modules in {}; parameters of traverse:", p.modules.len(), a.out.join("rtl").display());
+    println!(
+        "{} modules in {}, {} of them units with vectors of their own, the others checked inside of these; parameters of traverse:",
+        p.modules.len(),
+        a.out.join("rtl").display(),
+        checked.len()
+    );
     let params: Vec<String> = t.module.params.iter().map(|q| format!("{}={}", q.name, q.default)).collect();
     println!("  {}", params.join(" "));
     println!(
@@ -144,7 +149,7 @@ pub fn vectors(cli: &Cli, a: &VectorsArgs) -> Result<()> {
         alone.iter().flat_map(|m| project::alone_vectors(&c, m, &over, campaign)).collect()
     };
     if files.is_empty() {
-        return Err(Error::NothingRan("the chosen unit has no vectors of its own".into()));
+        return Err(Error::NothingRan(crate::catalogue::without_vectors(&c.design(), &a.unit)));
     }
     let own: Vec<&str> = if own.is_empty() { vec!["golden/"] } else { own.iter().map(String::as_str).collect() };
     let part = Part { config: c.hash(), replaces: &own, alone_in: &[] };

@@ -1,6 +1,7 @@
 //! `reliefrtl list`: the units with their parameters and latency.
 use super::args::Cli;
 use super::output::table;
+use crate::catalogue::has_vectors;
 use crate::config::{DatapathKind, Design};
 use crate::error::Result;
 use crate::ir::Module;
@@ -21,7 +22,7 @@ pub fn run(cli: &Cli) -> Result<()> {
             .map(|m| {
                 let params: serde_json::Map<_, _> =
                     m.params.iter().map(|p| (p.name.clone(), json!(p.default))).collect();
-                json!({"unit": m.name, "summary": m.summary, "latency": m.latency, "parameters": params})
+                json!({"unit": m.name, "summary": m.summary, "latency": m.latency, "parameters": params, "vectors": has_vectors(&design, m)})
             })
             .collect();
         let more: Vec<_> =
@@ -37,17 +38,19 @@ pub fn run(cli: &Cli) -> Result<()> {
             Some(k) => k.to_string(),
             None => format!("{}+{}n+{}", t.setup, t.slots, t.finish),
         };
-        vec![m.name.clone(), latency, params.join(" "), m.summary.clone()]
+        let vectors = if has_vectors(&design, m) { "own" } else { "traverse" };
+        vec![m.name.clone(), latency, vectors.to_owned(), params.join(" "), m.summary.clone()]
     };
     let rows: Vec<Vec<String>> = modules.iter().map(row).collect();
-    print!("{}", table(&["unit", "clocks", "parameters", "what it does"], &rows));
+    print!("{}", table(&["unit", "clocks", "vectors", "parameters", "what it does"], &rows));
     let rows: Vec<Vec<String>> = more(&design).iter().map(row).collect();
     if !rows.is_empty() {
         println!("\navailable, and emitted where `emit.units` or `emit --unit` names them:");
-        print!("{}", table(&["unit", "clocks", "parameters", "what it does"], &rows));
+        print!("{}", table(&["unit", "clocks", "vectors", "parameters", "what it does"], &rows));
     }
+    println!("\nvectors: a unit's own, or only those of traverse, whose rays go through it.");
     println!(
-        "\ntraverse: {} clocks of setup, {} for each of n iterations, {} to the result.",
+        "traverse: {} clocks of setup, {} for each of n iterations, {} to the result.",
         t.setup, t.slots, t.finish
     );
     if design.datapath.kind == DatapathKind::Published && design.mode.start_level {

@@ -4,6 +4,7 @@ use crate::emit::Files;
 use crate::error::{Error, Finding, Result, exit};
 use crate::files::{OutDir, Sink, tree_of};
 use crate::interp::WaveFormat;
+use clap::CommandFactory;
 use clap::error::{ContextKind, ContextValue};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::json;
@@ -64,8 +65,12 @@ pub fn error(e: &Error) {
 
 /// Prints what is wrong with a command line: as clap says it, or as one JSON object.
 pub fn usage(e: &clap::Error) {
+    let dashed = dashed(e, std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()));
     if !FOR_MACHINES.load(Ordering::SeqCst) {
         let _ = e.print();
+        if let Some(hint) = dashed {
+            eprintln!("\n  tip: {hint}");
+        }
         return;
     }
     let text = e.render().to_string();
@@ -76,11 +81,24 @@ pub fn usage(e: &clap::Error) {
     if let Some(ContextValue::String(argument)) = e.get(ContextKind::InvalidArg) {
         told["place"] = argument.as_str().into();
     }
-    let hints: Vec<String> = parts.filter(|part| !part.is_empty()).collect();
+    let hints: Vec<String> = parts.filter(|part| !part.is_empty()).chain(dashed).collect();
     if !hints.is_empty() {
         told["hint"] = hints.join("; ").into();
     }
     eprintln!("{}", json!({"error": told}));
+}
+
+/// How an option takes a value that begins with a dash, where what was refused stands behind an option that takes one.
+fn dashed(e: &clap::Error, words: impl Iterator<Item = String>) -> Option<String> {
+    let Some(ContextValue::String(refused)) = e.get(ContextKind::InvalidArg) else { return None };
+    let words: Vec<String> = words.collect();
+    let command = Cli::command();
+    let verbs = command.get_subcommands().flat_map(|verb| verb.get_arguments());
+    let long = |a: &clap::Arg| a.get_action().takes_values().then(|| a.get_long().map(|name| format!("--{name}")))?;
+    let options: Vec<String> = command.get_arguments().chain(verbs).filter_map(long).collect();
+    let pair = words.windows(2).find(|w| options.contains(&w[0]) && w[1].starts_with(refused.as_str()))?;
+    let (option, value) = (&pair[0], &pair[1]);
+    Some(format!("a value that begins with a dash is given as '{option}={value}', or if it is a file as './{value}'"))
 }
 
 /// Where a verb's one file goes; if that is standard output, what the verb says goes to standard error from here on.

@@ -3,7 +3,7 @@ use super::rays::{rays, rough};
 use super::same::{same_config, same_text};
 use super::stored::{memory, pyramid_of, ray_of, same_rows};
 use crate::bench::{Paths, Simulator, run_bench_on};
-use crate::catalogue::{check_interp, compare, decoded, design_at, fits, units};
+use crate::catalogue::{check_interp, compare, decoded, design_at, fits, units, without_vectors};
 use crate::config::{Config, Design};
 use crate::emit::Files;
 use crate::error::{Error, Result};
@@ -113,7 +113,7 @@ pub fn check_tree_at(
         }
     };
     if list.is_empty() {
-        return Err(Error::NothingRan("the chosen unit has no vectors of its own; nothing was checked".into()));
+        return Err(Error::NothingRan(format!("nothing was checked: {}", without_vectors(&d, only))));
     }
     same_config(c, dir)?;
     if sim.is_none() {

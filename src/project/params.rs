@@ -1,6 +1,6 @@
 //! Units at other parameter values than the configuration's, as the emitted text takes them: what a bench is given by `-P`.
 use super::Scene;
-use crate::catalogue::{count_events, design_at, find, ray_set, vector_set};
+use crate::catalogue::{count_events, design_at, find, has_vectors, ray_set, vector_set, without_vectors};
 use crate::config::Config;
 use crate::emit::Files;
 use crate::error::{Error, Result};
@@ -80,8 +80,8 @@ pub fn unit_vectors(c: &Config, name: &str, over: &Binding, map: Option<&Path>, 
         files
     };
     if m.latency.is_some() {
-        if !crate::catalogue::units(&d).iter().any(|u| u.name == m.name) {
-            return Err(Error::NothingRan("the chosen unit has no vectors of its own".into()));
+        if !has_vectors(&d, &m) {
+            return Err(Error::NothingRan(without_vectors(&d, &[m.name.clone()])));
         }
         let plan = Plan { rows: c.vectors.arithmetic as usize, seed: c.vectors.seed };
         let mut set = vector_set(&d, &m, over, plan);

@@ -267,9 +267,10 @@ fn read<S: Sink>(
             } else if (low..=high).contains(sample) {
                 seen.height(*sample);
             } else {
+                let note = opened.info.note.take();
                 drop(opened);
                 let seen = scan(source, map, kept, Some((low, high)))?;
-                return Err(outside((x, y), *sample, (low, high), map, &seen));
+                return Err(outside((x, y), *sample, (low, high), map, &seen, note));
             }
             *sample = (*sample - low) / span;
         }
@@ -307,7 +308,7 @@ fn missing(seen: &Seen, value: Option<f64>, note: Option<String>, low: f64) -> E
     let (count, first) = seen.missing;
     let (x, y) = first.unwrap_or_default();
     let mark = value.map_or_else(|| "not a number".to_owned(), |value| format!("{}, or not a number", plain(value)));
-    let why = note.map(|note| format!("; the file has a {note}")).unwrap_or_default();
+    let why = note.map(|note| format!("; {note}")).unwrap_or_default();
     let low = plain(seen.ends.map_or(low, |ends| ends.0));
     Error::input(format!(
         "{count} of {} texels have no data ({mark}), the first is pixel ({x}, {y}){why}: give the height that they take, in the file's units, as --set map.fill={low}",
@@ -327,7 +328,14 @@ fn infinite(seen: &Seen) -> Option<Error> {
     )))
 }
 
-fn outside((x, y): (usize, usize), sample: f64, (low, high): (f64, f64), map: &MapConfig, seen: &Seen) -> Error {
+fn outside(
+    (x, y): (usize, usize),
+    sample: f64,
+    (low, high): (f64, f64),
+    map: &MapConfig,
+    seen: &Seen,
+    note: Option<String>,
+) -> Error {
     if let Some(error) = infinite(seen) {
         return error;
     }
@@ -336,8 +344,9 @@ fn outside((x, y): (usize, usize), sample: f64, (low, high): (f64, f64), map: &M
         Some(_) => format!("map.range = [{}, {}]", plain(low), plain(high)),
     };
     let ends = seen.ends.unwrap_or((0.0, 1.0));
+    let note = note.map(|note| format!("{note}; ")).unwrap_or_default();
     Error::input(format!(
-        "pixel ({x}, {y}) is {}: {needed}; {} of {} texels lie outside, and the file's heights go from {} to {}: use {}",
+        "pixel ({x}, {y}) is {}: {needed}; {note}{} of {} texels lie outside, and the file's heights go from {} to {}: use {}",
         plain(sample),
         seen.outside,
         seen.texels,

@@ -27,6 +27,39 @@ fn a_unit_of_another_configuration_says_what_brings_it() {
     }
 }
 
+/// What checks a unit that has no vectors is said by each verb, and `list` marks it.
+#[test]
+fn a_unit_without_vectors_says_what_checks_it() {
+    let dir = tempfile::tempdir().unwrap();
+    let told = "height_banks has no vectors of its own: rays through traverse check it (`check --unit traverse`)";
+    let small = ["--set", "vectors.planned=false", "--set", "vectors.arithmetic=20", "--set", "vectors.rays=5"];
+    for args in [
+        &["check", "--unit", "height_banks"][..],
+        &["check", "--unit", "height_banks", "--param", "BANK_W=1"],
+        &["vectors", "--unit", "height_banks"],
+    ] {
+        let (code, text) = said(dir.path(), &[args, &small].concat());
+        assert_eq!(code, Some(5), "{text}");
+        assert!(text.contains(told), "{text}");
+    }
+    let (_, text) = said(dir.path(), &["list", "--json"]);
+    let list: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let own = |name: &str| {
+        let unit = list["units"].as_array().unwrap().iter().find(|u| u["unit"] == name).unwrap();
+        unit["vectors"].as_bool().unwrap()
+    };
+    assert!(!own("height_banks") && own("fp_add") && own("traverse"));
+    let (_, text) = said(dir.path(), &["list"]);
+    let column = |name: &str| {
+        let line = text.lines().find(|l| l.split_whitespace().next() == Some(name)).unwrap();
+        line.split_whitespace().nth(2).unwrap().to_owned()
+    };
+    assert_eq!(
+        (column("height_banks"), column("fp_add"), column("fp_sqrt")),
+        ("traverse".into(), "own".into(), "own".into())
+    );
+}
+
 #[test]
 fn the_first_mismatch_is_a_waveform() {
     let small = ["--set", "vectors.arithmetic=100", "--set", "vectors.planned=false"];

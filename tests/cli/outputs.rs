@@ -301,3 +301,22 @@ fn no_output_that_is_full_or_closed_is_a_panic() {
         Command::new(env!("CARGO_BIN_EXE_reliefrtl")).arg("check").arg("--unit").arg("none").stderr(full).status();
     assert_eq!(ended.unwrap().code(), Some(2), "an error that nobody hears is one all the same");
 }
+
+/// A name that looks like an option, and one behind an option that takes none.
+#[test]
+fn a_value_that_begins_with_a_dash_is_told_how() {
+    let dir = tempfile::tempdir().unwrap();
+    let told = "a value that begins with a dash is given as '--out=-o x', or if it is a file as './-o x'";
+    for more in [&[][..], &["--json"]] {
+        let (code, text) = super::said(dir.path(), &[&["emit", "--unit", "fp_lt", "--out", "-o x"][..], more].concat());
+        assert!(code == Some(2) && text.contains(told), "{text}");
+    }
+    let (code, text) = super::said(dir.path(), &["build", "--print-map", "-o"]);
+    assert!(code == Some(2) && !text.contains("begins with a dash"), "{text}");
+    for name in ["--out=-o x", "--out=./-p x"] {
+        let (code, text) =
+            super::said(dir.path(), &["emit", "--unit", "fp_lt", name, "--set", "vectors.arithmetic=20"]);
+        assert_eq!(code, Some(0), "{text}");
+    }
+    assert!(dir.path().join("-o x/rtl").is_dir() && dir.path().join("-p x/rtl").is_dir());
+}

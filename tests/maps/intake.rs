@@ -151,3 +151,46 @@ fn a_size_that_a_header_contradicts() {
     let told = sentence(decode_as(&file, "m.tif", &keys(&["map.size=4,8"])));
     assert!(told.contains("the TIFF is 4 x 4, but map.size = [4, 8]: leave it out"), "{told}");
 }
+
+/// Scale, offset and the shape of cells change no height: that they are there is said, in the summary and where a height is refused.
+#[test]
+fn what_is_not_applied_is_said() {
+    let gdal = "<GDALMetadata>\n<Item name=\"DESCRIPTION\" sample=\"0\" role=\"description\">dem</Item>\n\
+        <Item name=\"SCALE\" sample=\"1\" role=\"scale\">7</Item>\n<Item name=\"OFFSET\" sample=\"0\" role=\"offset\">-100</Item>\n\
+        <Item name=\"SCALE\" sample=\"0\" role=\"scale\">0.01</Item>\n</GDALMetadata>";
+    let grey = Tiff::grey(4, 8, &(0..16).collect::<Vec<u64>>());
+    let read = |tiff: Tiff, sets: &[&str]| decode_as(&tiff.bytes(), "m.tif", &keys(sets));
+    let scaled = Tiff { metadata: Some(gdal), ..grey.clone() };
+    let said = "GDAL's scale 0.01 and offset -100 (tag 42112) are not applied: range, nodata and fill are in the numbers as stored";
+    let (map, taken) = read(scaled.clone(), &["map.range=0,15"]).unwrap();
+    assert_eq!((map.samples[15], taken.note.as_deref()), (1.0, Some(said)));
+    assert!(taken.to_string().ends_with(&format!("; {said}")), "{taken}");
+    // Where heights are asked for in metres and the file holds other numbers.
+    for (sets, what) in [(&["map.range=-100,-99"][..], "pixel (0, 0) is 0"), (&["map.nodata=3"], "have no data")] {
+        let told = sentence(read(scaled.clone(), sets));
+        assert!(told.contains(what) && told.contains(said), "{told}");
+    }
+    // What changes nothing, what is another sample's, and what is no number.
+    for text in [
+        "<Item role=\"scale\" sample=\"0\">1</Item><Item role=\"offset\" sample=\"0\">0.0</Item>",
+        "<Item role=\"scale\" sample=\"1\">3</Item>",
+        "<Item role=\"scale\" sample=\"0\">x</Item><Item role=\"scale",
+        "",
+    ] {
+        assert_eq!(read(Tiff { metadata: Some(text), ..grey.clone() }, &[]).unwrap().1.note, None, "{text}");
+    }
+    let said = "its cells are 10 x 20, and each is taken as a square texel";
+    let (_, taken) = read(Tiff { cells: Some([10.0, 20.0, 0.0]), ..grey.clone() }, &[]).unwrap();
+    assert_eq!(taken.note.as_deref(), Some(said));
+    assert_eq!(read(Tiff { cells: Some([10.0, 10.0, 0.0]), ..grey }, &[]).unwrap().1.note, None);
+    let asc = |cells: &str| {
+        let text = format!("ncols 2\nnrows 1\n{cells}\n0.25 0.5\n");
+        decode_as(text.as_bytes(), "m.asc", &keys(&[]))
+    };
+    assert_eq!(asc("dx 10\ndy 20").unwrap().1.note.as_deref(), Some(said));
+    for square in ["dx 10\ndy 10", "dx 0.1\ndy 0.10000001", "cellsize 30", "dx 10"] {
+        assert_eq!(asc(square).unwrap().1.note, None, "{square}");
+    }
+    assert!(sentence(asc("dx ten\ndy 20")).contains("dx is not a finite number"));
+    assert!(sentence(asc("dx 10\ndx 20")).contains("dx stands there twice"));
+}

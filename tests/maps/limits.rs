@@ -76,7 +76,7 @@ fn files() -> Vec<(&'static str, Vec<u8>, Vec<u8>)> {
     let texels = [9u8; 49];
     let mut bmp = Vec::new();
     image::codecs::bmp::BmpEncoder::new(&mut bmp).encode(&texels, 7, 7, image::ExtendedColorType::L8).unwrap();
-    list.push(("a.bmp", bmp.clone(), with(bmp, &[7, 0, 0, 0, 7, 0, 0, 0], &[20000u32.to_le_bytes(); 2].concat())));
+    list.push(("a.bmp", bmp.clone(), with(bmp, &[7, 0, 0, 0, 7, 0, 0, 0], &[LARGE.to_le_bytes(); 2].concat())));
     let mut tga = Vec::new();
     let encoder = image::codecs::tga::TgaEncoder::new(&mut tga);
     image::ImageEncoder::write_image(encoder, &texels, 7, 7, image::ExtendedColorType::L8).unwrap();
@@ -97,6 +97,17 @@ fn files() -> Vec<(&'static str, Vec<u8>, Vec<u8>)> {
         with(surface, &[7, 0, 0, 0, 7, 0, 0, 0], &[LARGE.to_le_bytes(), LARGE.to_le_bytes()].concat()),
     ));
     list
+}
+
+/// Few texels, but a side that the library does not take.
+#[test]
+fn a_side_of_a_bmp_has_a_limit_of_its_own() {
+    let mut bmp = Vec::new();
+    image::codecs::bmp::BmpEncoder::new(&mut bmp).encode(&[9; 49], 7, 7, image::ExtendedColorType::L8).unwrap();
+    let sides = [LARGE.to_le_bytes(), (-3i32).to_le_bytes()].concat();
+    let wide = with(bmp, &[7, 0, 0, 0, 7, 0, 0, 0], &sides);
+    let told = reliefrtl::scene::decode(&wide, "m.bmp").expect_err("too wide").to_string();
+    assert_eq!(told, "m.bmp: not a readable BMP: it is 100000 x 3, and up to 65535 columns and rows are read of one");
 }
 
 #[test]

@@ -25,6 +25,10 @@ pub struct Tiff {
     /// 2: the lowest bit of a byte comes first.
     pub fill_order: u16,
     pub nodata: Option<&'static str>,
+    /// What GDAL says besides, as XML.
+    pub metadata: Option<&'static str>,
+    /// Width and height of a pixel in the world, and the depth that GeoTIFF has there.
+    pub cells: Option<[f64; 3]>,
     pub palette: Option<Vec<u16>>,
     /// Sample words, pixel after pixel.
     pub words: Vec<u64>,
@@ -53,6 +57,8 @@ impl Tiff {
             orientation: 1,
             fill_order: 1,
             nodata: None,
+            metadata: None,
+            cells: None,
             palette: None,
             words: words.to_vec(),
         }
@@ -222,6 +228,8 @@ impl Tiff {
         tags.extend(self.palette.as_ref().map(|p| (320, short(&p.iter().map(|w| u64::from(*w)).collect::<Vec<_>>()))));
         let text = |t: &str| (2u16, 1usize, t.bytes().chain([0]).map(u64::from).collect::<Vec<_>>());
         tags.extend(self.nodata.map(|t| (42113, text(t))));
+        tags.extend(self.metadata.map(|t| (42112, text(t))));
+        tags.extend(self.cells.map(|c| (33550, (12, 8, c.map(f64::to_bits).to_vec()))));
         tags.sort_by_key(|t| t.0);
         let mut entries = Vec::new();
         for (tag, (kind, bytes, values)) in &tags {

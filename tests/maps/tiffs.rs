@@ -198,3 +198,31 @@ fn tiff_pages() {
     let told = sentence(decode_codes(&two, "m.tif", &keys(&["map.part=2"]), 2, 8, false));
     assert!(told.contains("there is no page \"2\" (map.part): the file has 0 (4 x 4), 1 (4 x 4)"), "{told}");
 }
+
+/// What the library calls inconsistent sizes, by the tag that is wrong.
+#[test]
+fn a_strip_or_tile_without_rows_is_named() {
+    let replaced = |file: Vec<u8>, tag: u16, from: u32| {
+        // Tag, kind, one value of four bytes.
+        let entry = [&tag.to_le_bytes()[..], &4u16.to_le_bytes(), &1u32.to_le_bytes(), &from.to_le_bytes()].concat();
+        let at = file.windows(12).position(|w| w == entry).expect("the tag is there");
+        let mut file = file;
+        file[at + 8..at + 12].fill(0);
+        file
+    };
+    let words: Vec<u64> = (0..16).collect();
+    let strips = Tiff { rows_per_strip: 3, ..Tiff::grey(4, 8, &words) }.bytes();
+    let tiles = Tiff { tile: Some((16, 32)), ..Tiff::grey(4, 8, &words) }.bytes();
+    for (file, tag, from, name) in
+        [(&strips, 278, 3, "RowsPerStrip"), (&tiles, 322, 16, "TileWidth"), (&tiles, 323, 32, "TileLength")]
+    {
+        let told = sentence(decode_as(&replaced(file.clone(), tag, from), "m.tif", &keys(&[])));
+        assert_eq!(told, format!("m.tif: not a readable TIFF: its {name} (tag {tag}) is 0, and at least 1 is legal"));
+    }
+    // Four rows in strips of one, of which there are too few.
+    let at = strips.windows(12).position(|w| w[..8] == [22, 1, 4, 0, 1, 0, 0, 0]).unwrap();
+    let mut few = strips;
+    few[at + 8] = 1;
+    let told = sentence(decode_as(&few, "m.tif", &keys(&[])));
+    assert!(told.contains("its tags contradict each other") && told.contains("RowsPerStrip"), "{told}");
+}

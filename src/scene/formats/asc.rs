@@ -1,7 +1,7 @@
 //! ESRI ASCII grids.
 use super::pick::Pick;
 use super::plain::Words;
-use super::{Info, Opened, Rows, Samples, broken, sized};
+use super::{Info, Opened, Rows, Samples, broken, oblong, sized};
 use crate::config::MapConfig;
 use crate::error::Result;
 use crate::files::MARK;
@@ -10,7 +10,7 @@ use std::io::{Read, Seek};
 
 const KIND: &str = "ESRI ASC";
 /// Words of the header, besides those that are read.
-const PLACE: [&str; 7] = ["xllcorner", "yllcorner", "xllcenter", "yllcenter", "cellsize", "dx", "dy"];
+const PLACE: [&str; 5] = ["xllcorner", "yllcorner", "xllcenter", "yllcenter", "cellsize"];
 
 /// Starts like one.
 pub(super) fn is_asc(head: &[u8]) -> bool {
@@ -28,6 +28,7 @@ pub(super) fn open<'a>(source: &'a Source, map: &'a MapConfig) -> Result<Opened<
     }
     let mut words = Words::new(handle, KIND, false);
     let (mut columns, mut rows, mut nodata) = (None, None, None);
+    let (mut dx, mut dy) = (None, None);
     let first = loop {
         let Some(key) = words.next()? else { return Err(broken(KIND, "it ends in its header")) };
         if key.parse::<f64>().is_ok() {
@@ -43,6 +44,14 @@ pub(super) fn open<'a>(source: &'a Source, map: &'a MapConfig) -> Result<Opened<
                 let value = words.next()?.and_then(|word| word.parse::<f64>().ok());
                 let value = value.ok_or_else(|| broken(KIND, "NODATA_value is not a number"))?;
                 if nodata.replace(value).is_some() {
+                    return Err(twice());
+                }
+            }
+            key @ ("dx" | "dy") => {
+                let value = words.next()?.and_then(|word| word.parse::<f64>().ok()).filter(|size| size.is_finite());
+                let value = value.ok_or_else(|| broken(KIND, format!("{key} is not a finite number")))?;
+                let size = if key == "dx" { &mut dx } else { &mut dy };
+                if size.replace(value).is_some() {
                     return Err(twice());
                 }
             }
@@ -64,7 +73,8 @@ pub(super) fn open<'a>(source: &'a Source, map: &'a MapConfig) -> Result<Opened<
     }
     let pick = Pick::new(&["Y"], 1.0, map)?;
     let samples = Samples::Float(64);
-    let info = Info { channel: pick.label(), nodata, ..Info::new(KIND, width, height, samples) };
+    let note = dx.zip(dy).and_then(|(dx, dy)| oblong(dx, dy));
+    let info = Info { channel: pick.label(), nodata, note, ..Info::new(KIND, width, height, samples) };
     Ok(Opened { info, rows: Box::new(Asc { words, first: Some(first), rows: height, at: 0 }) })
 }
 

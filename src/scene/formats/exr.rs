@@ -1,6 +1,6 @@
 //! OpenEXR by part and channel, block after block. What lies in the display window but not in the data window has no data.
 use super::pick::Pick;
-use super::{Info, Opened, Rows, Samples, broken, filled, sized};
+use super::{Info, Opened, Rows, Samples, broken, filled, noted, oblong, sized};
 use crate::config::MapConfig;
 use crate::error::{Error, Result};
 use crate::scene::source::Handle;
@@ -41,12 +41,13 @@ pub(super) fn open<'a>(handle: Handle<'a>, len: u64, map: &MapConfig) -> Result<
     let top = i64::from(place.y()) - i64::from(shown.position.y());
     let same = (left, top, columns, rows) == (0, 0, width, height);
     let note = (!same).then(|| {
-        format!("data window of {columns} x {rows} at ({left}, {top}) of a display window of {width} x {height}")
+        format!("the file has a data window of {columns} x {rows} at ({left}, {top}) of a display window of {width} x {height}")
     });
+    let aspect = f64::from(header.shared_attributes.pixel_aspect);
     let info = Info {
         channel: pick.label(),
         part: label,
-        note,
+        note: noted([note, oblong(aspect, 1.0)]),
         ..Info::new(KIND, width, height, Samples::Float(if half { 16 } else { 32 }))
     };
     let band = match header.blocks {

@@ -18,6 +18,9 @@ pub(super) fn open<'a>(
     kind: &'static str,
 ) -> Result<Opened<'a>> {
     let failed = |error: image::ImageError| broken(kind, error);
+    if format == ImageFormat::Bmp {
+        bmp_sides(source, map)?;
+    }
     let mut limits = Limits::default();
     limits.max_alloc = Some(map.max_texels.saturating_mul(8).saturating_add(BESIDE));
     let mut reader = ImageReader::with_format(source.open()?, format);
@@ -55,6 +58,27 @@ pub(super) fn open<'a>(
     let info = Info { channel: pick.label(), ..Info::new(kind, width, height, samples) };
     let rows = Whole { bytes, pick, wide, at: 0 };
     upright(Opened { info, rows: Box::new(rows) }, orientation)
+}
+
+/// The sides that a BMP's header announces, looked at before the crate's own limit speaks.
+fn bmp_sides(source: &Source, map: &MapConfig) -> Result<()> {
+    const MOST: u64 = 65535;
+    let mut head = Vec::new();
+    source.open()?.take(26).read_to_end(&mut head).map_err(|error| broken("BMP", error))?;
+    // The oldest header has 16 bits a side; a negative height is that of rows from the top.
+    let Some(sides) = head.get(18..26).filter(|_| head[14..18] != [12, 0, 0, 0]) else { return Ok(()) };
+    let side = |at: usize| i32::from_le_bytes([sides[at], sides[at + 1], sides[at + 2], sides[at + 3]]);
+    let (width, height) = (side(0), u64::from(side(4).unsigned_abs()));
+    // A negative width has a sentence of its own.
+    let Ok(width) = u64::try_from(width) else { return Ok(()) };
+    sized(width, height, map)?;
+    if width.max(height) > MOST {
+        return Err(broken(
+            "BMP",
+            format!("it is {width} x {height}, and up to {MOST} columns and rows are read of one"),
+        ));
+    }
+    Ok(())
 }
 
 /// A picture in memory.

@@ -18,6 +18,7 @@ mod tiff_chunks;
 mod tiff_packed;
 
 use super::source::{Handle, Source};
+use crate::config::check::plain as plain_number;
 use crate::config::{ByteOrder, MapConfig};
 use crate::error::{Error, Result};
 use std::fmt;
@@ -115,12 +116,18 @@ pub(super) struct Opened<'a> {
 }
 
 /// What libraries say in words that tell nothing of the file, and what is meant.
-const SAID: [(&str, &str); 8] = [
+const SAID: [(&str, &str); 11] = [
     ("failed to fill whole buffer", "its data end early"),
     ("The Decoder limits are exceeded", "it asks for more memory than its pixels need"),
     ("limits are exceeded", "it asks for more memory than its pixels need"),
     ("Memory limit exceeded", "it asks for more memory than its pixels need"),
     ("Image size exceeds limit", "it asks for more memory than its pixels need"),
+    ("decoder limits exceeded", "it asks for more memory than its pixels need"),
+    ("platform or format size limits exceeded", "a number in its tags is larger than any picture needs"),
+    (
+        "inconsistent sizes encountered",
+        "its tags contradict each other: SamplesPerPixel, BitsPerSample and ExtraSamples, or ImageLength, RowsPerStrip or TileLength, and how many StripOffsets or TileOffsets and byte counts there are",
+    ),
     ("invalid: reference to missing bytes", "its data end early"),
     ("invalid: ", "invalid "),
     ("unsupported error: ", ""),
@@ -168,6 +175,20 @@ fn sized(width: u64, height: u64, map: &MapConfig) -> Result<(usize, usize)> {
         )));
     }
     Ok((width as usize, height as usize))
+}
+
+/// What there is to say of cells of this width and height.
+fn oblong(width: f64, height: f64) -> Option<String> {
+    let (across, down) = (plain_number(width), plain_number(height));
+    // What a single-precision number or a few decimals can't tell apart is square.
+    let oblong = (width.abs() - height.abs()).abs() > width.abs().max(height.abs()) * 1e-4;
+    oblong.then(|| format!("its cells are {across} x {down}, and each is taken as a square texel"))
+}
+
+/// What there is to say, in one.
+fn noted(notes: impl IntoIterator<Item = Option<String>>) -> Option<String> {
+    let said: Vec<String> = notes.into_iter().flatten().collect();
+    (!said.is_empty()).then(|| said.join("; "))
 }
 
 /// So many equal values, or a sentence where that is more memory than there is.

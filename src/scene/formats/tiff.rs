@@ -2,8 +2,9 @@
 use super::orient::upright;
 use super::pick::Pick;
 use super::tiff_chunks::{Chunks, Grid, Meaning, Number};
-use super::{Info, Opened, Samples, broken, sized};
+use super::{Info, Opened, Samples, broken, noted, oblong, sized};
 use crate::config::MapConfig;
+use crate::config::check::plain;
 use crate::error::{Error, Result};
 use crate::scene::source::Handle;
 use std::borrow::Cow;
@@ -12,6 +13,9 @@ use tiff::decoder::Decoder;
 use tiff::tags::{CompressionMethod, PhotometricInterpretation as Photo, SampleFormat, Tag};
 
 pub(super) const KIND: &str = "TIFF";
+/// Tags that divide a picture into strips or tiles.
+const SIDES: [(u64, &str); 3] = [(278, "RowsPerStrip"), (322, "TileWidth"), (323, "TileLength")];
+const ZERO: [u8; 8] = [0; 8];
 /// Pages that are looked at.
 const PAGES: usize = 1000;
 
@@ -75,7 +79,10 @@ pub(super) fn open<'a>(handle: Handle<'a>, len: u64, map: &MapConfig) -> Result<
     }
     let orientation = number(&mut tags, Tag::Orientation)?.unwrap_or(1);
     let nodata = nodata(&mut tags)?;
-    let info = Info { channel: pick.label(), part, nodata, ..Info::new(KIND, width, height, samples) };
+    let label = pick.label();
+    let sample = names.iter().position(|name| *name == label).unwrap_or(0);
+    let note = noted([scaled(&mut tags, sample), cells(&mut tags)]);
+    let info = Info { channel: label, part, nodata, note, ..Info::new(KIND, width, height, samples) };
     let reversed = match number(&mut tags, Tag::FillOrder)?.unwrap_or(1) {
         1 => false,
         2 => true,
@@ -116,7 +123,8 @@ fn counted(mut handle: Handle<'_>, len: u64) -> Result<Handle<'_>> {
         for _ in 0..entries {
             let (tag, kind) = (number(&mut handle, 2)?, number(&mut handle, 2)?);
             let count = number(&mut handle, wide)?;
-            number(&mut handle, wide)?;
+            let mut word = [0; 8];
+            handle.read_exact(&mut word[..wide]).map_err(ended)?;
             let size = match kind {
                 3 | 8 => 2,
                 4 | 9 | 11 | 13 => 4,
@@ -125,6 +133,13 @@ fn counted(mut handle: Handle<'_>, len: u64) -> Result<Handle<'_>> {
             };
             if count.saturating_mul(size) > len {
                 return Err(broken(KIND, format!("{count} values of tag {tag} are announced in {len} bytes")));
+            }
+            let named = SIDES
+                .iter()
+                .find(|(side, _)| *side == tag)
+                .filter(|_| count == 1 && word[..size as usize] == ZERO[..size as usize]);
+            if let Some((_, name)) = named {
+                return Err(broken(KIND, format!("its {name} (tag {tag}) is 0, and at least 1 is legal")));
             }
         }
         place = number(&mut handle, wide)?;
@@ -231,4 +246,30 @@ fn nodata(tags: &mut Tags<'_>) -> Result<Option<f64>> {
         let shown: String = text.chars().take(20).collect();
         broken(KIND, format!("its no-data value {shown:?} (tag 42113) is not a number"))
     })
+}
+
+/// What is said of the scale and the offset that GDAL wrote down for this sample: the heights are taken as they are stored.
+fn scaled(tags: &mut Tags<'_>, sample: usize) -> Option<String> {
+    const GDAL_METADATA: Tag = Tag::Unknown(42112);
+    let text = tags.get_tag_ascii_string(GDAL_METADATA).ok()?;
+    let of = |role: &str, neutral: f64| {
+        let value = text.split("<Item").skip(1).find_map(|item| {
+            let (head, rest) = item.split_once('>')?;
+            let attribute = |name: &str| Some(head.split_once(&format!(" {name}=\""))?.1.split('"').next()?.trim());
+            let band = attribute("sample").map_or(Some(0), |band| band.parse().ok())?;
+            let mine = attribute("role").is_some_and(|r| r.eq_ignore_ascii_case(role)) && band == sample;
+            mine.then(|| rest.split('<').next()?.trim().parse::<f64>().ok())?
+        });
+        value.filter(|value| *value != neutral).map(|value| format!("{role} {}", plain(value)))
+    };
+    let said: Vec<String> = [of("scale", 1.0), of("offset", 0.0)].into_iter().flatten().collect();
+    let said = (!said.is_empty()).then(|| said.join(" and "))?;
+    Some(format!("GDAL's {said} (tag 42112) are not applied: range, nodata and fill are in the numbers as stored"))
+}
+
+/// What is said of cells that are not square in the world.
+fn cells(tags: &mut Tags<'_>) -> Option<String> {
+    let sizes = tags.get_tag_f64_vec(Tag::ModelPixelScaleTag).ok()?;
+    let sizes = sizes.get(..2).filter(|sizes| sizes.iter().all(|size| size.is_finite() && *size > 0.0))?;
+    oblong(sizes[0], sizes[1])
 }
