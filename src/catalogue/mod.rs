@@ -35,9 +35,9 @@ pub fn units(d: &Design) -> Vec<Arc<Module>> {
     units::all(d).into_iter().filter(|m| m.latency.is_some() && has_vectors(d, m)).collect()
 }
 
-/// Whether a module has vectors of its own: rays, as `traverse`, or rows with the results of its model.
+/// Whether a unit has vectors of its own: rays, as `traverse`, whose latency is not fixed, or rows with the results of its model.
 pub fn has_vectors(d: &Design, m: &Module) -> bool {
-    m.latency.is_none() && m.name == "traverse" || entry(d, &m.name).is_some_and(|u| u.model.is_some())
+    m.latency.is_none() || entry(d, &m.name).is_some_and(|u| u.model.is_some())
 }
 
 /// That these units have no vectors, and what checks them instead.

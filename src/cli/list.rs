@@ -38,7 +38,7 @@ pub fn run(cli: &Cli) -> Result<()> {
             Some(k) => k.to_string(),
             None => format!("{}+{}n+{}", t.setup, t.slots, t.finish),
         };
-        let vectors = if has_vectors(&design, m) { "own" } else { "traverse" };
+        let vectors = if has_vectors(&design, m) { "own" } else { &t.module.name };
         vec![m.name.clone(), latency, vectors.to_owned(), params.join(" "), m.summary.clone()]
     };
     let rows: Vec<Vec<String>> = modules.iter().map(row).collect();

@@ -81,7 +81,7 @@ pub fn unit_vectors(c: &Config, name: &str, over: &Binding, map: Option<&Path>, 
     };
     if m.latency.is_some() {
         if !has_vectors(&d, &m) {
-            return Err(Error::NothingRan(without_vectors(&d, &[m.name.clone()])));
+            return Err(Error::NothingRan(without_vectors(&d, std::slice::from_ref(&m.name))));
         }
         let plan = Plan { rows: c.vectors.arithmetic as usize, seed: c.vectors.seed };
         let mut set = vector_set(&d, &m, over, plan);
