@@ -161,7 +161,7 @@ fn what_is_not_applied_is_said() {
     let grey = Tiff::grey(4, 8, &(0..16).collect::<Vec<u64>>());
     let read = |tiff: Tiff, sets: &[&str]| decode_as(&tiff.bytes(), "m.tif", &keys(sets));
     let scaled = Tiff { metadata: Some(gdal), ..grey.clone() };
-    let said = "GDAL's scale 0.01 and offset -100 (tag 42112) are not applied: range, nodata and fill are in the numbers as stored";
+    let said = "not applied: GDAL's scale 0.01 and offset -100 (tag 42112), so range, nodata and fill are in the numbers as stored";
     let (map, taken) = read(scaled.clone(), &["map.range=0,15"]).unwrap();
     assert_eq!((map.samples[15], taken.note.as_deref()), (1.0, Some(said)));
     assert!(taken.to_string().ends_with(&format!("; {said}")), "{taken}");

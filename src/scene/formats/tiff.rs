@@ -264,7 +264,7 @@ fn scaled(tags: &mut Tags<'_>, sample: usize) -> Option<String> {
     };
     let said: Vec<String> = [of("scale", 1.0), of("offset", 0.0)].into_iter().flatten().collect();
     let said = (!said.is_empty()).then(|| said.join(" and "))?;
-    Some(format!("GDAL's {said} (tag 42112) are not applied: range, nodata and fill are in the numbers as stored"))
+    Some(format!("not applied: GDAL's {said} (tag 42112), so range, nodata and fill are in the numbers as stored"))
 }
 
 /// What is said of cells that are not square in the world.
