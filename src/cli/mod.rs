@@ -35,7 +35,7 @@ use clap::{CommandFactory, Parser};
 use std::io::IsTerminal;
 
 /// Runs the command line; returns the exit code (0 ok, 1 mismatch, 2 usage or input, 3 tool missing, 4 tool failed,
-/// 5 nothing ran, 6 a result never came, 7 a result too many, 128 and the number of a signal that ended it, 141 nobody read standard output to its
+/// 5 nothing ran, 6 a result never came, 7 a result too many, 128 and the number of a signal that ended it, 141 standard output was closed before its
 /// end).
 pub fn main() -> i32 {
     interrupt::watch();

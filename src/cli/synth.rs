@@ -74,7 +74,7 @@ fn with_command(command: String, value: Value) -> Value {
     std::iter::once(("command".to_string(), Value::from(command))).chain(rest).collect()
 }
 
-/// The figures of somebody else's module, and what is kept of them.
+/// The figures of another project's module, and what is kept of them.
 pub(super) fn beside(cli: &Cli, a: &SynthArgs, work: &Work, asked_for: &str) -> Result<(Figures, Value)> {
     let other = foreign(asked_for)?;
     let figures = measure_files(&other.files, &other.top, &work.target, &work.placing)?;

@@ -246,7 +246,7 @@ fn is_included_as(name: &str) -> bool {
     !name.is_empty() && !name.contains(['/', '\0']) && !ours.contains(&name) && !numbered(".v") && !numbered(".sv")
 }
 
-/// Measures the module `top` of somebody else's Verilog, of which everything between its own registers counts; files that don't end with
+/// Measures the module `top` of another project's Verilog, of which everything between its own registers counts; files that don't end with
 /// `.v` or `.sv` are there to be included.
 ///
 /// # Errors

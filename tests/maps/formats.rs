@@ -154,10 +154,10 @@ fn portable_maps() {
     let pfm = [b"Pf\r\n4 4\r\n-1\r\n".as_slice(), &[0.5f32.to_le_bytes(); 16].concat()].concat();
     assert_eq!(codes(&pfm, "m", 8, &["map.range=0,1"]), [128; 16]);
     for (file, what) in [
-        (p5("P5 4 4 255\n", b"x"), "1 byte stands behind its last pixel, and a map is one picture"),
-        (p5("P5 4 4 255\n", &p5("P5 4 4 255\n", b"")), "27 bytes stand behind its last pixel"),
-        (p5("P5\r\n4 4\r\n255\r\n", b"\n"), "2 bytes stand behind its last pixel"),
-        (format!("P2 4 4 255{} 7", text(&words)).into_bytes(), "\"7\" stands behind its last pixel"),
+        (p5("P5 4 4 255\n", b"x"), "1 byte stands after its last pixel, and a map is one picture"),
+        (p5("P5 4 4 255\n", &p5("P5 4 4 255\n", b"")), "27 bytes stand after its last pixel"),
+        (p5("P5\r\n4 4\r\n255\r\n", b"\n"), "2 bytes stand after its last pixel"),
+        (format!("P2 4 4 255{} 7", text(&words)).into_bytes(), "\"7\" stands after its last pixel"),
         ([b"P7\nWIDTH 4\nWIDTH 4\nENDHDR\n".as_slice(), &bytes].concat(), "WIDTH stands there twice"),
     ] {
         let told = sentence(decode_as(&file, "m", &keys(&[])));
@@ -239,7 +239,7 @@ fn esri_grids() {
     assert_eq!(units(file.as_bytes(), "m.asc", 0.0, 15.0, &["map.fill=2"]), exact);
     for (text, what) in [
         ("ncols 4\nnrows 4\n1 2 3", "16 heights"),
-        ("ncols 1\nnrows 2\n1 2 3", "\"3\" stands behind its last pixel"),
+        ("ncols 1\nnrows 2\n1 2 3", "\"3\" stands after its last pixel"),
         ("ncols 1\nnrows 2\ncolour red\n1 2", "\"colour\" is no key of its header"),
         ("ncols 1\nncols 2\n1 2", "ncols stands there twice"),
         ("ncols 2\n1 2", "its header lacks nrows"),

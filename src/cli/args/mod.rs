@@ -37,7 +37,7 @@ pub struct Cli {
 }
 
 const EXIT_CODES: &str = "Exit codes: 0 ok, 1 mismatch, 2 usage or input, 3 tool missing, 4 tool failed, 5 nothing ran, \
-6 an expected result never came, 7 a result that nobody expected; 129, 130, 143 ended by SIGHUP, SIGINT (Ctrl-C), SIGTERM; \
+6 an expected result never came, 7 an unexpected result; 129, 130, 143 ended by SIGHUP, SIGINT (Ctrl-C), SIGTERM; \
 141 standard output was closed before all was said (the work was done all the same, files of --out are written).\n\
 With --json an error is one JSON object on standard error.\n\
 --out of a verb that writes one file: `-` is standard output, a device or FIFO is written to, a link is followed.";

@@ -28,7 +28,7 @@ pub struct Synthesized {
 /// What was measured of one unit at one latency.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 pub struct UnitFigures {
-    /// Unit, or somebody else's module.
+    /// Unit, or another project's module.
     pub unit: String,
     /// Clocks from operand to result; none for a handshaked unit.
     #[serde(default)]

@@ -62,7 +62,7 @@ pub(super) fn open<'a>(source: &'a Source, map: &'a MapConfig) -> Result<Opened<
     Ok(Opened { info, rows: Box::new(Packed::new(source, layout, pick, kind)?) })
 }
 
-/// Refuses what stands behind the last pixel, but for the end of a line. Where that is one byte, and the header ends in CR LF, the LF is no pixel.
+/// Refuses what stands after the last pixel, but for the end of a line. Where that is one byte, and the header ends in CR LF, the LF is no pixel.
 fn one_picture(source: &Source, layout: &mut Layout, channels: usize, kind: &str) -> Result<()> {
     let needed = u128::from(layout.stored.row(layout.width as u64 * channels as u64)) * layout.height as u128;
     let there = u128::from(source.len().saturating_sub(layout.offset));
@@ -81,7 +81,7 @@ fn one_picture(source: &Source, layout: &mut Layout, channels: usize, kind: &str
         return Ok(());
     }
     let bytes = if surplus == 1 { "1 byte stands" } else { &format!("{surplus} bytes stand") };
-    Err(broken(kind, format!("{bytes} behind its last pixel, and a map is one picture")))
+    Err(broken(kind, format!("{bytes} after its last pixel, and a map is one picture")))
 }
 
 fn announced(kind: &str, width: usize, height: usize, there: u64) -> crate::error::Error {

@@ -47,7 +47,7 @@ impl<'a> Words<'a> {
         }
     }
 
-    /// The next word, of at most 64 bytes; what stands behind it was not read.
+    /// The next word, of at most 64 bytes; what comes after it was not read.
     pub(super) fn next(&mut self) -> Result<Option<String>> {
         let Some(mut byte) = self.skip()? else { return Ok(None) };
         let mut word = Vec::new();
@@ -131,7 +131,7 @@ impl<'a> Words<'a> {
             None => Ok(()),
             Some(word) => {
                 let shown: String = word.chars().take(20).collect();
-                Err(broken(self.kind, format!("{shown:?} stands behind its last pixel")))
+                Err(broken(self.kind, format!("{shown:?} stands after its last pixel")))
             }
         }
     }
