@@ -1,6 +1,7 @@
-//! The layers of `docs/architecture.md`: a module uses only what stands below it.
-use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+//! The layers of `docs/architecture.md`: a module uses only what stands below it, and no files use each other in a circle.
+use crate::source::{self, Edge};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
 
 /// Lowest first. Modules of one layer don't see each other.
 const LAYERS: &[&[&str]] = &[
@@ -51,90 +52,68 @@ fn broken(user: &str, used: &str) -> Option<String> {
     }
 }
 
-fn rust_files(dir: &Path, out: &mut Vec<PathBuf>) {
-    let entries = std::fs::read_dir(dir).unwrap_or_else(|e| panic!("{}: {e}", dir.display()));
-    for path in entries.map(|e| e.expect("a directory entry").path()) {
-        if path.is_dir() {
-            rust_files(&path, out);
-        } else if path.extension().is_some_and(|e| e == "rs") {
-            out.push(path);
-        }
-    }
+/// The module of the crate that a file of `src` belongs to.
+fn module(file: &Path) -> String {
+    file.iter().next().expect("a name").to_string_lossy().trim_end_matches(".rs").to_owned()
 }
 
-/// The modules named on a line by `crate::name` or `crate::{name, other::..}`; comments don't count.
-fn named(line: &str) -> BTreeSet<String> {
-    let code = line.split("//").next().unwrap_or_default();
-    let word = |s: &str| -> String { s.chars().take_while(|c| c.is_ascii_lowercase() || *c == '_').collect() };
-    let mut out = BTreeSet::new();
-    for (at, _) in code.match_indices("crate::") {
-        let rest = &code[at + "crate::".len()..];
-        match rest.strip_prefix('{') {
-            None => drop(out.insert(word(rest))),
-            Some(list) => {
-                let mut depth = 0;
-                let mut item = String::new();
-                for c in list.chars() {
-                    match c {
-                        '{' => depth += 1,
-                        '}' if depth == 0 => break,
-                        '}' => depth -= 1,
-                        ',' if depth == 0 => drop(out.insert(word(std::mem::take(&mut item).trim()))),
-                        c if depth == 0 => item.push(c),
-                        _ => {}
-                    }
-                }
-                out.insert(word(item.trim()));
-            }
-        }
-    }
-    // `crate::Thing` in capitals is a re-export of the root, of which there is none.
-    out.retain(|m| !m.is_empty());
-    out
-}
-
-/// A file's lines with every `use crate::{` that spans lines joined into one; the number is that of its first line.
-fn statements(text: &str) -> Vec<(usize, String)> {
-    let mut out: Vec<(usize, String)> = Vec::new();
-    let mut open = false;
-    for (i, line) in text.lines().enumerate() {
-        if open {
-            let last = out.last_mut().expect("something is open");
-            last.1 += line.trim();
-        } else {
-            out.push((i + 1, line.to_owned()));
-        }
-        let last = &out[out.len() - 1].1;
-        open = last.contains("use crate::{") && !last.contains(';');
-    }
-    out
+fn uses() -> Vec<Edge> {
+    source::edges(&source::modules(&source::files()))
 }
 
 #[test]
 fn every_module_uses_only_what_stands_below_it() {
-    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let mut files = Vec::new();
-    rust_files(&src, &mut files);
-    files.sort();
-    let (mut problems, mut uses) = (Vec::new(), 0);
-    for file in &files {
-        let path = file.strip_prefix(&src).expect("a file of src");
-        let user = path.iter().next().expect("a name").to_string_lossy().trim_end_matches(".rs").to_owned();
-        if ["lib", "main"].contains(&user.as_str()) {
-            continue;
-        }
-        let text = std::fs::read_to_string(file).expect("source is text");
-        for (number, line) in statements(&text) {
-            for used in named(&line) {
-                uses += 1;
-                if let Some(rule) = broken(&user, &used) {
-                    problems.push(format!("src/{}:{number}: {rule}\n    {}", path.display(), line.trim()));
-                }
-            }
+    let uses = uses();
+    assert!(uses.len() > 1000, "only {} uses were found", uses.len());
+    let broken = |e: &Edge| {
+        let rule = broken(&module(&e.user), &module(&e.used))?;
+        Some(format!("src/{}:{}: {rule}: {}", e.user.display(), e.line, e.item))
+    };
+    let problems: Vec<String> = uses.iter().filter_map(broken).collect();
+    assert!(problems.is_empty(), "{} uses break the layers:\n{}", problems.len(), problems.join("\n"));
+}
+
+/// Folders that hold a group of files that still use each other in circles, a line a group.
+const CIRCLES: &[&str] = &[
+    "bench",
+    "catalogue",
+    "cli",
+    "cli",
+    "cli/args",
+    "config",
+    "files",
+    "golden",
+    "golden/fixed",
+    "golden/float",
+    "golden/published",
+    "ir",
+    "oracle",
+    "project",
+    "scene",
+    "scene/formats",
+    "scene/hard",
+    "units",
+    "units/traversal/bilinear",
+    "vectors",
+    "verilog",
+];
+
+#[test]
+fn no_files_use_each_other_in_circles() {
+    let uses = uses();
+    let circles = source::circles(&uses);
+    for circle in &circles {
+        println!("{} files of src/{} use each other:", circle.len(), source::folder(circle).display());
+        let closing = uses.iter().filter(|e| circle.contains(&e.user) && circle.contains(&e.used));
+        let mut pairs: BTreeMap<_, Vec<String>> = BTreeMap::new();
+        closing.for_each(|e| pairs.entry((&e.user, &e.used)).or_default().push(format!("{} ({})", e.item, e.line)));
+        for ((user, used), items) in pairs {
+            println!("    {} uses of {}: {}", user.display(), used.display(), items.join(", "));
         }
     }
-    assert!(uses > 100, "only {uses} uses were found in {} files", files.len());
-    assert!(problems.is_empty(), "{} uses break the layers:\n{}", problems.len(), problems.join("\n"));
+    let mut found: Vec<String> = circles.iter().map(|c| source::folder(c).display().to_string()).collect();
+    found.sort();
+    assert_eq!(found, CIRCLES, "the groups of files that use each other, printed above, and those that are listed");
 }
 
 #[test]
@@ -165,11 +144,51 @@ fn the_rules_find_what_they_are_for() {
     for (user, used) in [("golden", "config"), ("trace", "golden"), ("trace", "units"), ("measure", "oracle")] {
         assert_eq!(broken(user, used), None);
     }
-    let names = |s: &str| named(s).into_iter().collect::<Vec<_>>().join(" ");
-    assert_eq!(names("use crate::golden::float;"), "golden");
-    assert_eq!(names("pub use crate::{bits, ir::{Module, Node}, units};"), "bits ir units");
-    assert_eq!(names("let x = crate::bits::mask(3) + crate::format::ONE; // crate::cli"), "bits format");
-    let joined = statements("use crate::{\n    bits,\n    ir::Module,\n};\nlet x = 1;\n");
-    assert_eq!(joined.len(), 2);
-    assert_eq!((joined[0].0, names(&joined[0].1)), (1, "bits ir".to_owned()));
+}
+
+/// The uses in texts given as files, as `user>used:item`.
+fn uses_of(files: &[(&str, &str)]) -> Vec<String> {
+    let files: Vec<_> = files.iter().map(|(f, text)| (f.into(), (*text).to_owned())).collect();
+    let name = |e: &Edge| format!("{}>{}:{}", e.user.display(), e.used.display(), e.item);
+    source::edges(&source::modules(&files)).iter().map(name).collect()
+}
+
+#[test]
+fn a_use_is_of_the_file_that_defines_the_name() {
+    let lib = ("lib.rs", "pub mod a; pub mod b;");
+    let passed_on = ("a/mod.rs", "mod deep; pub use deep::{Thing, make as build}; pub mod open;");
+    let deep = ("a/deep.rs", "pub struct Thing; pub fn make() {}");
+    let open = ("a/open.rs", "pub fn f() {} words!(Made);");
+    let seen = |text| uses_of(&[lib, passed_on, deep, open, ("b.rs", text)]);
+    assert_eq!(
+        seen("use crate::a::{self, Thing}; fn f() { a::build() }"),
+        ["b.rs>a/deep.rs:Thing", "b.rs>a/deep.rs:build"]
+    );
+    assert_eq!(seen("use crate::a::open as o; fn f() { o::f(); x.build() } // crate::a::Thing"), ["b.rs>a/open.rs:f"]);
+    assert_eq!(
+        seen("use super::a::*; fn f(t: Thing) -> open::Made {}"),
+        ["b.rs>a/deep.rs:Thing", "b.rs>a/open.rs:Made"]
+    );
+    assert_eq!(
+        seen("pub use crate::a::Thing; use std::fmt; #[cfg(test)] mod tests { use crate::a::open::f; }"),
+        [""; 0]
+    );
+    let own = ("a/mod.rs", "mod deep; pub use deep::Thing; pub fn f(t: Thing) {}");
+    let back = ("a/deep.rs", "use super::f; pub struct Thing; fn g() { f() }");
+    assert_eq!(uses_of(&[lib, own, back]), ["a/deep.rs>a/mod.rs:f", "a/mod.rs>a/deep.rs:Thing"]);
+}
+
+#[test]
+fn circles_are_found() {
+    let edge = |user: &str, used: &str| Edge { user: user.into(), used: used.into(), line: 1, item: "x".into() };
+    let found = source::circles(&[
+        edge("a/b", "a/c"),
+        edge("a/c", "a/d/e"),
+        edge("a/d/e", "a/b"),
+        edge("a/f", "a/b"),
+        edge("a/b", "z"),
+    ]);
+    assert_eq!(found.len(), 1);
+    assert_eq!(found[0].iter().collect::<Vec<_>>(), [Path::new("a/b"), Path::new("a/c"), Path::new("a/d/e")]);
+    assert_eq!(source::folder(&found[0]), Path::new("a"));
 }

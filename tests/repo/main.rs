@@ -3,5 +3,6 @@ mod emission;
 mod glossary;
 mod guide;
 mod layers;
+mod source;
 mod unit_table;
 mod units;
