@@ -1,5 +1,6 @@
 //! Branch and toggle coverage of emitted files: Verilator counts while the benches replay what is shipped.
-use super::run::{Simulator, build_covered, link};
+use super::run::{build_covered, link};
+use super::simulator::Simulator;
 use crate::emit::emitted_name;
 use crate::error::{Error, Result};
 use crate::files::{Scratch, read_text_of_tree};

@@ -2,7 +2,7 @@
 //!
 //! A test run builds the same benches over and over, for other vectors, traffic or faults; what is built depends on the text, the parameters and the
 //! simulator alone. Without the variable nothing is kept.
-use super::run::Simulator;
+use super::simulator::Simulator;
 use crate::error::Result;
 use crate::ir::Binding;
 use std::path::{Path, PathBuf};

@@ -4,9 +4,11 @@ mod harness;
 mod kept;
 mod run;
 mod said;
+mod simulator;
 mod text;
 
 pub use coverage::{Further, Point, PointKind, cover};
 pub use harness::{COMPILERS, Harness, HarnessRun, Load, harness_text};
-pub use run::{Outcome, Paths, Simulator, run_bench, run_bench_on};
+pub use run::{Outcome, Paths, run_bench, run_bench_on};
+pub use simulator::Simulator;
 pub use text::bench_files;

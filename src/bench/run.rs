@@ -1,6 +1,7 @@
 //! Building and running a bench with Icarus Verilog or Verilator.
 use super::kept::Build;
 use super::said::Said;
+use super::simulator::Simulator;
 use crate::emit::emitted_name;
 use crate::error::{Error, Finding, Result, exit};
 use crate::files::{Scratch, only_files_in};
@@ -9,15 +10,6 @@ use crate::process;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::{Duration, Instant};
-
-/// A simulator.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Simulator {
-    /// `iverilog` and `vvp`.
-    Icarus,
-    /// `verilator`; the environment's VERILATOR names another program.
-    Verilator,
-}
 
 /// What a bench said.
 #[derive(Clone, Debug)]
@@ -32,29 +24,6 @@ pub struct Outcome {
     pub build: Duration,
     /// Time of the run.
     pub run: Duration,
-}
-
-impl Simulator {
-    /// Name as on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Icarus => "icarus",
-            Self::Verilator => "verilator",
-        }
-    }
-    /// What a build makes, in the directory where it works.
-    fn product(self) -> &'static str {
-        match self {
-            Self::Icarus => "bench.vvp",
-            Self::Verilator => "obj/Vtb",
-        }
-    }
-    fn program(self) -> String {
-        match self {
-            Self::Icarus => "iverilog".into(),
-            Self::Verilator => std::env::var("VERILATOR").unwrap_or_else(|_| "verilator".into()),
-        }
-    }
 }
 
 /// Builds `testbench/<prefix>tb_<unit>.v` of the emitted tree `dir` at `params`, runs it with `plusargs`, and reads its verdict. The plusarg

@@ -1,5 +1,5 @@
 //! Parameter values at which the vectors of a unit are checked.
-use super::unit::entry;
+use super::table::entry;
 use crate::config::Design;
 use crate::interp::elaborate;
 use crate::ir::{Binding, Module};

@@ -1,7 +1,8 @@
 //! How often the rows of a unit reach what it has to get right, for the description of its vectors.
 use super::modelled::Modelled;
 use super::row::Context;
-use super::unit::{Counted, entry};
+use super::table::entry;
+use super::unit::Counted;
 use crate::config::Design;
 use crate::golden::float::{Events, events};
 use crate::ir::Module;

@@ -9,6 +9,7 @@ mod ray_plan;
 mod ray_stimulus;
 mod rays;
 mod row;
+mod table;
 mod unit;
 
 pub use bindings::bindings;
@@ -20,7 +21,8 @@ pub use ray_plan::planned_rays;
 pub use ray_stimulus::RaySample;
 pub use rays::{RaySet, ray_columns, ray_set, ray_set_at};
 pub use row::{Context, Row};
-pub use unit::{Counted, Legal, Model, Stimulus, UNITS, Unit, entry, proofs, unit_entries};
+pub use table::{UNITS, entry, proofs, unit_entries};
+pub use unit::{Counted, Legal, Model, Stimulus, Unit};
 
 use crate::config::{Config, DatapathKind, Design};
 use crate::error::{Error, Result};

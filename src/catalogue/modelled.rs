@@ -1,6 +1,7 @@
 //! A unit's hardware beside its entry: the golden model on whole rows.
 use super::row::{Context, Row};
-use super::unit::{Model, Unit, entry};
+use super::table::entry;
+use super::unit::{Model, Unit};
 use crate::config::Design;
 use crate::ir::Module;
 

@@ -1,11 +1,8 @@
-//! The table of units: all that the project knows of a unit besides its hardware, in one entry.
-use super::entries;
+//! An entry of the table of units: all that the project knows of a unit besides its hardware.
 use super::ray_stimulus::RaySample;
 use super::row::{Context, Row};
-use crate::config::{DatapathKind, Design};
-use crate::ir::Module;
+use crate::config::DatapathKind;
 use crate::proofs::Proof;
-use std::sync::Arc;
 
 /// Writes the expected word of every output for a row of inputs.
 pub type Model = fn(&Context<'_>, &Row<'_>, &mut Row<'_>);
@@ -62,32 +59,3 @@ pub(super) const UNIT: Unit = Unit {
     counted: Counted::Nothing,
     proofs: &[],
 };
-
-/// Every unit that a design may have, by area; proofs are listed in this order.
-pub static UNITS: [&[&Unit]; 8] = [
-    entries::integer::UNITS,
-    entries::traversal::UNITS,
-    entries::float::UNITS,
-    entries::watertight::UNITS,
-    entries::fixed::UNITS,
-    entries::published::UNITS,
-    entries::bilinear::UNITS,
-    entries::stream::UNITS,
-];
-
-/// Every entry, in the order of [`UNITS`].
-pub fn unit_entries() -> impl Iterator<Item = &'static Unit> {
-    UNITS.iter().flat_map(|area| area.iter().copied())
-}
-
-/// The entry of the unit `name` of a design.
-pub fn entry(d: &Design, name: &str) -> Option<&'static Unit> {
-    unit_entries().find(|u| u.name == name && u.datapath.is_none_or(|kind| kind == d.datapath.kind))
-}
-
-/// The proofs that a design has; those of what stands inside of a unit are among them.
-pub fn proofs(units: &[Arc<Module>]) -> Vec<&'static Proof> {
-    let all: Vec<Arc<Module>> = units.iter().flat_map(|m| m.hierarchy()).collect();
-    let has = |name: &&str| all.iter().any(|m| m.name == **name);
-    unit_entries().flat_map(|u| u.proofs).filter(|p| p.units.iter().all(&has)).collect()
-}

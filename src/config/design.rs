@@ -1,5 +1,5 @@
 //! What is to be generated: format, traversal parameters, modes, latencies.
-use super::{ExtraUnits, Profile};
+use super::ExtraUnits;
 use crate::format::FloatFormat;
 use serde::{Deserialize, Serialize};
 
@@ -210,13 +210,6 @@ pub struct LatencyConfig {
     pub handshake: u32,
     /// What waits this many clocks or longer waits in a `delay_line` instead of registers: 3 to 17; 0: nothing does.
     pub delay_line: u32,
-}
-
-/// Those of [`Profile::Balanced`]: placed and routed, they meet the default clock with room to spare (`docs/clocks.md`).
-impl Default for LatencyConfig {
-    fn default() -> Self {
-        Profile::Balanced.latency(DatapathKind::Watertight)
-    }
 }
 
 /// Widths of the conversions alone (`fp_from_int`, `fp_to_int`, `fp_from_fixed`, `fp_to_fixed`).

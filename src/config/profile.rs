@@ -78,3 +78,10 @@ impl Profile {
         }
     }
 }
+
+/// Those of [`Profile::Balanced`]: placed and routed, they meet the default clock with room to spare (`docs/clocks.md`).
+impl Default for LatencyConfig {
+    fn default() -> Self {
+        Profile::Balanced.latency(DatapathKind::Watertight)
+    }
+}

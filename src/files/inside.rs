@@ -1,6 +1,9 @@
 //! What stands in an output directory: looked at without following links, opened only where it is a regular file.
+use super::beside::write_beside;
+use super::staging::writing;
+use super::system::{make_directory, open};
 use crate::error::{Error, Result};
-use std::fs::{self, File, Metadata, OpenOptions};
+use std::fs::{self, Metadata};
 use std::io;
 use std::path::{Component, Path, PathBuf};
 
@@ -63,19 +66,6 @@ pub(super) fn look(root: &Path, path: &str) -> Place {
     Place::Free
 }
 
-/// Opens for reading what is there itself, never what a link names, without waiting for whoever is at the other end of a FIFO.
-pub(super) fn open(path: &Path) -> io::Result<File> {
-    let mut how = OpenOptions::new();
-    how.read(true);
-    #[cfg(unix)]
-    {
-        use nix::libc::{O_NOCTTY, O_NOFOLLOW, O_NONBLOCK};
-        use std::os::unix::fs::OpenOptionsExt;
-        how.custom_flags(O_NOFOLLOW | O_NONBLOCK | O_NOCTTY);
-    }
-    how.open(path)
-}
-
 /// Digest of a regular file of `size` bytes, in hex; `None` if it is something else, has another size or can't be read.
 pub(super) fn digest(path: &Path, size: u64) -> Option<String> {
     let file = open(path).ok()?;
@@ -127,11 +117,11 @@ pub fn write_inside(root: &Path, path: &str, bytes: &[u8]) -> Result<()> {
     if let Place::Blocked(what, is) = look(root, path) {
         return Err(blocked(&what, is));
     }
-    let _writing = super::staging::writing();
+    let _writing = writing();
     if let Some(parent) = place.parent() {
-        super::make_directory(parent)?;
+        make_directory(parent)?;
     }
-    super::write_beside(&place, bytes)
+    write_beside(&place, bytes)
 }
 
 /// One that stands in the way.

@@ -1,8 +1,8 @@
 //! A directory of generated files that appears whole or not at all.
+use super::beside::write_beside;
 use super::inside::{Place, blocked, look, stays_inside};
 use super::listed::{Entry, Listed, MANIFEST};
 use super::staging::{Staging, writing};
-use super::write_beside;
 use crate::error::{Error, Result};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -64,7 +64,7 @@ impl OutDir {
         let (staging, fixed) = match target.is_dir() {
             false => (Staging::new(&parent, false)?, false),
             true => {
-                super::sink::writable(&target).map_err(|error| Error::file("write into", shown, error))?;
+                super::system::writable(&target).map_err(|error| Error::file("write into", shown, error))?;
                 super::staging::sweep(&target);
                 let beside = if is_mount_point(&target) { None } else { Staging::new(&parent, false).ok() };
                 match beside {

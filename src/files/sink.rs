@@ -1,5 +1,8 @@
 //! Where one file goes that a user names: a file, a device or FIFO, or standard output.
+use super::beside::write_beside;
 use super::inside::kind;
+use super::staging::writing;
+use super::system::{dangling, directory_of, writable};
 use crate::error::{Error, Result};
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write};
@@ -37,7 +40,7 @@ impl Sink {
             Ok(there) if !there.is_file() => return Ok(Self::Stream(path.to_owned())),
             Ok(_) if link => fs::canonicalize(path).map_err(|e| Error::file("find", path, e))?,
             Err(e) if link && e.kind() == io::ErrorKind::NotFound => {
-                return Err(super::dangling("", path, "file"));
+                return Err(dangling("", path, "file"));
             }
             Err(_) if link => return Err(no("it is a link that leads nowhere")),
             // A path that ends with a slash, or goes through a file.
@@ -46,7 +49,7 @@ impl Sink {
             Err(e) => return Err(Error::file("write", path, e)),
             Ok(_) => path.to_owned(),
         };
-        let directory = super::directory_of(&place);
+        let directory = directory_of(&place);
         if !directory.is_dir() {
             return Err(no(&format!("{} is not a directory", directory.display())));
         }
@@ -78,8 +81,8 @@ impl Sink {
             }
             Self::File(place) => {
                 // An interrupt waits, or the file beside would stay.
-                let _writing = super::staging::writing();
-                super::write_beside(place, bytes)
+                let _writing = writing();
+                write_beside(place, bytes)
             }
         }
     }
@@ -110,16 +113,4 @@ fn is_standard(there: &fs::Metadata) -> bool {
 #[cfg(not(unix))]
 fn is_standard(_: &fs::Metadata) -> bool {
     false
-}
-
-/// Whether files can be made in a directory.
-#[cfg(unix)]
-pub(super) fn writable(directory: &Path) -> io::Result<()> {
-    use nix::unistd::AccessFlags;
-    Ok(nix::unistd::access(directory, AccessFlags::W_OK | AccessFlags::X_OK)?)
-}
-
-#[cfg(not(unix))]
-pub(super) fn writable(_: &Path) -> io::Result<()> {
-    Ok(())
 }

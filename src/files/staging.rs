@@ -1,5 +1,5 @@
 //! Files and directories that must not outlive the process, even one that is interrupted or killed.
-use super::bare;
+use super::system::{bare, open, writable};
 use crate::error::{Error, Result};
 use std::collections::BTreeSet;
 use std::fs::{self, File};
@@ -100,7 +100,7 @@ impl Scratch {
             }
             Err(e) => return Err(no(format!("is {shown}, which can't be opened ({})", bare(e)))),
         }
-        super::sink::writable(&parent).map_err(|e| no(format!("is {shown}, where no file can be made ({e})")))?;
+        writable(&parent).map_err(|e| no(format!("is {shown}, where no file can be made ({e})")))?;
         let parent = std::path::absolute(&parent).map_err(|e| Error::file("find", parent, e))?;
         Staging::new(&parent, true).map(Self)
     }
@@ -143,7 +143,7 @@ fn remove_if_left(path: &Path) {
     if !(there.is_dir() || there.is_file()) || !own(&there) {
         return;
     }
-    let Ok(file) = super::inside::open(path) else { return };
+    let Ok(file) = open(path) else { return };
     // Held until it is gone.
     if file.try_lock().is_ok() {
         let _ = if there.is_dir() { fs::remove_dir_all(path) } else { fs::remove_file(path) };

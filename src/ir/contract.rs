@@ -2,7 +2,6 @@
 //! share a name. So each instance passes what it was generated for, and a module that is something else ends elaboration.
 use super::module::{Body, Module, Op};
 use std::fmt::Write;
-use std::sync::OnceLock;
 
 /// A term of the contract of a module: a Verilog parameter that has one legal value.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -24,16 +23,6 @@ impl Term {
 
 const LATENCY: &str = "LATENCY";
 const VARIANT: &str = "VARIANT";
-
-/// A digest that is computed once; a copy of the module, which may be altered, computes its own.
-#[derive(Debug, Default)]
-pub struct Memo(OnceLock<u32>);
-
-impl Clone for Memo {
-    fn clone(&self) -> Self {
-        Self::default()
-    }
-}
 
 impl Module {
     /// The terms that an instance of this module has to meet, in printed order: its latency in clocks where that is fixed, and its variant.

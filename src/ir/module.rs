@@ -272,7 +272,7 @@ pub struct Module {
     /// What was chosen at generation and no parameter can change: name and word, both of letters, digits and `_`.
     pub choices: Vec<(String, String)>,
     /// The digest of what is no parameter, once it was asked for.
-    pub variant_memo: super::contract::Memo,
+    pub variant_memo: super::memo::Memo,
     /// Further banner lines: formats, policies, deviations.
     pub notes: Vec<String>,
     /// Rust source file that describes it, from the crate's root.

@@ -1,6 +1,5 @@
 //! Heights to the codes that the memory holds.
 use super::height_map::{Depth, HeightMap};
-use super::load::Sink;
 use super::resample::{Column, stretch};
 use crate::config::Border;
 use crate::error::{Error, Result};
@@ -33,6 +32,12 @@ pub fn bordered_codes(
     let mut fit = Fit::new((map.width, map.height), map.depth, border, own, height_bits, ways)?;
     map.samples.chunks_exact(map.width).for_each(|row| fit.row(row));
     Ok(super::border::prepared(border, own, fit.codes()))
+}
+
+/// Takes heights in 0 to 1, row by row.
+pub(super) trait Sink {
+    /// The next row of what is kept.
+    fn row(&mut self, heights: &[f64]);
 }
 
 /// How a map of another size may be made to fit.

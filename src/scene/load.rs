@@ -1,5 +1,5 @@
 //! Height maps from files: from the file's numbers to heights in 0 to 1, row by row.
-use super::codes::{Fit, Ways};
+use super::codes::{Fit, Sink, Ways};
 use super::formats::{self, Samples};
 use super::height_map::{Depth, HeightMap};
 use super::source::Source;
@@ -92,12 +92,6 @@ fn named<T>(source: &Source, result: Result<T>) -> Result<T> {
         Error::Input(text) => Error::Input(format!("{}: {text}", source.name())),
         other => other,
     })
-}
-
-/// Takes heights in 0 to 1, row by row.
-pub(super) trait Sink {
-    /// The next row of what is kept.
-    fn row(&mut self, heights: &[f64]);
 }
 
 struct Heights {

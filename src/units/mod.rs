@@ -1,6 +1,7 @@
 //! The hardware: one file a unit, named as the unit is.
 pub mod delay_line;
 pub mod div_rows;
+mod divider;
 pub mod float;
 pub mod interleave;
 pub mod lzc;
@@ -27,14 +28,6 @@ fn arithmetic_in_registers(d: &Design) -> Vec<Arc<Module>> {
 /// Units that no traversal needs and that only come where `emit.units` or a command names them, leaves first.
 pub fn available(d: &Design) -> Vec<Arc<Module>> {
     delay_line::in_lines(chosen(d, ExtraUnits::ALL), d.latency.delay_line)
-}
-
-/// What `fp_div` stands on besides its own text.
-fn divider_core(d: &Design) -> Arc<Module> {
-    match d.latency.divider {
-        Divider::Rows => div_rows::div_rows_module(d.format.man + 1, d.format.man + 3),
-        Divider::Table => recip_table::recip_table_module(),
-    }
 }
 
 fn chosen(d: &Design, units: ExtraUnits) -> Vec<Arc<Module>> {

@@ -1,5 +1,6 @@
 //! Which inputs are tried: landmarks crossed with each other first, then the larger tables of corners, then weighted random rows;
 //! everything where the space is small (the order of TestFloat, with tables of our own).
+use super::kind::Kind;
 use super::set::Counts;
 use super::weights::{partner, word};
 use crate::bits::mask;
@@ -14,25 +15,6 @@ pub struct Plan {
     pub rows: usize,
     /// Seed (ChaCha8).
     pub seed: u64,
-}
-
-/// What the words of a column mean.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// An encoded number.
-    Float(FloatFormat),
-    /// A word of so many bits, signed or not.
-    Integer(u32),
-}
-
-impl Kind {
-    /// Bits.
-    pub const fn width(self) -> u32 {
-        match self {
-            Self::Float(f) => f.width(),
-            Self::Integer(w) => w,
-        }
-    }
 }
 
 /// Input spaces up to this many bits are tried whole.

@@ -2,7 +2,7 @@
 //! (the same rows, for other programs).
 //!
 //! A hex file starts with the number of rows and the bits of a row; each row is one line of words, separated by blanks, first column first.
-use super::levels::Campaign;
+use super::campaign::Campaign;
 use super::set::{Column, Counts, VectorSet};
 use crate::emit::Files;
 use crate::error::{Error, Result};

@@ -1,62 +1,12 @@
 //! Whole tables of corners: those of every operand crossed with those of every other, in two sizes, and in any number of parts.
-use super::corners::{Kind, SMALL, every, fractions, landmarks, random_row, signed_numbers, sorted, table};
-use super::{Counts, Plan};
+use super::campaign::{Campaign, Level};
+use super::corners::{Plan, SMALL, every, fractions, landmarks, random_row, signed_numbers, sorted, table};
+use super::kind::Kind;
+use super::set::Counts;
 use crate::bits::mask;
-use crate::error::{Error, Result};
 use crate::format::FloatFormat;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
-use serde::{Deserialize, Serialize};
-
-/// How large the tables are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
-pub enum Level {
-    /// Some 20 thousand rows of two operands, and the random ones.
-    #[value(name = "1")]
-    #[serde(rename = "1")]
-    One,
-    /// Some 440 thousand rows of two operands, and the random ones.
-    #[value(name = "2")]
-    #[serde(rename = "2")]
-    Two,
-    /// No tables: weighted random rows, of one seed after the other, until somebody stops it.
-    #[value(name = "3")]
-    #[serde(rename = "3")]
-    Three,
-}
-
-/// One part of all rows, counted from 1: every `of`-th row, so that the parts are alike.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Shard {
-    /// Which.
-    pub index: u32,
-    /// Of how many.
-    pub of: u32,
-}
-
-impl Shard {
-    /// All rows.
-    pub const WHOLE: Self = Self { index: 1, of: 1 };
-}
-
-impl std::str::FromStr for Shard {
-    type Err = Error;
-    fn from_str(text: &str) -> Result<Self> {
-        let parts = text.split_once('/').and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
-        let shard = parts.map(|(index, of)| Self { index, of });
-        let wrong = || Error::input(format!("--shard {text} is no part of a whole: 3/16 is the third of 16 parts"));
-        shard.filter(|s| s.index >= 1 && s.index <= s.of).ok_or_else(wrong)
-    }
-}
-
-/// Tables crossed whole, then `plan.rows` weighted random rows; of these, one part.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Campaign {
-    /// Size of the tables.
-    pub level: Level,
-    /// Part.
-    pub shard: Shard,
-}
 
 /// Rows of a campaign for these columns; every input once where there are few.
 pub fn campaign_rows(columns: &[Kind], plan: Plan, c: Campaign) -> (Vec<Vec<u64>>, Counts) {

@@ -1,5 +1,5 @@
 //! A set of vectors in memory.
-use super::levels::Campaign;
+use super::campaign::Campaign;
 use crate::ir::Binding;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

@@ -1,5 +1,5 @@
 //! Random words, weighted toward what units decide about: equal and neighbouring operands, cancellation, ties, ends of the range.
-use super::corners::Kind;
+use super::kind::Kind;
 use crate::bits::mask;
 use crate::format::FloatFormat;
 use rand::Rng;

@@ -2,7 +2,11 @@
 //! or a texel that the ray never sees, and a unit that clamps or refuses them hides what it computes.
 mod fixed;
 mod published;
+mod sample;
 mod watertight;
+
+use sample::AxisSample;
+pub use sample::RaySample;
 
 use super::unit::Stimulus;
 use crate::config::{DatapathKind, Design};
@@ -10,59 +14,6 @@ use crate::golden::fixed::Fixed;
 use crate::golden::{Published, Watertight};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
-
-/// A ray at some level and parameter, as the datapath encodes it; indices are words of IDX_W bits. What a datapath has not is 0.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct RaySample {
-    /// The ports u, v, du, dv: a ray, or what is refused as one.
-    ray: [u64; 4],
-    /// Level of the node.
-    level: u64,
-    axes: [AxisSample; 2],
-    /// Height code of the node.
-    height: u64,
-    /// Parameter so far.
-    t: u64,
-    /// Parameter at which the ray is in the node and at or below its height.
-    m: u64,
-    /// Parameter of the nearer exit plane.
-    t_exit: u64,
-}
-
-/// What a sample says about one axis.
-#[derive(Clone, Copy, Debug, Default)]
-struct AxisSample {
-    /// Entry point, and the same biased backward and forward.
-    p: u64,
-    p_back: u64,
-    p_ahead: u64,
-    /// Travel (a float: in a datapath's unit; fixed point: its magnitude `a`, and `s` a height code).
-    d: u64,
-    a: u64,
-    s: u64,
-    /// Reciprocal of the travel, and its power of two.
-    r: u64,
-    z: u64,
-    /// Toward smaller coordinates; not along this axis at all.
-    neg: u64,
-    never: u64,
-    /// Texels of the ray's ends, and a texel that it does not get beyond.
-    entry: u64,
-    end: u64,
-    last: u64,
-    /// The texel in which the ray is, the extent of the node that it may still go through, and the node's exit plane with its parameter.
-    at: u64,
-    low: u64,
-    high: u64,
-    plane: u64,
-    edge: u64,
-    t_plane: u64,
-    /// Predicted hit, as a texel and as a position; the texel reached when the ray leaves the node; the position there.
-    hit: u64,
-    position: u64,
-    reach: u64,
-    cross: u64,
-}
 
 /// Samples rays for a design.
 enum Sampler {

@@ -1,7 +1,7 @@
 //! ESRI ASCII grids.
+use super::opened::{Info, Opened, Rows, Samples, broken, oblong, sized};
 use super::pick::Pick;
 use super::plain::Words;
-use super::{Info, Opened, Rows, Samples, broken, oblong, sized};
 use crate::config::MapConfig;
 use crate::error::Result;
 use crate::files::MARK;

@@ -1,5 +1,5 @@
 //! Block compression of one channel: 4 x 4 texels in 8 bytes, two ends and a place between them for each.
-use super::{Rows, broken, filled};
+use super::opened::{Rows, broken, filled};
 use crate::error::Result;
 use crate::scene::source::{Handle, Source};
 use std::io::SeekFrom;

@@ -1,8 +1,8 @@
 //! DirectDraw surfaces of one channel; of mipmaps, the largest.
 use super::bc4::Bc4;
+use super::opened::{Info, Opened, Samples, broken, sized};
 use super::packed::{Layout, Packed, Stored};
 use super::pick::Pick;
-use super::{Info, Opened, Samples, broken, sized};
 use crate::config::MapConfig;
 use crate::error::Result;
 use crate::scene::source::Source;

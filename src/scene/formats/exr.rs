@@ -1,6 +1,6 @@
 //! OpenEXR by part and channel, block after block. What lies in the display window but not in the data window has no data.
+use super::opened::{Info, Opened, Rows, Samples, broken, filled, noted, oblong, sized};
 use super::pick::Pick;
-use super::{Info, Opened, Rows, Samples, broken, filled, noted, oblong, sized};
 use crate::config::MapConfig;
 use crate::error::{Error, Result};
 use crate::scene::source::Handle;

@@ -1,7 +1,7 @@
 //! Kinds that the crate `image` reads whole: BMP, TGA, WebP, and JPEG where it is asked for.
+use super::opened::{Info, Opened, Rows, Samples, broken, filled, sized};
 use super::orient::{of_exif, upright};
 use super::pick::Pick;
-use super::{Info, Opened, Rows, Samples, broken, filled, sized};
 use crate::config::MapConfig;
 use crate::error::{Error, Result};
 use crate::scene::source::Source;

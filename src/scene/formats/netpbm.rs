@@ -1,10 +1,10 @@
 //! The portable maps: PBM, PGM, PPM in text and in bytes, PAM, and their floating-point sister PFM.
 //!
 //! Read here because a maximum other than 255 or 65535 must not be rescaled on the way: 10-bit data stays 10-bit.
+use super::opened::{Info, Opened, Rows, Samples, broken, sized};
 use super::packed::{Layout, Packed, Stored, above};
 use super::pick::Pick;
 use super::plain::Words;
-use super::{Info, Opened, Rows, Samples, broken, sized};
 use crate::config::MapConfig;
 use crate::error::Result;
 use crate::scene::source::Source;

@@ -1,5 +1,5 @@
 //! Pictures that are stored turned or mirrored.
-use super::{Info, Opened, Rows, filled};
+use super::opened::{Info, Opened, Rows, filled};
 use crate::error::{Error, Result};
 
 /// A picture whose stored rows must be turned, as the tag of TIFF and EXIF says: 1 is upright, 2 mirrored, 3 upside down, 4 both, 5 to 8

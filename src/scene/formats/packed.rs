@@ -1,6 +1,6 @@
 //! Rows of samples that lie one after another in the file, uncompressed.
+use super::opened::{Rows, broken, filled};
 use super::pick::Pick;
-use super::{Rows, broken, filled};
 use crate::error::{Error, Result};
 use crate::scene::source::{Handle, Source};
 use std::io::SeekFrom;

@@ -1,5 +1,5 @@
 //! Words of a text file, one after the other, without the file in memory.
-use super::broken;
+use super::opened::broken;
 use crate::error::Result;
 use crate::scene::source::Handle;
 use std::io::{BufRead, Seek};

@@ -1,7 +1,7 @@
 //! PNG at its own depth, row by row.
+use super::opened::{Info, Opened, Rows, Samples, broken, filled, sized};
 use super::orient::{of_exif, upright};
 use super::pick::Pick;
-use super::{Info, Opened, Rows, Samples, broken, filled, sized};
 use crate::config::MapConfig;
 use crate::error::Result;
 use crate::scene::source::Handle;

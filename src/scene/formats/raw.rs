@@ -1,7 +1,7 @@
 //! Files without a header: R16, RAW, and the tiles of the Shuttle Radar Topography Mission.
+use super::opened::{Info, Opened, Samples, sized};
 use super::packed::{Layout, Packed, Stored};
 use super::pick::Pick;
-use super::{Info, Opened, Samples, sized};
 use crate::config::{ByteOrder, MapConfig};
 use crate::error::{Error, Result};
 use crate::scene::source::Source;

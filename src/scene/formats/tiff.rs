@@ -1,8 +1,8 @@
 //! TIFF, BigTIFF and GeoTIFF: tags by the crate `tiff`, pages, palettes, and no-data values.
+use super::opened::{Info, Opened, Samples, broken, noted, oblong, sized};
 use super::orient::upright;
 use super::pick::Pick;
-use super::tiff_chunks::{Chunks, Grid, Meaning, Number};
-use super::{Info, Opened, Samples, broken, noted, oblong, sized};
+use super::tiff_chunks::{Chunks, Grid, KIND, Meaning, Number};
 use crate::config::MapConfig;
 use crate::config::check::plain;
 use crate::error::{Error, Result};
@@ -12,7 +12,6 @@ use std::io::{Read, Seek, SeekFrom};
 use tiff::decoder::Decoder;
 use tiff::tags::{CompressionMethod, PhotometricInterpretation as Photo, SampleFormat, Tag};
 
-pub(super) const KIND: &str = "TIFF";
 /// Tags that divide a picture into strips or tiles.
 const SIDES: [(u64, &str); 3] = [(278, "RowsPerStrip"), (322, "TileWidth"), (323, "TileLength")];
 const ZERO: [u8; 8] = [0; 8];

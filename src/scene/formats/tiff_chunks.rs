@@ -2,15 +2,16 @@
 //!
 //! Unpacked here: the crate `tiff` knows neither whole numbers of other than 8, 16, 32 and 64 bits nor palettes, and its checks of sizes
 //! come after what they should prevent. The compressions themselves are other crates'; those with loss and fax stay with `tiff`.
+use super::opened::{Rows, broken, filled};
 use super::pick::Pick;
-use super::tiff::KIND;
 use super::tiff_packed::{Turned, lzw, pack_bits, unpacked_here, word};
-use super::{Rows, broken, filled};
 use crate::error::{Error, Result};
 use crate::scene::source::Handle;
 use std::io::{Read, SeekFrom};
 use tiff::decoder::{Decoder, DecodingResult};
 use tiff::tags::{CompressionMethod, Tag};
+
+pub(super) const KIND: &str = "TIFF";
 
 /// A chunk may be larger than the picture by this many bytes.
 const SMALL: u64 = 1 << 20;

@@ -1,5 +1,5 @@
 //! Cases about the ray's direction and length.
-use super::Case;
+use super::case::Case;
 use super::draw::Draw;
 
 pub(super) const CASES: &[Case] = &[

@@ -1,5 +1,5 @@
 //! Cases about heights: the extreme codes, and heights that the ray meets exactly where it enters or leaves a texel.
-use super::Case;
+use super::case::Case;
 use super::draw::{Draw, Ray};
 
 pub(super) const CASES: &[Case] = &[

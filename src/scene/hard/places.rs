@@ -1,7 +1,13 @@
 //! Cases about where the ray enters, what lies behind the map's border, how large the map is, and how long the way is.
-use super::Case;
+use super::case::Case;
 use super::draw::{Draw, Ray};
 use crate::scene::border::{clamped, mirrored};
+
+/// A case of a map of 2^levels texels a side.
+const fn sized(name: &'static str, levels: u32) -> Case {
+    let about = "a map of this many texels a side, rays anywhere, on corners, and over several tiles";
+    Case { name, about, limit: false, levels: Some(levels), make: any_size }
+}
 
 pub(super) const CASES: &[Case] = &[
     Case::new("entry-border", "enters on a texel border, and a few last places beside one", |d| {
@@ -54,17 +60,17 @@ pub(super) const CASES: &[Case] = &[
             },
         )
     },
-    Case::sized("size-4", 2),
-    Case::sized("size-8", 3),
-    Case::sized("size-16", 4),
-    Case::sized("size-32", 5),
-    Case::sized("size-64", 6),
-    Case::sized("size-128", 7),
-    Case::sized("size-256", 8),
-    Case::sized("size-512", 9),
-    Case::sized("size-1024", 10),
-    Case::sized("size-2048", 11),
-    Case::sized("size-4096", 12),
+    sized("size-4", 2),
+    sized("size-8", 3),
+    sized("size-16", 4),
+    sized("size-32", 5),
+    sized("size-64", 6),
+    sized("size-128", 7),
+    sized("size-256", 8),
+    sized("size-512", 9),
+    sized("size-1024", 10),
+    sized("size-2048", 11),
+    sized("size-4096", 12),
     Case::new("longest-path", "a stair-shaped trench that only texels show: every one of its texels is visited", |d| {
         let (top, side) = (d.numbers.top, d.numbers.side());
         (d.map(|i, j| if (j + side - i) % side < 2 { 0 } else { top }), |d| {
@@ -81,7 +87,7 @@ pub(super) const CASES: &[Case] = &[
 ];
 
 /// The map of the cases that differ in size only.
-pub(super) fn any_size(d: &Draw) -> (Vec<u32>, fn(&mut Draw) -> Ray) {
+fn any_size(d: &Draw) -> (Vec<u32>, fn(&mut Draw) -> Ray) {
     (d.rough(), |d| {
         let most = 4f64.min(d.numbers.longest());
         match d.below(4) {

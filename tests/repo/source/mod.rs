@@ -5,3 +5,4 @@ mod tokens;
 
 pub use graph::{Edge, circles, edges, folder};
 pub use modules::{files, modules};
+pub use tokens::{closing, tokens};

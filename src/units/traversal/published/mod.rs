@@ -28,7 +28,7 @@ use super::loop_state::{Field, Numbers, Sizes, Start};
 use super::params::float_sizes;
 use crate::config::{Design, LevelUp};
 use crate::ir::{Builder, Expr, Module};
-use crate::units::divider_core;
+use crate::units::divider::divider_core;
 use crate::units::float::{self, FormatParams};
 use std::sync::Arc;
 

@@ -21,7 +21,7 @@ use super::params::ray_conditions;
 use super::plane_iteration::{PlaneUnits, plane_iteration};
 use crate::config::{Design, Trim};
 use crate::ir::{Expr, Module};
-use crate::units::divider_core;
+use crate::units::divider::divider_core;
 use crate::units::float::{self, FormatParams};
 use std::sync::Arc;
 
