@@ -4,5 +4,6 @@ mod glossary;
 mod guide;
 mod layers;
 mod source;
+mod structure;
 mod unit_table;
 mod units;
