@@ -49,7 +49,7 @@ fn small_netlists_replay_the_vectors() {
 /// Everything, as many at a time as there are cores. With `RELIEFRTL_REFRESH=1` only what the stored results are not of, and each result is stored at once;
 /// without, all that is stored, and the results are the stored ones.
 #[test]
-#[ignore = "an hour of synthesis and simulation; part of sh tools/test.sh --full"]
+#[ignore = "half an hour of synthesis and simulation; part of sh tools/test.sh --full"]
 fn netlists_replay_as_the_stored_results_say() {
     if without_tools() {
         return;
@@ -87,25 +87,6 @@ fn netlists_replay_as_the_stored_results_say() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Replayed on the text from before its nets were renamed and its delays bundled; minutes each, and not yet done again.
-const EARLIER_TEXT: [&str; 15] = [
-    "traverse of liberty by the first Yosys",
-    "traverse of ecp5 by the first Yosys",
-    "traverse of gowin by the first Yosys",
-    "traverse of xilinx by the first Yosys",
-    "traverse of ice40 by the first Yosys",
-    "traverse of ecp5 by the first Yosys, no memories and multipliers",
-    "traverse of gowin by the first Yosys, no memories and multipliers",
-    "traverse of xilinx by the first Yosys, no memories and multipliers",
-    "traverse of ice40 by the first Yosys, no memories and multipliers",
-    "traverse of generic by the newest Yosys",
-    "traverse of liberty by the newest Yosys",
-    "traverse of ecp5 by the newest Yosys",
-    "traverse of gowin by the newest Yosys",
-    "traverse of xilinx by the newest Yosys",
-    "traverse of ice40 by the newest Yosys",
-];
-
 /// A result of another text, script or model is no result.
 #[test]
 fn stored_results_are_of_the_text_that_is_emitted_now() {
@@ -133,5 +114,5 @@ fn stored_results_are_of_the_text_that_is_emitted_now() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     let again =
         "RELIEFRTL_REFRESH=1 cargo test --release --test report netlists_replay -- --ignored measures them again";
-    assert_eq!(stale, EARLIER_TEXT, "results of another text; {again}");
+    assert!(stale.is_empty(), "results of another text; {again}: {stale:?}");
 }
