@@ -6,6 +6,7 @@ pub mod catalogue;
 pub mod cli;
 pub mod config;
 pub mod emit;
+pub mod engine;
 pub mod error;
 pub mod files;
 pub mod fit;

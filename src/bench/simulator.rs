@@ -24,6 +24,14 @@ impl Simulator {
             Self::Verilator => "obj/Vtb",
         }
     }
+    /// Programs that it starts.
+    pub fn programs(self) -> Vec<String> {
+        match self {
+            Self::Icarus => vec![self.program(), "vvp".into()],
+            Self::Verilator => vec![self.program(), "make".into()],
+        }
+    }
+    /// The program that builds.
     pub(super) fn program(self) -> String {
         match self {
             Self::Icarus => "iverilog".into(),

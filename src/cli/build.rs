@@ -1,17 +1,18 @@
-//! `reliefrtl build`: the whole way, and a summary. `vectors`: the golden vectors alone.
-use super::args::{BuildArgs, Cli, Engine, VectorsArgs};
+//! `reliefrtl build`: the whole way, and a summary.
+use super::args::{BuildArgs, Cli};
 use super::output::{spinner, table};
-use crate::config::View;
-use crate::error::{Error, Result};
-use crate::files::Part;
+use crate::config::{Config, View};
+use crate::engine::EngineName;
+use crate::error::Result;
+use crate::golden::RayHit;
 use crate::measure::steps;
-use crate::project::{self, Scene, check_tree};
-use crate::scene::Camera;
+use crate::project::{self, Scene, check_tree, encode, surface_picture};
+use crate::scene::{Camera, ViewRay};
 use serde_json::json;
 
 /// Runs `build`.
 pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
-    let c = super::config::load(cli)?;
+    let c = super::load::load(cli)?;
     let mut dir = super::output::directory(&a.out)?.of(c.hash());
     let bar = spinner(cli, "building");
     let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
@@ -23,18 +24,18 @@ pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
     let camera = Camera::standard(View::Oblique, c.view.width, c.view.height);
     let stride = c.view.stride.min(2);
     bar.set_message("tracing the picture through the datapath");
-    let (rays, hits) = super::render::trace(cli, &c, Engine::Interp, &scene, &camera, stride)?;
-    let picture = super::render::picture(&c, &scene, &camera, stride, &rays, &hits, false)?.to_png()?;
+    let (rays, hits) = traced(&c, &scene, &camera, stride)?;
+    let picture = surface_picture(&c, &scene, &camera, stride, &rays, &hits, false).to_png()?;
     p.files.iter().try_for_each(|(path, text)| dir.add(path, text.as_bytes()))?;
     dir.add("preview.png", &picture)?;
     dir.commit()?;
     bar.set_message("checking every vector in the interpreter");
-    let checked = check_tree(&c, &a.out, None, &[], None, None, &|_| ())?;
+    let checked = check_tree(&c, &a.out, EngineName::Interp, &[], None, None, &|_| ())?;
     let mut views = Vec::new();
     for view in &c.view.names {
         bar.set_message(format!("tracing the {view} view"));
         let camera = Camera::standard(*view, c.view.width, c.view.height);
-        let (_, hits) = super::render::trace(cli, &c, Engine::Interp, &scene, &camera, c.view.stride)?;
+        let (_, hits) = traced(&c, &scene, &camera, c.view.stride)?;
         views.push((view, steps(&hits)));
     }
     bar.finish_and_clear();
@@ -67,7 +68,7 @@ pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
         t.setup, t.slots, t.finish
     );
     println!("golden vectors, checked by the interpreter of the emitted datapath:");
-    super::check::print(cli, &checked);
+    super::checked::print(cli, &checked);
     println!(
         "\nrays traced through the datapath (every {}th pixel of {} x {} in each direction):",
         c.view.stride, c.view.width, c.view.height
@@ -110,6 +111,14 @@ pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
     Ok(())
 }
 
+/// Rays of a camera, and their hits in the interpreter.
+fn traced(c: &Config, scene: &Scene, camera: &Camera, stride: u32) -> Result<(Vec<ViewRay>, Vec<RayHit>)> {
+    let rays = scene.rays(c, camera, stride)?;
+    let words: Vec<_> = rays.iter().map(|r| encode(c, r)).collect();
+    let hits = EngineName::Interp.engine().trace(c, &scene.pyramid, &words)?.hits;
+    Ok((rays, hits))
+}
+
 /// The map for machines: what was taken of its file, or the name of a procedural one.
 fn map_of(scene: &Scene) -> serde_json::Value {
     scene.taken.as_ref().map_or_else(|| json!({"kind": scene.name}), |taken| json!(taken))
@@ -123,42 +132,6 @@ fn print_map(cli: &Cli, scene: &Scene) -> Result<()> {
             Some(taken) => println!("map {taken}"),
             None => println!("map {}: made, no file", scene.name),
         }
-    }
-    Ok(())
-}
-
-/// Runs `vectors`.
-pub fn vectors(cli: &Cli, a: &VectorsArgs) -> Result<()> {
-    let (c, alone) = super::config::load_for(cli, &a.unit)?;
-    let campaign = a.campaign.campaign(!alone.is_empty())?;
-    let over = project::parameters(&a.param)?;
-    alone.iter().try_for_each(|m| project::accepts(m, &over))?;
-    let dir = super::output::directory(&a.out)?;
-    let bar = spinner(cli, "computing vectors");
-    let own: Vec<String> = a.unit.iter().map(|name| format!("golden/{name}/")).collect();
-    let files = if alone.is_empty() && !over.is_empty() {
-        let map = a.map.map.as_deref();
-        let each = a.unit.iter().map(|name| project::unit_vectors(&c, name, &over, map, a.map.resample));
-        each.collect::<Result<Vec<_>>>()?.into_iter().flatten().collect()
-    } else if alone.is_empty() {
-        let scene = Scene::new(&c, a.map.map.as_deref(), a.map.resample)?;
-        let mut files = project::vectors(&c, &scene)?;
-        files.retain(|f, _| own.is_empty() || own.iter().any(|dir| f.starts_with(dir)));
-        files
-    } else {
-        alone.iter().flat_map(|m| project::alone_vectors(&c, m, &over, campaign)).collect()
-    };
-    if files.is_empty() {
-        return Err(Error::NothingRan(crate::catalogue::without_vectors(&c.design(), &a.unit)));
-    }
-    let own: Vec<&str> = if own.is_empty() { vec!["golden/"] } else { own.iter().map(String::as_str).collect() };
-    let part = Part { config: c.hash(), replaces: &own, alone_in: &[] };
-    super::output::fill(dir.only(part), &files)?;
-    bar.finish_and_clear();
-    if cli.json {
-        println!("{}", json!({"out": a.out, "files": files.keys().collect::<Vec<_>>()}));
-    } else {
-        println!("{} files in {}", files.len(), a.out.join("golden").display());
     }
     Ok(())
 }

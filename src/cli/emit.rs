@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 /// Runs `emit`.
 pub fn run(cli: &Cli, a: &EmitArgs) -> Result<()> {
-    let (c, alone) = super::config::load_for(cli, &a.unit)?;
+    let (c, alone) = super::load::load_for(cli, &a.unit)?;
     let dir = super::output::directory(&a.out)?;
     let (count, files) = match (&alone[..], &a.unit[..]) {
         ([], []) => {
@@ -29,7 +29,7 @@ pub fn run(cli: &Cli, a: &EmitArgs) -> Result<()> {
         true => Part { config: c.hash(), replaces: &places, alone_in: &[] },
         false => Part { config: c.hash(), replaces: &[], alone_in: &places },
     };
-    super::output::fill(dir.only(part), &files)?;
+    emit::fill(dir.only(part), &files)?;
     if cli.json {
         let names: Vec<&String> = files.keys().collect();
         println!("{}", serde_json::json!({"out": a.out, "files": names}));

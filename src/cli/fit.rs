@@ -11,7 +11,7 @@ use serde_json::json;
 
 /// Runs `fit`.
 pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
-    let c = super::config::load(cli)?;
+    let c = super::load::load(cli)?;
     let budget = match (a.max_wrong_texel, a.max_uv_error) {
         (Some(share), None) if (FEWEST..1.0).contains(&share) => Budget::WrongTexel(share),
         (Some(share), None) => {

@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 /// Runs `list`.
 pub fn run(cli: &Cli) -> Result<()> {
-    let c = super::config::load(cli)?;
+    let c = super::load::load(cli)?;
     let design = c.design();
     let modules = units::all(&design);
     let t = traverse(&design);

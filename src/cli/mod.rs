@@ -6,24 +6,24 @@ mod args;
 mod bench;
 mod build;
 mod check;
+mod checked;
 mod config;
 mod emit;
-mod endless;
 mod fit;
 mod hard;
 mod interrupt;
 mod list;
+mod load;
+mod lost;
 mod output;
 mod prove;
-mod rates;
-mod refined;
 mod render;
 mod report;
-mod restate;
 mod shell;
 mod steps;
 mod synth;
 mod trace;
+mod vectors;
 mod views;
 
 pub use args::Cli;
@@ -54,7 +54,7 @@ pub fn main() -> i32 {
                 } else {
                     print!("{}", e.render());
                 }
-                return print::finish(exit::OK);
+                return print::finish(exit::OK, output::error);
             }
         }
     };
@@ -72,7 +72,7 @@ pub fn main() -> i32 {
             e.exit_code()
         }
     };
-    let code = print::finish(code);
+    let code = print::finish(code, output::error);
     // Its handler ends the process, with another code.
     while crate::process::stopping() {
         std::thread::sleep(std::time::Duration::from_secs(1));
@@ -85,7 +85,7 @@ fn run(cli: &Cli) -> Result<()> {
     match &cli.verb {
         Verb::Build(a) => build::run(cli, a),
         Verb::Emit(a) => emit::run(cli, a),
-        Verb::Vectors(a) => build::vectors(cli, a),
+        Verb::Vectors(a) => vectors::run(cli, a),
         Verb::Check(a) => check::run(cli, a),
         Verb::Prove(a) => prove::run(cli, a),
         Verb::Trace(a) => trace::run(cli, a),

@@ -1,6 +1,5 @@
 //! How results and errors reach the user.
 use super::args::Cli;
-use crate::emit::Files;
 use crate::error::{Error, Finding, Result, exit};
 use crate::files::{OutDir, Sink, tree_of};
 use crate::interp::WaveFormat;
@@ -184,23 +183,6 @@ pub fn tree(dir: &Path, needed: &str) -> Result<()> {
 pub fn open_directory(out: &Path) -> Result<()> {
     no_dash(out)?;
     crate::files::open_directory(out)
-}
-
-/// Writes `files` into a tree that was started: all of them, or none.
-///
-/// # Errors
-/// If the directory can't be written, or holds what does not go with them.
-pub fn fill(mut dir: OutDir, files: &Files) -> Result<()> {
-    files.iter().try_for_each(|(path, text)| dir.add(path, text.as_bytes()))?;
-    dir.commit().map(|_| ())
-}
-
-/// Writes `files` under `out`: all of them, or none.
-///
-/// # Errors
-/// If the directory can't be written.
-pub fn write_tree(out: &Path, files: &Files) -> Result<()> {
-    fill(OutDir::new(out)?, files)
 }
 
 /// Refuses an output (`--out`, `--wave`) that would replace one of the inputs.

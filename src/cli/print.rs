@@ -1,5 +1,5 @@
 //! What is said to the user. The macros stand for the standard library's, which end in a panic when nobody listens any more or the disk is full.
-use crate::error::exit;
+use crate::error::{Error, exit};
 use crate::files::standard_failed;
 use std::fmt::Arguments;
 use std::io::{self, ErrorKind, Write};
@@ -48,8 +48,8 @@ pub fn tell(text: Arguments<'_>) {
     let _ = io::stderr().write_fmt(text);
 }
 
-/// The exit code of a run whose own is `code`, after its last word: a run that went well and could not say so did not.
-pub fn finish(code: i32) -> i32 {
+/// The exit code of a run whose own is `code`, after its last word: a run that went well and could not say so did not, which `report` says.
+pub fn finish(code: i32, report: impl FnOnce(&Error)) -> i32 {
     flush();
     let failed = FAILED.lock().unwrap_or_else(PoisonError::into_inner).take();
     let own = match failed {
@@ -58,7 +58,7 @@ pub fn finish(code: i32) -> i32 {
         Some(e) if e.kind() == ErrorKind::BrokenPipe => exit::READER_GONE,
         Some(e) => {
             let e = standard_failed(e);
-            super::output::error(&e);
+            report(&e);
             e.exit_code()
         }
     };

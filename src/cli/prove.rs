@@ -2,6 +2,7 @@
 use super::args::{Cli, ProveArgs};
 use super::output::{spinner, table};
 use crate::catalogue::proofs;
+use crate::emit::write_tree;
 use crate::error::{Error, Result};
 use crate::files::Scratch;
 use crate::project::{Scene, project};
@@ -10,7 +11,7 @@ use crate::units;
 
 /// Runs `prove`.
 pub fn run(cli: &Cli, a: &ProveArgs) -> Result<()> {
-    let c = super::config::load(cli)?;
+    let c = super::load::load(cli)?;
     let mut list = proofs(&units::all(&c.design()));
     if let Some(name) = &a.unit {
         let names: Vec<&str> = list.iter().map(|p| p.name).collect();
@@ -39,7 +40,7 @@ pub fn run(cli: &Cli, a: &ProveArgs) -> Result<()> {
         Some(dir) => dir.clone(),
         None => {
             let tree = work.path().join("tree");
-            super::output::write_tree(&tree, &project(&c, &Scene::new(&c, None, false)?)?.files)?;
+            write_tree(&tree, &project(&c, &Scene::new(&c, None, false)?)?.files)?;
             tree
         }
     };

@@ -1,16 +1,11 @@
 //! `reliefrtl render`: the map as a picture, every pixel traced through the datapath.
-use super::args::{Cli, Engine, RenderArgs};
-use super::trace::Lost;
+use super::args::{Cli, RenderArgs};
 use super::views::Pixels;
 use crate::config::{Config, View};
 use crate::error::{Error, Result};
 use crate::files::Sink;
-use crate::golden::RayHit;
-use crate::project::{Scene, encode};
-use crate::scene::border::tiles;
-use crate::scene::hard::{HardScene, footprints};
-use crate::scene::{Camera, Picture, RaySet, Shader, ViewRay};
-use crate::trace::shade_point;
+use crate::project::{Lost, Scene, encode, footprint_picture, surface_picture};
+use crate::scene::{Picture, RaySet};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -30,7 +25,7 @@ struct Drawn {
 
 /// Runs `render`.
 pub fn run(cli: &Cli, a: &RenderArgs) -> Result<()> {
-    let c = super::config::load(cli)?;
+    let c = super::load::load(cli)?;
     let sets = super::views::sets(&a.scene, &[View::Oblique], false)?;
     if let Some(n) = a.scene.count() {
         return Err(Error::input(format!(
@@ -79,7 +74,7 @@ pub fn run(cli: &Cli, a: &RenderArgs) -> Result<()> {
                 d.beyond
             );
         }
-        d.lost.print(&c, d.rays);
+        super::lost::print(&d.lost, &c, d.rays);
     }
     Ok(())
 }
@@ -106,71 +101,20 @@ fn draw(cli: &Cli, c: &Config, a: &RenderArgs, scene: &Scene, set: &RaySet, out:
         return Err(super::views::no_ray(&set.given));
     }
     let encoded: Vec<_> = rays.iter().map(|r| encode(c, r)).collect();
-    let hits = super::trace::hits(cli, c, a.engine, scene, &encoded)?;
+    let hits = {
+        let bar = super::output::spinner(cli, format!("tracing {} rays", encoded.len()));
+        let traced = a.engine.engine().trace(c, &scene.pyramid, &encoded)?;
+        bar.finish_and_clear();
+        traced.hits
+    };
     let lost = Lost::of(&hits);
     lost.verdict(hits.len())?;
     let (all, picture) = match set.camera(c.view.width, c.view.height) {
         Some(camera) => (
             camera.rays(c.map.scale, c.map.repeat, stride).len(),
-            picture(c, scene, &camera, stride, &rays, &hits, a.steps)?,
+            surface_picture(c, scene, &camera, stride, &rays, &hits, a.steps),
         ),
-        None => (rays.len(), from_above(c, scene, set, &rays, &hits)),
+        None => (rays.len(), footprint_picture(c, scene, set, &rays, &hits)),
     };
     Ok(Drawn { name: set.name.clone(), out, picture, rays: hits.len(), lost, beyond: all - rays.len() })
-}
-
-/// A table's rays on the map from above.
-fn from_above(c: &Config, scene: &Scene, set: &RaySet, rays: &[ViewRay], hits: &[RayHit]) -> Picture {
-    let d = c.design();
-    let rays = rays.iter().map(|r| [r.u, r.v, r.du, r.dv]).collect();
-    let hard = HardScene { design: d, texels: scene.texels.clone(), rays };
-    footprints(&hard, &set.name, c.map.seed, &super::hard::ends(&d, hits))
-}
-
-/// Rays of a camera and their hits.
-///
-/// # Errors
-/// As the engine.
-pub fn trace(
-    cli: &Cli,
-    c: &Config,
-    engine: Engine,
-    scene: &Scene,
-    camera: &Camera,
-    stride: u32,
-) -> Result<(Vec<ViewRay>, Vec<RayHit>)> {
-    let rays = scene.rays(c, camera, stride)?;
-    let encoded: Vec<_> = rays.iter().map(|r| encode(c, r)).collect();
-    let hits = super::trace::hits(cli, c, engine, scene, &encoded)?;
-    Ok((rays, hits))
-}
-
-/// The picture of hits: the surface, or the iterations.
-///
-/// # Errors
-/// None today; pictures of impossible sizes are refused by the camera.
-pub fn picture(
-    c: &Config,
-    scene: &Scene,
-    camera: &Camera,
-    stride: u32,
-    rays: &[ViewRay],
-    hits: &[RayHit],
-    steps: bool,
-) -> Result<Picture> {
-    let (w, h) = camera.picture_size(stride);
-    let (w, h) = (w as usize, h as usize);
-    let at = |r: &ViewRay| (r.py / stride) as usize * w + (r.px / stride) as usize;
-    let t = &c.traverse;
-    if steps {
-        let mut pixels = vec![None; w * h];
-        rays.iter().zip(hits).for_each(|(r, x)| pixels[at(r)] = Some(x.steps));
-        return Ok(Picture::steps(w, h, &pixels));
-    }
-    let d = c.design();
-    let mut pixels = vec![None; w * h];
-    rays.iter().zip(hits).for_each(|(r, x)| pixels[at(r)] = Some(shade_point(&d, x)));
-    let shader =
-        Shader::new(&scene.texels, t.levels, t.height_bits, c.map.scale, tiles(c.map.border, c.map.repeat), scene.kind);
-    Ok(Picture::shaded(&shader, w, h, &pixels))
 }

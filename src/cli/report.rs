@@ -11,7 +11,7 @@ use std::io::IsTerminal;
 /// Runs `report`.
 pub fn run(cli: &Cli, a: &ReportArgs) -> Result<()> {
     super::output::open_directory(&a.out)?;
-    let mut c = super::config::load(cli)?;
+    let mut c = super::load::load(cli)?;
     c.map.resample |= a.scene.map.resample;
     let plan = Plan::new(&c, &selection(&c, a)?)?;
     if plan.cells.is_empty() {

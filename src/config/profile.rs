@@ -2,7 +2,7 @@
 use super::{DatapathKind, Design, Divider, LatencyConfig};
 
 /// A named set of latencies. Clocks that were measured of each: `docs/clocks.md`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Profile {
     /// Those of the published unit: add 2, multiply 1, compare 1, divide 2 (PIDM-HW section 4.2). Where the divider is outside of the loop, it is
     /// as deep as the rest needs, and what the published numbers do not name has the registers that 84 MHz need on an ECP5.

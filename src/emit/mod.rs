@@ -2,13 +2,15 @@
 //!
 //! Everything is made in memory first; the same configuration gives the same bytes.
 mod flow;
+mod hardware;
 mod manifest;
 pub mod parts;
 mod tree;
 
 pub use flow::flow;
+pub use hardware::{Hardware, hardware};
 pub use manifest::manifest;
-pub use tree::{emitted_name, manifest_emit};
+pub use tree::{emitted_name, fill, manifest_emit, write_tree};
 
 use crate::config::Config;
 use crate::error::{Error, Result};

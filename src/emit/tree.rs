@@ -1,8 +1,9 @@
 //! Names in a tree that was emitted before: the prefix is the tree's, whatever the configuration at hand says.
+use super::Files;
 use crate::config::EmitConfig;
 use crate::config::check::is_prefix;
 use crate::error::{Error, Result};
-use crate::files::read_text_of_tree;
+use crate::files::{OutDir, read_text_of_tree};
 use serde_json::Value;
 use std::path::Path;
 
@@ -41,6 +42,23 @@ pub fn emitted_name(dir: &Path, folder: &str, bare: &str, end: &str) -> Result<S
             several.iter().map(|s| format!("{s}{end}")).collect::<Vec<_>>().join(" and ")
         ))),
     }
+}
+
+/// Writes `files` into a tree that was started: all of them, or none.
+///
+/// # Errors
+/// If the directory can't be written, or holds what does not go with them.
+pub fn fill(mut dir: OutDir, files: &Files) -> Result<()> {
+    files.iter().try_for_each(|(path, text)| dir.add(path, text.as_bytes()))?;
+    dir.commit().map(|_| ())
+}
+
+/// Writes `files` under `out`: all of them, or none.
+///
+/// # Errors
+/// If the directory can't be written.
+pub fn write_tree(out: &Path, files: &Files) -> Result<()> {
+    fill(OutDir::new(out)?, files)
 }
 
 #[cfg(test)]

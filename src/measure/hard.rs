@@ -2,7 +2,7 @@
 use super::accuracy::{Accuracy, accuracy, exact_ray};
 use crate::config::{DatapathKind, Design, LevelUp, ModeConfig, Trim};
 use crate::error::Result;
-use crate::golden::{Pyramid, RayHit, RayInput, Tracer, encode_ray};
+use crate::golden::{Pyramid, RayHit, RayInput, Tracer, decode_time, encode_ray};
 use crate::oracle::ExactMap;
 use crate::scene::hard::{Case, HardScene};
 use rayon::prelude::*;
@@ -116,6 +116,13 @@ pub fn combinations(base: ModeConfig, trims: &[Trim]) -> Vec<ModeConfig> {
         }
     }
     out
+}
+
+/// The parts of the travels after which rays end, 0 to 1.
+pub fn ends(d: &Design, hits: &[RayHit]) -> Vec<f64> {
+    let full = f64::from((1u32 << d.traverse.height_bits) - 1);
+    let end = |hit: &RayHit| if hit.limit { 1.0 } else { (decode_time(d, hit.t) / full).clamp(0.0, 1.0) };
+    hits.iter().map(end).collect()
 }
 
 /// What must not depend on the mode: everything but the counters.

@@ -10,6 +10,7 @@ pub mod spread;
 mod steps;
 pub mod turns;
 mod uv;
+mod words;
 
 pub use accuracy::{Accuracy, WrongTexel, accuracy, exact_ray, uv_given};
 pub use again::{again, settings, trace_again};
@@ -18,3 +19,4 @@ pub use cost::Cost;
 pub use spread::Spread;
 pub use steps::{PUBLISHED, Published, ROWS, Steps, TRIM_ROWS, steps};
 pub use uv::{DEFINITION, GIVEN_BITS, given_ray, place, uv_error};
+pub use words::{RayEnd, hex_words};

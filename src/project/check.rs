@@ -1,36 +1,23 @@
-//! Checks an emitted tree: every unit's vectors replayed by the interpreter or a simulator.
-use super::rays::{rays, rough};
-use super::same::{same_config, same_text};
-use super::stored::{memory, pyramid_of, ray_of, same_rows};
-use crate::bench::{Paths, Simulator, run_bench_on};
-use crate::catalogue::{check_interp, compare, decoded, design_at, fits, units, without_vectors};
+//! Checks an emitted tree: every unit's vectors replayed by an engine.
+use super::same::{same_config, same_rows, same_text};
+use crate::catalogue::{check_interp, compare, design_at, fits, units, without_vectors};
 use crate::config::{Config, Design};
 use crate::emit::Files;
+use crate::engine::stored::{memory, pyramid_of, ray_of};
+use crate::engine::{Checked, Engine, EngineName, Replay};
 use crate::error::{Error, Result};
-use crate::files::{Scratch, Sink};
+use crate::files::Sink;
 use crate::interp::{Traffic, Wave, WaveFormat, elaborate};
 use crate::ir::{Binding, Module};
-use crate::trace::{Pipeline, images, record_mismatch, record_ray, record_rows, wrong_iteration};
+use crate::trace::{Pipeline, images, record_mismatch, record_ray, record_rows};
 use crate::units::traversal::traverse;
-use crate::vectors::{VectorSet, read_set, set_files};
-
+use crate::vectors::{VectorSet, read_set};
 use rayon::prelude::*;
 use std::path::Path;
 use std::sync::Arc;
 
-/// One unit's result.
-#[derive(Clone, Debug)]
-pub struct Checked {
-    /// Unit.
-    pub unit: String,
-    /// Rows compared.
-    pub rows: usize,
-    /// A line that the engine printed beside the verdict (slots busy).
-    pub note: String,
-}
-
 /// A fault put into the vectors, to see the check fail.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Canary {
     /// One bit of one expected word is flipped: exit code 1.
     Flip,
@@ -43,6 +30,9 @@ pub enum Canary {
 }
 
 impl Canary {
+    /// All, in the order in which they are offered.
+    pub const ALL: [Self; 4] = [Self::Flip, Self::Drop, Self::Extra, Self::Empty];
+
     /// Puts the fault into a set.
     pub fn spoil(self, s: &mut VectorSet) {
         if s.stimulus.is_empty() || s.expected.is_empty() {
@@ -61,7 +51,7 @@ impl Canary {
     }
 }
 
-/// Checks the tree at `dir` (as `build` writes it): all units, or `only` those. `sim` is a simulator, or the interpreter.
+/// Checks the tree at `dir` (as `build` writes it): all units, or `only` those.
 /// `wave` is where the clocks around the first mismatch are recorded. `seen` is called after each unit.
 ///
 /// # Errors
@@ -69,13 +59,13 @@ impl Canary {
 pub fn check_tree(
     c: &Config,
     dir: &Path,
-    sim: Option<Simulator>,
+    engine: EngineName,
     only: &[String],
     canary: Option<Canary>,
     wave: Option<&(Sink, WaveFormat)>,
     seen: &(dyn Fn(&Checked) + Sync),
 ) -> Result<Vec<Checked>> {
-    check_tree_at(c, dir, sim, only, &Binding::new(), canary, wave, seen)
+    check_tree_at(c, dir, engine, only, &Binding::new(), canary, wave, seen)
 }
 
 /// As [`check_tree`], of vectors that were made for the parameter values `over`.
@@ -86,13 +76,14 @@ pub fn check_tree(
 pub fn check_tree_at(
     c: &Config,
     dir: &Path,
-    sim: Option<Simulator>,
+    engine: EngineName,
     only: &[String],
     over: &Binding,
     canary: Option<Canary>,
     wave: Option<&(Sink, WaveFormat)>,
     seen: &(dyn Fn(&Checked) + Sync),
 ) -> Result<Vec<Checked>> {
+    let engine = engine.engine();
     let mut c = c.clone();
     // Names and directives in a tree are the tree's own; what it computes is the configuration's.
     if let Some(e) = crate::emit::manifest_emit(dir) {
@@ -116,14 +107,14 @@ pub fn check_tree_at(
         return Err(Error::NothingRan(format!("nothing was checked: {}", without_vectors(&d, only))));
     }
     same_config(c, dir)?;
-    if sim.is_none() {
+    if !engine.reads_text() {
         let whole = list.iter().any(|m| m.latency.is_none());
         let text = if whole { super::hardware(c)?.files } else { text_of(c, &list)? };
         same_text(&text, dir)?;
     }
     let further = if c.vectors.planned { &FURTHER[..] } else { &[] };
     let one = |m: &Arc<Module>| {
-        let r = vouched(dir, m, canary, unit(&d, dir, m, further, over, sim, canary));
+        let r = vouched(dir, m, canary, unit(&d, dir, m, further, over, engine, canary));
         if let Ok(c) = &r {
             seen(c);
         }
@@ -196,15 +187,15 @@ fn unit(
     m: &Arc<Module>,
     further: &[&str],
     given: &Binding,
-    sim: Option<Simulator>,
+    engine: &dyn Engine,
     canary: Option<Canary>,
 ) -> Result<Checked> {
     let place = dir.join("golden").join(&m.name);
-    let mut checked = one_set(d, dir, m, &place, (given, &[]), sim, canary)?;
+    let mut checked = one_set(d, dir, m, &place, (given, &[]), engine, canary)?;
     if m.latency.is_none() && canary.is_none() && given.is_empty() {
         for name in further {
             let place = dir.join("golden").join(&m.name).join(name);
-            checked.rows += one_set(d, dir, m, &place, (given, &["LEVELS", "STEP_LIMIT"]), sim, None)?.rows;
+            checked.rows += one_set(d, dir, m, &place, (given, &["LEVELS", "STEP_LIMIT"]), engine, None)?.rows;
         }
     }
     Ok(checked)
@@ -217,7 +208,7 @@ fn one_set(
     m: &Arc<Module>,
     place: &Path,
     (given, own): (&Binding, &[&str]),
-    sim: Option<Simulator>,
+    engine: &dyn Engine,
     canary: Option<Canary>,
 ) -> Result<Checked> {
     let (mut set, whole) = read_set(place)?;
@@ -236,37 +227,11 @@ fn one_set(
     if let Some(canary) = canary {
         canary.spoil(&mut set);
     }
-    let replayed = || match sim {
-        None if m.latency.is_some() => {
-            let r = check_interp(m, &set)?;
-            r.verdict(&set, m)?;
-            Ok(Checked { unit: m.name.clone(), rows: r.checked, note: String::new() })
-        }
-        None => rays(d, place, m, &over, &set),
-        Some(s) => {
-            let spoiled = Scratch::new()?;
-            let mut from = place.canonicalize().map_err(|e| Error::file("find", place, e))?;
-            if canary.is_some() {
-                for (name, text) in set_files(&set) {
-                    crate::files::write_atomic(spoiled.path().join(name), text.as_bytes())?;
-                }
-                if m.latency.is_none() {
-                    let memory = from.join("memory.hex");
-                    std::fs::copy(&memory, spoiled.path().join("memory.hex"))
-                        .map_err(|e| Error::file("copy", memory, e))?;
-                }
-                from = spoiled.path().to_path_buf();
-            }
-            let paths = Paths { vectors: Some(from), ..Paths::default() };
-            let o = run_bench_on(s, dir, &m.name, &over, &paths, rough(m))
-                .map_err(|e| located(e, &design_at(d, &set.params), [dir, place], s, &set, m, &over, &paths))?;
-            let note = o.output.lines().find(|l| l.starts_with("slots busy")).unwrap_or_default().to_string();
-            Ok(Checked { unit: m.name.clone(), rows: o.checked, note })
-        }
-    };
+    let (unit, over, spoiled) = (&**m, &over, canary.is_some());
+    let replay = Replay { design: d, tree: dir, unit, place, over, set: &set, spoiled };
     let edited = (!whole && canary.is_none())
         .then(|| format!("{} does not hold the rows that vectors.json describes (blake3 differs)", place.display()));
-    let checked = replayed().map_err(|e| match (e, &edited) {
+    let checked = engine.replay(&replay).map_err(|e| match (e, &edited) {
         (Error::Mismatch(found), Some(edited)) => {
             let why = format!("{edited}, so it is the vectors that were changed, if the unit was not");
             Error::Mismatch(found.and(why))
@@ -278,36 +243,4 @@ fn one_set(
         return Err(Error::input(edited));
     }
     Ok(checked)
-}
-
-/// What a simulator's bench said, decoded; a mismatch of `traverse` with its first wrong iteration, for which the bench runs once more.
-#[allow(clippy::too_many_arguments)]
-fn located(
-    e: Error,
-    d: &Design,
-    [dir, place]: [&Path; 2],
-    sim: Simulator,
-    set: &VectorSet,
-    m: &Arc<Module>,
-    over: &Binding,
-    paths: &Paths,
-) -> Error {
-    let decoded = decoded(e, set, m);
-    let Error::Mismatch(found) = decoded else { return decoded };
-    let vector = found.place.as_ref().map(|p| p.vector);
-    let again = |number: usize| -> Result<String> {
-        let work = Scratch::new()?;
-        let seen = work.path().join("iterations");
-        // It fails as it did before.
-        let paths = Paths { iterations: Some(seen.clone()), ..paths.clone() };
-        let _ = run_bench_on(sim, dir, &m.name, over, &paths, rough(m));
-        let iterations = std::fs::read_to_string(&seen).map_err(|e| Error::file("read", &seen, e))?;
-        let pyramid = pyramid_of(d, &memory(place)?)?;
-        wrong_iteration(d, &pyramid, &ray_of(&set.stimulus[number]), number, &iterations)
-    };
-    Error::Mismatch(match vector.filter(|_| m.latency.is_none()).map(again) {
-        Some(Ok(more)) => found.and(more),
-        // A tree without these signals (a netlist, say) has nothing more to tell.
-        Some(Err(_)) | None => found,
-    })
 }

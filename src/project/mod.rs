@@ -3,55 +3,47 @@ mod alone;
 mod check;
 mod coverage;
 mod digests;
+mod endure;
+mod hard;
+mod judged;
+mod lost;
 mod params;
-mod rays;
+mod picture;
+mod rates;
+mod refined;
 mod same;
 mod scene;
-mod stored;
+mod speed;
+mod steps;
 
+pub use crate::emit::hardware;
 pub use alone::{alone, alone_files, alone_text, alone_vectors};
-pub use check::{Canary, Checked, check_tree, check_tree_at};
+pub use check::{Canary, check_tree, check_tree_at};
 pub use coverage::{Coverage, FileCoverage, coverage};
+pub use endure::{EnduredCase, EnduredSum, LongestRay, endure_cases};
+pub use hard::{
+    HardCase, HardDiffers, HardGivenUp, HardGround, HardOutcome, HardSum, HardTask, HardWatch, HardWrong, hard_cases,
+};
+pub use judged::{JudgedView, Uv, Witness, Worst, judge_view};
+pub use lost::{Lost, without_border_hits};
 pub use params::{accepts, parameters, unit_vectors};
+pub use picture::{footprint_picture, surface_picture};
+pub use rates::{Found, Rate, published_rates};
+pub use refined::{REFINED_RAYS, RefinedView, Three, refined_view};
 pub use same::same_config;
 pub use scene::{Scene, encode, ray};
+pub use speed::{EngineSpeed, ICARUS_RAYS, Range, Ratio, SpeedTask, Speeds, speeds};
+pub use steps::{Beside, ModeSteps, SceneSteps, scene_steps, step_rows};
 
 use crate::bench::bench_files;
 use crate::catalogue::{RaySet, count_events, limit_sets, planned_rays, proofs, ray_set_at, units, vector_set};
 use crate::config::Config;
-use crate::emit::{self, Files};
+use crate::emit::{Files, Hardware};
 use crate::error::Result;
-use crate::ir::{Binding, Module};
+use crate::ir::Binding;
 use crate::proofs::proof_files;
 use crate::units::all;
-use crate::units::traversal::{Traverse, traverse};
 use crate::vectors::{Plan, set_files};
-use std::sync::Arc;
-
-/// Everything that `build` writes but the picture.
-pub struct Project {
-    /// Modules, leaves first.
-    pub modules: Vec<Arc<Module>>,
-    /// The traverse unit and its schedule.
-    pub traverse: Traverse,
-    /// Files by their path from the output directory.
-    pub files: Files,
-}
-
-/// The Verilog and the manifest.
-///
-/// # Errors
-/// A configuration that its own modules refuse.
-pub fn hardware(c: &Config) -> Result<Project> {
-    let d = c.design();
-    let modules = emit::modules(&all(&d))?;
-    let mut files = emit::rtl(c, &modules);
-    let manifest = emit::manifest(c, &modules, &files);
-    files.insert("manifest.json".into(), serde_json::to_string_pretty(&manifest).expect("plain data") + "\n");
-    let traverse = traverse(&d);
-    files.extend(emit::flow(c, std::slice::from_ref(&traverse.module), &files));
-    Ok(Project { modules, traverse, files })
-}
 
 /// The vectors of every unit, and of `traverse` over `scene`.
 ///
@@ -96,7 +88,7 @@ pub fn ray_sets(c: &Config, scene: &Scene) -> Result<Vec<(String, RaySet)>> {
 ///
 /// # Errors
 /// As [`hardware`].
-pub fn text(c: &Config) -> Result<Project> {
+pub fn text(c: &Config) -> Result<Hardware> {
     let mut p = hardware(c)?;
     let d = c.design();
     let depth = p.traverse.setup + p.traverse.slots + p.traverse.finish;
@@ -112,7 +104,7 @@ pub fn text(c: &Config) -> Result<Project> {
 ///
 /// # Errors
 /// As [`text`] and [`vectors`].
-pub fn project(c: &Config, scene: &Scene) -> Result<Project> {
+pub fn project(c: &Config, scene: &Scene) -> Result<Hardware> {
     let mut p = text(c)?;
     p.files.extend(vectors(c, scene)?);
     Ok(p)

@@ -2,7 +2,8 @@
 use crate::config::Config;
 use crate::emit::Files;
 use crate::error::{Error, Result};
-use crate::files::read_of_tree;
+use crate::files::{read_of_tree, read_text_of_tree};
+use crate::vectors::{Column, Rows, VectorSet, read_csv, read_json};
 use serde_json::Value;
 use std::path::Path;
 
@@ -50,6 +51,27 @@ pub fn same_config(c: &Config, dir: &Path) -> Result<()> {
                 dir.display(),
                 there[key]
             )));
+        }
+    }
+    Ok(())
+}
+
+/// The exports hold the rows that the hex files hold: whoever reads those checks against the same set.
+pub(super) fn same_rows(place: &Path, set: &VectorSet) -> Result<()> {
+    type Read = fn(&str, &[Column], &[Column]) -> Result<Rows>;
+    for (name, read) in [("vectors.csv", read_csv as Read), ("rows.json", read_json)] {
+        let path = place.join(name);
+        let text = read_text_of_tree(&path)?;
+        let at = |e: &dyn std::fmt::Display| Error::input(format!("{}: {e}", place.display()));
+        let (stimulus, expected) = read(&text, &set.inputs, &set.outputs).map_err(|e| at(&e))?;
+        let differs = |a: &[Vec<u64>], b: &[Vec<u64>]| a.iter().zip(b).position(|(a, b)| a != b);
+        let row = differs(&stimulus, &set.stimulus).into_iter().chain(differs(&expected, &set.expected)).min();
+        if let Some(row) = row {
+            return Err(at(&format!("{name} and the hex files differ in row {row}")));
+        }
+        if stimulus.len() != set.stimulus.len() {
+            let (here, there) = (stimulus.len(), set.stimulus.len());
+            return Err(at(&format!("{name} has {here} rows, the hex files have {there}")));
         }
     }
     Ok(())

@@ -3,20 +3,22 @@ use crate::error::{Error, Result};
 use serde::{Deserialize, Serialize};
 
 /// How large the tables are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Level {
     /// Some 20 thousand rows of two operands, and the random ones.
-    #[value(name = "1")]
     #[serde(rename = "1")]
     One,
     /// Some 440 thousand rows of two operands, and the random ones.
-    #[value(name = "2")]
     #[serde(rename = "2")]
     Two,
     /// No tables: weighted random rows, of one seed after the other, until somebody stops it.
-    #[value(name = "3")]
     #[serde(rename = "3")]
     Three,
+}
+
+impl Level {
+    /// All, in the order in which they are offered.
+    pub const ALL: [Self; 3] = [Self::One, Self::Two, Self::Three];
 }
 
 /// One part of all rows, counted from 1: every `of`-th row, so that the parts are alike.

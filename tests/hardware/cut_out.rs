@@ -115,7 +115,7 @@ fn cuts(sim: Simulator, handshake: u32, which: &[usize]) {
             std::fs::copy(&kept, whole.path().join(&file)).unwrap();
         }
         cut(whole.path(), handshake);
-        let got = check_tree(&c, whole.path(), Some(sim), &["traverse".into()], None, None, &|_| ());
+        let got = check_tree(&c, whole.path(), sim.into(), &["traverse".into()], None, None, &|_| ());
         let got = got.map(|done| done.iter().map(|x| x.rows).sum::<usize>());
         match (*what == "nothing", &got) {
             (true, Ok(rows)) => assert!(*rows > 900, "{rows} rows"),

@@ -5,6 +5,7 @@ use reliefrtl::bench::{Simulator, run_bench};
 use reliefrtl::catalogue::{bindings, design_at, find, ray_set, vector_set};
 use reliefrtl::config::Config;
 use reliefrtl::emit::Files;
+use reliefrtl::engine::EngineName;
 use reliefrtl::golden::{Pyramid, RayInput};
 use reliefrtl::ir::Binding;
 use reliefrtl::project::{Canary, Scene, check_tree, project};
@@ -38,10 +39,10 @@ fn tree(planned: bool) -> (Config, TempDir) {
 
 fn all_units(sim: Simulator) {
     let (c, dir) = tree(true);
-    let done = check_tree(&c, dir.path(), Some(sim), &[], None, None, &|_| ()).unwrap();
+    let done = check_tree(&c, dir.path(), sim.into(), &[], None, None, &|_| ()).unwrap();
     assert_eq!(done.len(), 24);
     assert!(done.iter().all(|x| x.rows > 0));
-    let interp = check_tree(&c, dir.path(), None, &["traverse".into()], None, None, &|_| ()).unwrap();
+    let interp = check_tree(&c, dir.path(), EngineName::Interp, &["traverse".into()], None, None, &|_| ()).unwrap();
     // Of very short rays the bench does not have the next one on its port in every clock (seen: 90 % busy); the interpreter does.
     for (note, least) in [(&done[23].note, 0.85), (&interp[0].note, 0.98)] {
         let load = note.split(';').next().unwrap();
@@ -171,12 +172,14 @@ fn traffic_loses_and_repeats_nothing() {
 #[test]
 fn canaries_are_noticed() {
     let (c, dir) = tree(false);
-    let engines = if skip() { vec![None] } else { vec![None, Some(Simulator::Icarus), Some(Simulator::Verilator)] };
-    for sim in engines {
+    let all = [EngineName::Interp, EngineName::Icarus, EngineName::Verilator];
+    let engines = if skip() { &all[..1] } else { &all };
+    for engine in engines {
         for (canary, code) in [(Canary::Flip, 1), (Canary::Drop, 6), (Canary::Extra, 7), (Canary::Empty, 5)] {
             for unit in ["fp_lt", "traverse"] {
-                let e = check_tree(&c, dir.path(), sim, &[unit.to_string()], Some(canary), None, &|_| ()).unwrap_err();
-                assert_eq!(e.exit_code(), code, "{sim:?} {canary:?} {unit}: {e}");
+                let e =
+                    check_tree(&c, dir.path(), *engine, &[unit.to_string()], Some(canary), None, &|_| ()).unwrap_err();
+                assert_eq!(e.exit_code(), code, "{engine:?} {canary:?} {unit}: {e}");
             }
         }
     }

@@ -1,6 +1,6 @@
 //! The layers of `docs/architecture.md`: a module uses only what stands below it, and no files use each other in a circle.
 use crate::source::{self, Edge};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Lowest first. Modules of one layer don't see each other.
@@ -14,6 +14,7 @@ const LAYERS: &[&[&str]] = &[
     &["emit", "trace"],
     &["vectors", "bench", "proofs", "synth", "measure"],
     &["catalogue", "fit", "report"],
+    &["engine"],
     &["project"],
     &["cli"],
 ];
@@ -75,15 +76,11 @@ fn every_module_uses_only_what_stands_below_it() {
 
 /// Folders that hold a group of files that still use each other in circles, a line a group.
 const CIRCLES: &[&str] = &[
-    "cli",
-    "cli",
-    "cli/args",
     "golden",
     "golden/fixed",
     "golden/float",
     "golden/published",
     "oracle",
-    "project",
     "units/traversal",
     "units/traversal/bilinear",
     "verilog",

@@ -1,6 +1,8 @@
 //! Options of the verbs that measure.
-use super::{Engine, SceneArgs, unit_name};
+use super::scene::SceneArgs;
+use super::values::unit_name;
 use crate::config::{DatapathKind, MapKind};
+use crate::engine::EngineName;
 use crate::format::FloatFormat;
 use crate::report::ModeSet;
 use clap::{Args, ValueEnum};
@@ -129,7 +131,7 @@ pub struct HardArgs {
     pub endure: Option<usize>,
     /// What traces the rays beside the golden model, whose hits it must equal.
     #[arg(long, default_value = "golden")]
-    pub engine: Engine,
+    pub engine: EngineName,
     /// Writes a picture of each case into this directory.
     #[arg(long, value_name = "DIR")]
     pub pictures: Option<PathBuf>,

@@ -1,15 +1,18 @@
 //! What can be typed.
 mod figures;
 mod scene;
+mod values;
 
 pub use figures::*;
-pub use scene::{MOST_RAYS, RaysArg, SceneArgs};
+pub use scene::{MOST_RAYS, MapArgs, RaysArg, SceneArgs};
+use values::unit_name;
 
 use crate::config::Profile;
+use crate::engine::EngineName;
 use crate::error::{Error, Result};
 use crate::project::Canary;
 use crate::vectors::{Campaign, Level, Shard};
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
 
 /// Generates Verilog that traces rays against height fields, with golden vectors and an interpreter of the same datapath.
@@ -52,12 +55,6 @@ fn once<T: PartialEq>(list: &mut Vec<T>) {
             at += 1;
         }
     }
-}
-
-/// The name of a unit in a list.
-fn unit_name(text: &str) -> std::result::Result<String, String> {
-    let name = text.trim();
-    if name.is_empty() { Err("a unit's name is empty".into()) } else { Ok(name.into()) }
 }
 
 /// The verbs.
@@ -222,7 +219,7 @@ pub struct EmitArgs {
 pub struct CheckArgs {
     /// What replays the vectors.
     #[arg(long, default_value = "interp")]
-    pub engine: Engine,
+    pub engine: EngineName,
     /// Only these units.
     #[arg(long, value_name = "NAME,...", value_delimiter = ',', value_parser = unit_name)]
     pub unit: Vec<String>,
@@ -275,36 +272,6 @@ pub struct ConfigArgs {
     pub schema: bool,
 }
 
-/// The height map of a verb.
-#[derive(Args, Clone, Debug)]
-pub struct MapArgs {
-    /// Height map: PNG, PGM, PFM, TIFF, EXR, BMP, TGA, WebP, DDS, HGT, ESRI ASC, R16 or RAW; without it the configured one. The keys
-    /// map.range, nodata, fill, channel, part, size and byte_order say how it is read.
-    #[arg(long, value_name = "FILE")]
-    pub map: Option<PathBuf>,
-    /// Resamples the map (size and bit depth) to what the configuration asks for.
-    #[arg(long)]
-    pub resample: bool,
-    /// Cuts a larger map to its first columns and rows, from the top left.
-    #[arg(long)]
-    pub crop: bool,
-    /// Continues a smaller map by its last column and row.
-    #[arg(long)]
-    pub pad: bool,
-    /// Reads maps of up to N texels instead of map.max_texels.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1 << 40))]
-    pub max_texels: Option<u64>,
-}
-
-impl MapArgs {
-    /// Puts what was asked for on the command line into the configuration; `resample` goes to whoever reads the map.
-    pub fn apply(&self, map: &mut crate::config::MapConfig) {
-        map.crop |= self.crop;
-        map.pad |= self.pad;
-        map.max_texels = self.max_texels.unwrap_or(map.max_texels);
-    }
-}
-
 /// Options of `trace`.
 #[derive(Args, Debug)]
 pub struct TraceArgs {
@@ -313,7 +280,7 @@ pub struct TraceArgs {
     pub scene: SceneArgs,
     /// What traces them.
     #[arg(long, default_value = "interp")]
-    pub engine: Engine,
+    pub engine: EngineName,
     /// Where the hits go.
     #[arg(long, value_name = "H.csv")]
     pub out: PathBuf,
@@ -334,35 +301,11 @@ pub struct RenderArgs {
     pub scene: SceneArgs,
     /// What traces the pixels.
     #[arg(long, default_value = "interp")]
-    pub engine: Engine,
+    pub engine: EngineName,
     /// Where the picture goes.
     #[arg(long, default_value = "render.png", value_name = "FILE.png")]
     pub out: PathBuf,
     /// Colours the iterations per pixel instead of the surface.
     #[arg(long)]
     pub steps: bool,
-}
-
-/// What runs the datapath.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
-pub enum Engine {
-    /// The bit-accurate model.
-    Golden,
-    /// The embedded interpreter of the emitted datapath.
-    Interp,
-    /// Icarus Verilog.
-    Icarus,
-    /// Verilator.
-    Verilator,
-}
-
-impl Engine {
-    /// The simulator behind it, if it is one.
-    pub fn simulator(self) -> Option<crate::bench::Simulator> {
-        match self {
-            Self::Icarus => Some(crate::bench::Simulator::Icarus),
-            Self::Verilator => Some(crate::bench::Simulator::Verilator),
-            Self::Golden | Self::Interp => None,
-        }
-    }
 }

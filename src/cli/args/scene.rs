@@ -1,9 +1,38 @@
 //! What a verb looks at: one set of options for all verbs that trace or judge.
-use super::MapArgs;
 use clap::Args;
 use clap::builder::{OsStringValueParser, TypedValueParser};
 use std::ffi::OsString;
 use std::path::PathBuf;
+
+/// The height map of a verb.
+#[derive(Args, Clone, Debug)]
+pub struct MapArgs {
+    /// Height map: PNG, PGM, PFM, TIFF, EXR, BMP, TGA, WebP, DDS, HGT, ESRI ASC, R16 or RAW; without it the configured one. The keys
+    /// map.range, nodata, fill, channel, part, size and byte_order say how it is read.
+    #[arg(long, value_name = "FILE")]
+    pub map: Option<PathBuf>,
+    /// Resamples the map (size and bit depth) to what the configuration asks for.
+    #[arg(long)]
+    pub resample: bool,
+    /// Cuts a larger map to its first columns and rows, from the top left.
+    #[arg(long)]
+    pub crop: bool,
+    /// Continues a smaller map by its last column and row.
+    #[arg(long)]
+    pub pad: bool,
+    /// Reads maps of up to N texels instead of map.max_texels.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1 << 40))]
+    pub max_texels: Option<u64>,
+}
+
+impl MapArgs {
+    /// Puts what was asked for on the command line into the configuration; `resample` goes to whoever reads the map.
+    pub fn apply(&self, map: &mut crate::config::MapConfig) {
+        map.crop |= self.crop;
+        map.pad |= self.pad;
+        map.max_texels = self.max_texels.unwrap_or(map.max_texels);
+    }
+}
 
 /// Map, views and rays of a verb.
 #[derive(Args, Clone, Debug)]

@@ -19,7 +19,7 @@ pub enum Extent {
 }
 
 /// Modes that are compared on one format of each datapath.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModeSet {
     /// Start level, two levels down, selective level-up.
     One,
@@ -27,6 +27,11 @@ pub enum ModeSet {
     Table,
     /// Every mode.
     All,
+}
+
+impl ModeSet {
+    /// All, smallest first.
+    pub const ALL: [Self; 3] = [Self::One, Self::Table, Self::All];
 }
 
 /// What is chosen. What is empty is not narrowed.

@@ -40,11 +40,8 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
         "sum of two floating-point numbers, rounded once; flip b's sign to subtract",
     );
     let f = FormatParams::declare(&b, format);
-    let near_w = b.local("NearW", &f.man + 2);
-    let count_w = b.local("LzcW", (&near_w + 1).clog2());
-    let amount_w = b.local("AmountW", (&f.man + 3).clog2());
-    let shift_w = b.local("ShiftW", f.exp.larger(&amount_w + 1));
-    let e_w = b.local("ExpSumW", f.exp.larger(&count_w));
+    let Widths { near: near_w, count: count_w, amount: amount_w, shift: shift_w, exp_sum: e_w } =
+        Widths::declare(&b, &f);
     b.clock();
     b.clock_enable();
     let a_in = b.input("a", &f.width, "float", "first operand");
@@ -54,50 +51,24 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
     b.plan(latency, if deep { DEEP } else { PLAN });
     let mag_w = &f.exp + &f.man;
 
-    b.section("compare", "Both exponent differences in parallel with the magnitude comparison; the select follows.");
-    let (fa, fb) = (Fields::split(&f, a_in, "a"), Fields::split(&f, b_in, "b"));
-    let swap = a_in.slice(0, mag_w.clone()).lt(b_in.slice(0, mag_w.clone())).named("swap");
-    let e1 = &f.exp + 1;
-    let exp_diff_ab = (fa.exp.zext(&e1) - fb.exp.zext(&e1)).named("exp_diff_ab");
-    let exp_diff_ba = (fb.exp - fa.exp).named("exp_diff_ba");
-    let subtract = (fa.sign ^ fb.sign).named("subtract");
-    let odd = (fa.exp.bit(0) ^ fb.exp.bit(0)).named("odd");
-    let (a_zero, b_zero) = (fa.exp.none().named("a_is_zero"), fb.exp.none().named("b_is_zero"));
-    let (a_ones, b_ones) = (fa.exp.all().named("a_exp_ones"), fb.exp.all().named("b_exp_ones"));
-
-    b.section(
-        "order",
-        "Swap so that the operand of larger magnitude comes first: the significand difference is not negative.",
-    );
-    let large_sign = swap.mux(fb.sign, fa.sign).named("large_sign");
-    let large_exp = swap.mux(fb.exp, fa.exp).named("large_exp");
-    let large_frac = swap.mux(fb.frac, fa.frac).named("large_frac");
-    let one = b.lit(1, 1);
-    let prealigned = |frac| odd.mux(b.cat(&[b.lit(1, 2), frac]), b.cat(&[one, frac, b.zeros(1)]));
-    let sig_small = swap
-        .mux(prealigned(fa.frac).named("a_sig_prealigned"), prealigned(fb.frac).named("b_sig_prealigned"))
-        .named("sig_small");
-    let small_zero = swap.mux(a_zero, b_zero).named("small_is_zero");
-    let shift = exp_diff_ab.msb().mux(exp_diff_ba, exp_diff_ab.slice(0, &f.exp)).named("shift");
-    let both_zero = (a_zero & b_zero).named("both_zero");
-    let any_exp_max = (a_ones | b_ones).named("any_exp_max");
-    let inf_minus_inf = (a_ones & b_ones & subtract).named("inf_minus_inf");
+    let o = Ordered::of(&b, &f, a_in, b_in);
+    let (subtract, large_exp, large_frac, any_exp_max) = (o.subtract, o.large_exp, o.large_frac, o.any_exp_max);
 
     b.section("align", "Guard, round and sticky bits below the significand suffice to round the result.");
-    let wide = shift.zext(&shift_w);
+    let wide = o.shift.zext(&shift_w);
     let amount = b.cat(&[wide.named("wide_shift").slice(1, &amount_w - 1), b.zeros(1)]).named("amount");
     b.unused(wide.bit(0));
     let beyond = wide.slice(&amount_w, &shift_w - &amount_w).any().named("beyond");
-    let small = b.cat(&[sig_small, b.zeros(1)]).named("sig_small_ext");
-    let small_is_lost = (beyond | small_zero).named("small_is_lost");
-    let near = (b.cat(&[one, large_frac, b.zeros(1)]) - sig_small).named("near");
+    let small = b.cat(&[o.sig_small, b.zeros(1)]).named("sig_small_ext");
+    let small_is_lost = (beyond | o.small_zero).named("small_is_lost");
+    let near = (b.cat(&[o.one, large_frac, b.zeros(1)]) - o.sig_small).named("near");
     let underflow_mask = (!b.ones(&near_w).shift_right(large_exp)).named("underflow_mask");
     let near_max = (large_exp.slice(1, &f.exp - 1).all() & !large_exp.bit(0)).named("near_max");
     let bottom = (large_exp.slice(1, &f.exp - 1).none() & large_exp.bit(0)).named("bottom");
-    let is_nan = (any_exp_max & (inf_minus_inf | large_frac.any())).named("is_nan");
+    let is_nan = (any_exp_max & (o.inf_minus_inf | large_frac.any())).named("is_nan");
     let (aligned, lost) = align(&b, small, amount, small_is_lost, deep);
     let aligned = aligned.named("aligned");
-    let sticky = ((beyond | lost) & !small_zero).named("sticky");
+    let sticky = ((beyond | lost) & !o.small_zero).named("sticky");
     let halves = deep.then(|| Halves::of(&b, near, &count_w));
 
     b.section("add", "");
@@ -133,9 +104,9 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
     let near_exp = less.slice(0, &f.exp).named("near_exp");
     let inf = (any_exp_max | (near_max & !subtract)).named("give_inf");
     let near_result =
-        (any_exp_max | both_zero | (carry & near_max) | !(carry | top | (next & !bottom))).named("use_near_result");
+        (any_exp_max | o.both_zero | (carry & near_max) | !(carry | top | (next & !bottom))).named("use_near_result");
     let no_sign =
-        (is_nan | (subtract & !any_exp_max & (both_zero | (near_zero & !(carry | top | next))))).named("no_sign");
+        (is_nan | (subtract & !any_exp_max & (o.both_zero | (near_zero & !(carry | top | next))))).named("no_sign");
 
     b.section("round", "The rounding increment may carry into the exponent, and from the largest number to infinity: both give the right encoding.");
     let number = b.cat(&[exp, frac]).named("unrounded");
@@ -150,9 +121,97 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
     let near_f = near_frac & keep.rep(&f.man);
     let quiet = b.cat(&[is_nan, b.zeros(&f.man - 1)]);
     let body = near_result.mux(b.cat(&[near_e, near_f | quiet]), number).named("body");
-    let sign = (large_sign & !no_sign).named("sign");
+    let sign = (o.large_sign & !no_sign).named("sign");
     b.drive(out, b.cat(&[sign, body]).named("value"), Some(latency));
     b.finish(Some(latency), &super::bindings())
+}
+
+/// Widths that the sections share.
+struct Widths {
+    near: Expr,
+    count: Expr,
+    amount: Expr,
+    shift: Expr,
+    exp_sum: Expr,
+}
+
+impl Widths {
+    fn declare(b: &Builder, f: &FormatParams) -> Self {
+        let near = b.local("NearW", &f.man + 2);
+        let count = b.local("LzcW", (&near + 1).clog2());
+        let amount = b.local("AmountW", (&f.man + 3).clog2());
+        let shift = b.local("ShiftW", f.exp.larger(&amount + 1));
+        let exp_sum = b.local("ExpSumW", f.exp.larger(&count));
+        Self { near, count, amount, shift, exp_sum }
+    }
+}
+
+/// The operands by magnitude, and what is known of both.
+struct Ordered<'b> {
+    subtract: Sig<'b>,
+    large_sign: Sig<'b>,
+    large_exp: Sig<'b>,
+    large_frac: Sig<'b>,
+    /// The hidden bit.
+    one: Sig<'b>,
+    /// Significand of the smaller operand, shifted by one bit where the exponents' lowest bits differ.
+    sig_small: Sig<'b>,
+    small_zero: Sig<'b>,
+    /// Difference of the exponents.
+    shift: Sig<'b>,
+    both_zero: Sig<'b>,
+    any_exp_max: Sig<'b>,
+    inf_minus_inf: Sig<'b>,
+}
+
+impl<'b> Ordered<'b> {
+    fn of(b: &'b Builder, f: &FormatParams, a_in: Sig<'b>, b_in: Sig<'b>) -> Self {
+        let mag_w = &f.exp + &f.man;
+        b.section(
+            "compare",
+            "Both exponent differences in parallel with the magnitude comparison; the select follows.",
+        );
+        let (fa, fb) = (Fields::split(f, a_in, "a"), Fields::split(f, b_in, "b"));
+        let swap = a_in.slice(0, mag_w.clone()).lt(b_in.slice(0, mag_w.clone())).named("swap");
+        let e1 = &f.exp + 1;
+        let exp_diff_ab = (fa.exp.zext(&e1) - fb.exp.zext(&e1)).named("exp_diff_ab");
+        let exp_diff_ba = (fb.exp - fa.exp).named("exp_diff_ba");
+        let subtract = (fa.sign ^ fb.sign).named("subtract");
+        let odd = (fa.exp.bit(0) ^ fb.exp.bit(0)).named("odd");
+        let (a_zero, b_zero) = (fa.exp.none().named("a_is_zero"), fb.exp.none().named("b_is_zero"));
+        let (a_ones, b_ones) = (fa.exp.all().named("a_exp_ones"), fb.exp.all().named("b_exp_ones"));
+
+        b.section(
+            "order",
+            "Swap so that the operand of larger magnitude comes first: the significand difference is not negative.",
+        );
+        let large_sign = swap.mux(fb.sign, fa.sign).named("large_sign");
+        let large_exp = swap.mux(fb.exp, fa.exp).named("large_exp");
+        let large_frac = swap.mux(fb.frac, fa.frac).named("large_frac");
+        let one = b.lit(1, 1);
+        let prealigned = |frac| odd.mux(b.cat(&[b.lit(1, 2), frac]), b.cat(&[one, frac, b.zeros(1)]));
+        let sig_small = swap
+            .mux(prealigned(fa.frac).named("a_sig_prealigned"), prealigned(fb.frac).named("b_sig_prealigned"))
+            .named("sig_small");
+        let small_zero = swap.mux(a_zero, b_zero).named("small_is_zero");
+        let shift = exp_diff_ab.msb().mux(exp_diff_ba, exp_diff_ab.slice(0, &f.exp)).named("shift");
+        let both_zero = (a_zero & b_zero).named("both_zero");
+        let any_exp_max = (a_ones | b_ones).named("any_exp_max");
+        let inf_minus_inf = (a_ones & b_ones & subtract).named("inf_minus_inf");
+        Self {
+            subtract,
+            large_sign,
+            large_exp,
+            large_frac,
+            one,
+            sig_small,
+            small_zero,
+            shift,
+            both_zero,
+            any_exp_max,
+            inf_minus_inf,
+        }
+    }
 }
 
 /// Alignment shift: `small >> amount` (an even amount), zero if `small_is_lost`; and the sticky OR of what is shifted out. Two stages if `deep`.

@@ -39,7 +39,7 @@ fn tree(f: u32, w: u32, mode: ModeConfig, planned: bool) -> (Config, TempDir) {
 fn all_units(sim: Simulator, formats: &[(u32, u32)], mode: ModeConfig, count: usize) {
     for (k, &(f, w)) in formats.iter().enumerate() {
         let (c, dir) = tree(f, w, mode, k == 0);
-        let done = check_tree(&c, dir.path(), Some(sim), &[], None, None, &|_| ()).unwrap();
+        let done = check_tree(&c, dir.path(), sim.into(), &[], None, None, &|_| ()).unwrap();
         assert_eq!(done.len(), count);
         assert!(done.iter().all(|x| x.rows > 0));
         let rows: usize = done.iter().map(|x| x.rows).sum();

@@ -5,6 +5,7 @@ use reliefrtl::bench::{Simulator, bench_files, run_bench};
 use reliefrtl::catalogue::{bindings, design_at, find, ray_set, vector_set};
 use reliefrtl::config::{Config, DatapathKind, ModeConfig, Profile};
 use reliefrtl::emit::Files;
+use reliefrtl::engine::EngineName;
 use reliefrtl::ir::Binding;
 use reliefrtl::project::{Scene, check_tree, hardware, project};
 use reliefrtl::vectors::{Plan, set_files};
@@ -53,9 +54,9 @@ fn all_units(sim: Simulator, configs: &[&[&str]]) {
     for sets in configs {
         let c = config(sets);
         let dir = tree(&c);
-        let done = check_tree(&c, dir.path(), Some(sim), &[], None, None, &|_| ()).unwrap();
+        let done = check_tree(&c, dir.path(), sim.into(), &[], None, None, &|_| ()).unwrap();
         assert!(done.len() >= 23 && done.iter().all(|x| x.rows > 0));
-        let interp = check_tree(&c, dir.path(), None, &["traverse".into()], None, None, &|_| ()).unwrap();
+        let interp = check_tree(&c, dir.path(), EngineName::Interp, &["traverse".into()], None, None, &|_| ()).unwrap();
         let busy = |note: &str| note.split(';').next().unwrap().to_string();
         let words: Vec<f64> =
             busy(&done.last().unwrap().note).split_whitespace().filter_map(|w| w.parse().ok()).collect();

@@ -1,12 +1,12 @@
 //! `reliefrtl synth --stale` and `--refresh`: figures that are kept, against the text that is emitted now.
-use super::args::{Cli, SynthArgs, Verb};
-use super::output::spinner;
-use super::shell::words;
-use super::synth::{beside, entry, foreign, prepare};
+use super::jobs::{beside, entry, prepare};
+use crate::cli::args::{Cli, SynthArgs, Verb};
+use crate::cli::output::spinner;
+use crate::cli::shell::words;
 use crate::error::{Error, Result};
 use crate::files::{TABLE, read_named_text};
 use crate::measured::{Entry, parse};
-use crate::synth::{asked, digest};
+use crate::synth::{asked, digest, foreign};
 use clap::Parser;
 use serde_json::Value;
 use std::path::Path;

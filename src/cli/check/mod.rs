@@ -1,28 +1,33 @@
 //! `reliefrtl check`: golden vectors replayed in an engine.
-use super::args::{CheckArgs, Cli, Engine};
+mod endless;
+
+use super::args::{CheckArgs, Cli};
+use super::checked;
 use super::output::spinner;
 use crate::config::Config;
+use crate::emit::write_tree;
+use crate::engine::{Checked, EngineName};
 use crate::error::{Error, Result};
 use crate::files::Scratch;
 use crate::project::{
-    Checked, FileCoverage, Scene, accepts, alone_files, alone_text, alone_vectors, check_tree_at, coverage, parameters,
-    project, text, unit_vectors,
+    FileCoverage, Scene, accepts, alone_files, alone_text, alone_vectors, check_tree_at, coverage, parameters, project,
+    text, unit_vectors,
 };
 use crate::vectors::Level;
 use std::path::{Path, PathBuf};
 
 /// Runs `check`.
 pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
-    let (c, alone) = super::config::load_for(cli, &a.unit)?;
-    if a.engine == Engine::Golden {
+    let (c, alone) = super::load::load_for(cli, &a.unit)?;
+    if a.engine == EngineName::Golden {
         return Err(Error::input(
             "check --engine golden would compare the golden model with itself: use interp, icarus or verilator",
         ));
     }
-    if a.wave.is_some() && a.engine != Engine::Interp {
+    if a.wave.is_some() && a.engine != EngineName::Interp {
         return Err(Error::input("check --wave records the interpreter: leave out --engine, or set it to interp"));
     }
-    if a.coverage && a.engine != Engine::Verilator {
+    if a.coverage && a.engine != EngineName::Verilator {
         return Err(Error::input("check --coverage is counted by Verilator: add --engine verilator"));
     }
     a.wave.as_deref().map_or(Ok(()), |wave| super::output::keep_inputs(wave, &[cli.config.as_deref()]))?;
@@ -35,7 +40,7 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
     }
     if let Some(endless) = campaign.filter(|c| c.level == Level::Three) {
         let [m] = &alone[..] else { return Err(Error::input("--level 3 goes on until it is stopped: name one unit")) };
-        return super::endless::run(cli, a, &c, m, endless);
+        return endless::run(cli, a, &c, m, endless);
     }
     if a.batches.is_some() {
         return Err(Error::input("--batches ends --level 3: levels 1 and 2 end by themselves"));
@@ -62,7 +67,7 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
                     files
                 }
             };
-            super::output::write_tree(&tree, &files)?;
+            write_tree(&tree, &files)?;
             tree
         }
     };
@@ -71,14 +76,14 @@ pub fn run(cli: &Cli, a: &CheckArgs) -> Result<()> {
     }
     let bar = spinner(cli, "checking");
     let seen = |x: &Checked| bar.set_message(format!("{} done", x.unit));
-    let done = check_tree_at(&c, &dir, a.engine.simulator(), &a.unit, &over, a.canary, wave.as_ref(), &seen);
+    let done = check_tree_at(&c, &dir, a.engine, &a.unit, &over, a.canary, wave.as_ref(), &seen);
     bar.finish_and_clear();
     let done = done?;
     // Of a tree that an engine has read, other text than what was generated is no fault (a netlist, a mutant): it is said.
     for x in crate::files::altered(&dir)?.iter().filter(|x| !x.path.starts_with("golden/")) {
         super::output::note(format_args!("{} {}", dir.join(&x.path).display(), x.is));
     }
-    print(cli, &done);
+    checked::print(cli, &done);
     match a.canary {
         Some(k) => Err(Error::ToolFailed(format!("the canary {k:?} was not noticed: this check can't fail"))),
         None => Ok(()),
@@ -122,22 +127,4 @@ fn covered(cli: &Cli, c: &Config, dir: &Path) -> Result<()> {
         true => Err(Error::mismatch(format!("{wrong} points or entries of the list of what is not reached are wrong"))),
         false => Ok(()),
     }
-}
-
-/// Prints what was checked.
-pub fn print(cli: &Cli, done: &[Checked]) {
-    if cli.json {
-        let rows: Vec<_> = done
-            .iter()
-            .map(|x| serde_json::json!({"unit": x.unit, "checked": x.rows, "mismatched": 0, "note": x.note}))
-            .collect();
-        println!("{}", serde_json::to_string_pretty(&rows).expect("plain data"));
-        return;
-    }
-    for x in done {
-        println!("{:<16} 0 of {} mismatched{}{}", x.unit, x.rows, if x.note.is_empty() { "" } else { "; " }, x.note);
-    }
-    let total: usize = done.iter().map(|x| x.rows).sum();
-    let units = if done.len() == 1 { "unit" } else { "units" };
-    println!("{} {units}, 0 of {total} vectors mismatched", done.len());
 }

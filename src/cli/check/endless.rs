@@ -1,7 +1,8 @@
 //! `reliefrtl check --level 3`: random rows of one seed after the other, until somebody stops it or something differs.
-use super::args::{CheckArgs, Cli};
-use super::output::spinner;
+use crate::cli::args::{CheckArgs, Cli};
+use crate::cli::output::spinner;
 use crate::config::Config;
+use crate::emit::write_tree;
 use crate::error::{Error, Result};
 use crate::files::Scratch;
 use crate::ir::Module;
@@ -27,8 +28,8 @@ pub fn run(cli: &Cli, a: &CheckArgs, c: &Config, m: &Arc<Module>, campaign: Camp
         let files = alone_files(&c, std::slice::from_ref(m), Some(whole))?;
         let work = Scratch::new()?;
         let dir = work.path().join("tree");
-        super::output::write_tree(&dir, &files)?;
-        let done = check_tree(&c, &dir, a.engine.simulator(), std::slice::from_ref(&m.name), None, None, &|_| ());
+        write_tree(&dir, &files)?;
+        let done = check_tree(&c, &dir, a.engine, std::slice::from_ref(&m.name), None, None, &|_| ());
         bar.finish_and_clear();
         let told = |e| match e {
             Error::Mismatch(f) => Error::Mismatch(f.and(format!("; of vectors.seed = {seed}"))),
@@ -44,8 +45,8 @@ pub fn run(cli: &Cli, a: &CheckArgs, c: &Config, m: &Arc<Module>, campaign: Camp
         } else {
             println!("{:<16} seed {seed}: 0 of {batch} mismatched; 0 of {rows} so far", m.name);
         }
-        super::print::flush();
-        if super::print::unheard() {
+        crate::cli::print::flush();
+        if crate::cli::print::unheard() {
             break;
         }
         let bits = m.data_inputs().map(|(_, p)| p.width.eval(&m.default_binding()) as u32).sum();

@@ -1,30 +1,57 @@
-//! The rays of an emitted tree, replayed by the interpreter: under full load, and once more in rough traffic.
-use super::check::Checked;
+//! The interpreter as an engine: it runs what the emitted text is printed from.
+use super::run::{Checked, Engine, Replay, SlotLoad, Traced};
 use super::stored::{memory, pyramid_of, ray_of};
-use crate::catalogue::{CheckReport, compare, design_at};
-use crate::config::Design;
+use crate::catalogue::{CheckReport, check_interp, compare, design_at};
+use crate::config::Config;
 use crate::error::{Error, Result};
+use crate::golden::{Pyramid, RayInput};
 use crate::interp::Traffic;
-use crate::ir::{Binding, Module};
-use crate::trace::{Pipeline, diagnose, images};
-use crate::vectors::VectorSet;
-use std::path::Path;
+use crate::trace::{Pipeline, diagnose, images, trace_interp};
+use std::time::{Duration, Instant};
 
 /// Copies of the unit that share the rays in rough traffic.
 const LANES: usize = 8;
 /// Seed of the rough traffic.
 const SEED: u64 = 11;
 
-/// The plusargs with which a bench of `traverse` runs its set once more in rough traffic.
-pub(super) fn rough(m: &Module) -> &'static [&'static str] {
-    if m.latency.is_none() { &["again"] } else { &[] }
+/// The interpreter.
+pub(super) struct Interp;
+
+impl Engine for Interp {
+    fn name(&self) -> &'static str {
+        "interp"
+    }
+
+    fn needs(&self) -> Vec<String> {
+        Vec::new()
+    }
+
+    fn reads_text(&self) -> bool {
+        false
+    }
+
+    fn replay(&self, r: &Replay<'_>) -> Result<Checked> {
+        if r.unit.latency.is_none() {
+            return rays(r);
+        }
+        let report = check_interp(r.unit, r.set)?;
+        report.verdict(r.set, r.unit)?;
+        Ok(Checked { unit: r.unit.name.clone(), rows: report.checked, note: String::new(), slots: None })
+    }
+
+    fn trace(&self, c: &Config, pyramid: &Pyramid, rays: &[RayInput]) -> Result<Traced> {
+        let start = Instant::now();
+        let hits = trace_interp(&c.design(), pyramid, rays)?;
+        Ok(Traced { hits, build: Duration::ZERO, run: start.elapsed() })
+    }
 }
 
-/// The traverse unit in the interpreter, with `over` put over its parameters.
-pub(super) fn rays(d: &Design, place: &Path, m: &Module, over: &Binding, set: &VectorSet) -> Result<Checked> {
+/// The rays of an emitted tree: under full load, and once more in rough traffic.
+fn rays(replay: &Replay<'_>) -> Result<Checked> {
+    let Replay { design, unit: m, place, over, set, .. } = *replay;
     let image = memory(place)?;
-    let p = Pipeline::new(d, over)?;
-    let d = &design_at(d, &set.params);
+    let p = Pipeline::new(design, over)?;
+    let d = &design_at(design, &set.params);
     if image.len() != p.net.mems[0].depth {
         return Err(Error::input(format!(
             "{}/memory.hex has {} words, the pyramid has {}",
@@ -58,5 +85,6 @@ pub(super) fn rays(d: &Design, place: &Path, m: &Module, over: &Binding, set: &V
         "slots busy: {} of {} under full load; {} clocks from first ray to last hit",
         run.busy, run.loaded, run.cycles
     );
-    Ok(Checked { unit: m.name.clone(), rows: r.checked, note })
+    let slots = Some(SlotLoad { busy: run.busy, loaded: run.loaded, clocks: run.cycles });
+    Ok(Checked { unit: m.name.clone(), rows: r.checked, note, slots })
 }

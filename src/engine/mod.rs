@@ -1,0 +1,10 @@
+//! What runs the datapath, behind one trait: the golden model, the interpreter, Icarus Verilog, Verilator. Here alone one is chosen by its name.
+mod golden;
+mod interp;
+mod name;
+mod run;
+mod simulated;
+pub mod stored;
+
+pub use name::EngineName;
+pub use run::{Checked, Engine, Replay, SlotLoad, Traced};

@@ -1,0 +1,106 @@
+//! Iterations of a scene's views in every mode of the published table.
+use super::{Scene, encode};
+use crate::config::{Config, DatapathKind, ModeConfig, View};
+use crate::error::Result;
+use crate::golden::RayInput;
+use crate::measure::{ROWS, TRIM_ROWS, steps};
+use crate::scene::{RaySet, ViewRay};
+use crate::trace::trace_golden;
+use serde::Serialize;
+
+/// The published rows, then those with fewer iterations, where the datapath has them.
+pub fn step_rows(c: &Config) -> impl Iterator<Item = (&'static str, ModeConfig)> {
+    let trims = c.datapath.kind != DatapathKind::Published;
+    ROWS.into_iter().chain(TRIM_ROWS.into_iter().filter(move |_| trims))
+}
+
+/// Iterations of one view in one mode.
+#[derive(Clone, Debug, Serialize)]
+pub struct ModeSteps {
+    /// The map.
+    pub scene: String,
+    /// The row of the table.
+    pub row: &'static str,
+    /// The view.
+    pub view: String,
+    /// Mean iterations of the rays that end.
+    pub mean: f64,
+    /// The published mean, where there is one.
+    pub published: Option<f64>,
+    /// Largest number of iterations.
+    pub max: u32,
+    /// The ray that has it.
+    pub max_ray: usize,
+    /// Rays that end.
+    pub rays: usize,
+    /// Rays given up.
+    pub given_up: usize,
+}
+
+/// A mean beside the published one.
+#[derive(Clone, Debug)]
+pub struct Beside {
+    /// View and row.
+    pub what: String,
+    /// Ours / published - 1.
+    pub off: f64,
+    /// How far off it may be: what the published cameras are known to, and a grazing view hangs most on them.
+    pub bound: f64,
+}
+
+/// A scene's table.
+#[derive(Clone, Debug, Default)]
+pub struct SceneSteps {
+    /// A list a row, with each view in turn.
+    pub rows: Vec<Vec<ModeSteps>>,
+    /// The means that have a published one.
+    pub beside: Vec<Beside>,
+}
+
+impl SceneSteps {
+    /// Each row's means, summed over the views.
+    pub fn sums(&self) -> impl Iterator<Item = f64> {
+        self.rows.iter().map(|row| row.iter().fold(0.0, |sum, s| sum + s.mean))
+    }
+}
+
+/// Counts the iterations of the rays of each view, in tiles of the design; `means` are published ones by row and view.
+///
+/// # Errors
+/// An illegal design.
+pub fn scene_steps(
+    c: &Config,
+    scene: &Scene,
+    views: &[(&RaySet, &[ViewRay])],
+    means: Option<&[[Option<f64>; 3]; 7]>,
+) -> Result<SceneSteps> {
+    let mut out = SceneSteps::default();
+    for (r, (name, mode)) in step_rows(c).enumerate() {
+        let mut d = c.design();
+        d.mode = mode;
+        let mut row = Vec::new();
+        for (v, (set, rays)) in views.iter().enumerate() {
+            let rays: Vec<RayInput> = rays.iter().map(|x| encode(c, x)).collect();
+            let s = steps(&trace_golden(&d, &scene.pyramid, &rays)?);
+            let published = means.and_then(|m| *m.get(r)?.get(v)?);
+            out.beside.extend(published.map(|p| Beside {
+                what: format!("{}, {}", set.name, name.trim()),
+                off: s.mean / p - 1.0,
+                bound: if set.standard() == Some(View::Grazing) { 0.1 } else { 0.03 },
+            }));
+            row.push(ModeSteps {
+                scene: scene.name.clone(),
+                row: name,
+                view: set.name.clone(),
+                mean: s.mean,
+                published,
+                max: s.max,
+                max_ray: s.witness,
+                rays: s.rays,
+                given_up: s.limits,
+            });
+        }
+        out.rows.push(row);
+    }
+    Ok(out)
+}
