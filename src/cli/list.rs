@@ -2,7 +2,7 @@
 use super::args::Cli;
 use super::output::table;
 use crate::catalogue::has_vectors;
-use crate::config::{DatapathKind, Design};
+use crate::config::Design;
 use crate::error::Result;
 use crate::ir::Module;
 use crate::units;
@@ -53,7 +53,7 @@ pub fn run(cli: &Cli) -> Result<()> {
         "traverse: {} clocks of setup, {} for each of n iterations, {} to the result.",
         t.setup, t.slots, t.finish
     );
-    if design.datapath.kind == DatapathKind::Published && design.mode.start_level {
+    if design.datapath.kind.start_trips(&design.mode) > 0 {
         println!(
             "A ray's first trip round the loop finds its start level and is no iteration: {} clocks more.",
             t.slots
@@ -86,7 +86,7 @@ fn more(d: &Design) -> Vec<Arc<Module>> {
 fn in_loop(d: &Design, t: &Traverse) -> Vec<serde_json::Value> {
     let rows = loop_resources(d, t).rows().into_iter().zip(PUBLISHED.rows());
     rows.map(|((what, here), (_, published))| {
-        let why = if here == published { "" } else { difference(d.datapath.kind, what) };
+        let why = if here == published { "" } else { difference(d, what) };
         json!({"what": what, "here": here, "published": published, "why": why})
     })
     .collect()

@@ -74,7 +74,7 @@ struct Tier {
 }
 
 /// As few registers as work between the units: those of the published pipeline.
-const BARE: LatencyConfig = Profile::Published.latency(DatapathKind::Published);
+const BARE: LatencyConfig = Profile::Published.with_dividers(true);
 
 /// Slowest first. The shares are margins: at most what choices came out at that were placed and routed whole.
 const TIERS: [Tier; 4] = [
@@ -97,17 +97,17 @@ static PLACED: LazyLock<Vec<Placed>> = LazyLock::new(|| {
     let mut placed = Vec::new();
     for entry in all().iter().filter(|e| e.unit == "traverse" && e.target == "ecp5") {
         let Some(clock) = &entry.clock else { continue };
-        for profile in Profile::ALL {
-            for kind in DatapathKind::ALL {
-                let set = format!("datapath.kind={}", kind.word());
-                let head = ["--unit", "traverse", "--profile", profile.word(), "--set", &set];
-                let short = if kind == DatapathKind::Watertight { 4 } else { 6 };
-                let words = entry.words();
-                let rest = words.strip_prefix(&head[..short]);
-                if rest.is_some_and(|r| !r.iter().any(|w| ["--set", "--copies", "--clock"].contains(w))) {
-                    placed.push(Placed { kind, profile, mhz: clock.median as u32, entry });
-                }
-            }
+        let words = entry.words();
+        let ["--unit", "traverse", "--profile", profile, rest @ ..] = words.as_slice() else { continue };
+        let Some(profile) = Profile::ALL.into_iter().find(|p| p.word() == *profile) else { continue };
+        // Where the call says nothing of it, it is the usual one.
+        let named = match rest {
+            ["--set", set, rest @ ..] => set.strip_prefix("datapath.kind=").and_then(|w| Some((w.parse().ok()?, rest))),
+            _ => None,
+        };
+        let (kind, rest) = named.unwrap_or((DatapathConfig::default().kind, rest));
+        if !rest.iter().any(|w| ["--set", "--copies", "--clock"].contains(w)) {
+            placed.push(Placed { kind, profile, mhz: clock.median as u32, entry });
         }
     }
     placed.sort_by_key(|p| p.mhz);
@@ -159,7 +159,7 @@ pub fn for_clock(mhz: u32, d: &Design, scope: Scope) -> Result<Choice> {
 
 fn for_traversal(mhz: u32, d: &Design) -> Result<Choice> {
     let kind = d.datapath.kind;
-    let tier = (kind == DatapathKind::Watertight).then(|| TIERS.iter().find(|t| mhz <= t.to)).flatten();
+    let tier = kind.facts().clock_by_units.then(|| TIERS.iter().find(|t| mhz <= t.to)).flatten();
     let Some(tier) = tier else {
         let placed = PLACED.iter().filter(|p| p.kind == kind);
         let best = placed.clone().map(|p| p.mhz).max().unwrap_or_default();
@@ -333,11 +333,12 @@ fn field<'a>(l: &'a mut LatencyConfig, key: &str) -> &'a mut u32 {
 #[cfg(test)]
 mod tests {
     use super::{BY_TABLE, CURVES, PLACED, Scope, TIERS, UNITS, for_clock};
-    use crate::config::{DatapathKind, Design};
+    use crate::config::{DatapathConfig, Design};
+    use std::collections::BTreeSet;
 
     /// The fastest watertight traversal.
     fn best() -> u32 {
-        PLACED.iter().filter(|p| p.kind == DatapathKind::Watertight).map(|p| p.mhz).max().unwrap()
+        PLACED.iter().filter(|p| p.kind == DatapathConfig::default().kind).map(|p| p.mhz).max().unwrap()
     }
 
     /// What a unit reaches at a latency.
@@ -366,7 +367,8 @@ mod tests {
             assert!(c.points.len() > 1, "{} was not measured", c.unit);
             assert!(c.points.windows(2).all(|p| p[0].clocks < p[1].clocks), "{}: one latency twice", c.unit);
         }
-        assert!(DatapathKind::ALL.iter().all(|kind| PLACED.iter().any(|p| p.kind == *kind)));
+        let placed: BTreeSet<&str> = PLACED.iter().map(|p| p.kind.word()).collect();
+        assert_eq!(placed, BTreeSet::from(["fixed", "published", "watertight"]));
         assert!(TIERS.windows(2).all(|t| t[0].to < t[1].to));
     }
 
@@ -434,7 +436,7 @@ mod tests {
         let e = for_clock(400, &Design::default(), Scope::Traversal).unwrap_err().to_string();
         assert!(e.contains("--clock 400") && e.contains(&format!("at most --clock {}", best())), "{e}");
         let mut d = Design::default();
-        d.datapath.kind = DatapathKind::Published;
+        d.datapath.kind = "published".parse().unwrap();
         let e = for_clock(120, &d, Scope::Traversal).unwrap_err().to_string();
         assert!(e.contains("datapath.kind = published"), "{e}");
         let unit = ["fp_add3".to_string()];

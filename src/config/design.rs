@@ -1,5 +1,5 @@
 //! What is to be generated: format, traversal parameters, modes, latencies.
-use super::ExtraUnits;
+use super::{DatapathConfig, ExtraUnits};
 use crate::format::FloatFormat;
 use serde::{Deserialize, Serialize};
 
@@ -34,53 +34,6 @@ impl LevelUp {
     }
 }
 
-/// How hits are found (`docs/datapath.md`, `docs/published.md`, `docs/fixed.md`).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum DatapathKind {
-    /// Parameters of integer planes are compared in floating point; no position is moved.
-    #[default]
-    Watertight,
-    /// Positions are moved in floating point, boundaries found by division in the loop (PIDM-HW section 4.2).
-    Published,
-    /// The watertight comparison in fixed point, with a reciprocal of chosen width.
-    Fixed,
-}
-
-impl DatapathKind {
-    /// All.
-    pub const ALL: [Self; 3] = [Self::Watertight, Self::Published, Self::Fixed];
-
-    /// The word in the TOML file and on the command line.
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::Watertight => "watertight",
-            Self::Published => "published",
-            Self::Fixed => "fixed",
-        }
-    }
-}
-
-/// Which arithmetic traces the rays, and its widths.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-pub struct DatapathConfig {
-    /// How hits are found.
-    pub kind: DatapathKind,
-    /// `published`: a crossing lands 2^-nudge_bits texels behind its plane; 0 is no nudge.
-    pub nudge_bits: u32,
-    /// `fixed`: fraction bits of entry point, travel (tiles) and ray parameter.
-    pub fraction_bits: u32,
-    /// `fixed`: significant bits of the reciprocal of the travel.
-    pub reciprocal_bits: u32,
-}
-
-impl Default for DatapathConfig {
-    fn default() -> Self {
-        Self { kind: DatapathKind::Watertight, nudge_bits: 7, fraction_bits: 24, reciprocal_bits: 24 }
-    }
-}
-
 /// Whether a node is exchanged for the smallest one that holds the rest of the ray inside of it, before its height is read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
@@ -97,6 +50,14 @@ pub enum Trim {
 impl Trim {
     /// All.
     pub const ALL: [Self; 3] = [Self::None, Self::Descent, Self::Always];
+    /// The word in the TOML file.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::Descent => "descent",
+            Self::Always => "always",
+        }
+    }
 }
 
 /// Independent choices of the traversal; only what is chosen is emitted.
@@ -249,12 +210,7 @@ impl Design {
             return (int_bits, [(int_bits, frac_bits); 2]);
         }
         let hit = (t.idx_bits() + t.frac_bits, t.frac_bits);
-        let nudge = self.datapath.nudge_bits;
-        let from = match self.datapath.kind {
-            DatapathKind::Published => (t.idx_bits() + nudge + 1, nudge),
-            DatapathKind::Watertight | DatapathKind::Fixed => hit,
-        };
-        (t.idx_bits(), [from, hit])
+        (t.idx_bits(), [(self.datapath.kind.facts().from_fixed)(self), hit])
     }
 
     /// What `convert` asks for and the format does not allow, a sentence a problem.

@@ -1,5 +1,5 @@
 //! What a divider by table asks of the rest of the design.
-use super::{DatapathKind, Design, Divider};
+use super::{Design, Divider};
 use crate::error::{Error, Result};
 
 impl Design {
@@ -53,8 +53,9 @@ impl Design {
                 self.format
             ));
         }
-        if self.datapath.kind == DatapathKind::Fixed {
-            say("is how fp_div is built, and datapath.kind = \"fixed\" has none".into());
+        let path = self.datapath.kind.facts();
+        if !path.reads.format {
+            say(format!("is how fp_div is built, and datapath.kind = \"{}\" has none", path.word));
         }
         problems
     }

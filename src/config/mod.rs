@@ -6,22 +6,22 @@
 pub(crate) mod check;
 mod clock;
 mod commented;
+mod datapath;
 mod design;
 mod divider;
 mod extra;
 mod input;
 pub mod keys;
 pub(crate) mod lines;
+pub mod modes;
 mod profile;
 mod source;
 pub(crate) mod validate;
 
 pub use crate::format::{Rounding, Specials, Subnormals};
 pub use clock::{Choice, Scope, for_clock, latency_key};
-pub use design::{
-    ConvertConfig, DatapathConfig, DatapathKind, Design, Divider, LatencyConfig, LevelUp, ModeConfig, TraverseConfig,
-    Trim,
-};
+pub use datapath::{DatapathConfig, DatapathFacts, DatapathKind, Reads, datapaths};
+pub use design::{ConvertConfig, Design, Divider, LatencyConfig, LevelUp, ModeConfig, TraverseConfig, Trim};
 pub use extra::{ExtraUnit, ExtraUnits};
 pub use input::{
     Auto, Border, ByteOrder, DefaultNettype, EmitConfig, FormatConfig, Generator, MapConfig, MapKind, MapRange,

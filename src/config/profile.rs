@@ -1,5 +1,5 @@
 //! Latencies by name.
-use super::{DatapathKind, Design, Divider, LatencyConfig};
+use super::{DatapathConfig, DatapathKind, Design, Divider, LatencyConfig};
 
 /// A named set of latencies. Clocks that were measured of each: `docs/clocks.md`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,22 +36,27 @@ impl Profile {
     /// Clocks of a divider of rows, where there are many.
     const ROWS: u32 = 20;
 
-    /// Its latencies for the published format. The published datapath divides in its loop: with the published latencies it has the published 15 stages.
+    /// Its latencies for the published format.
     pub const fn latency(self, kind: DatapathKind) -> LatencyConfig {
+        self.with_dividers(kind.facts().divides_in_loop)
+    }
+
+    /// Its latencies for the published format, and dividers in the loop or outside of it: in it, the published latencies make the published 15 stages.
+    pub(super) const fn with_dividers(self, in_loop: bool) -> LatencyConfig {
         let (add, mul, compare) = match self {
             Self::Published => (2, 1, 1),
             Self::Balanced => (3, 2, 1),
             Self::Fast => (6, 6, 2),
         };
-        let (div, from_int, to_int, sqrt, add3) = match (self, kind) {
-            (Self::Published, DatapathKind::Published) => (2, 1, 1, 4, 4),
+        let (div, from_int, to_int, sqrt, add3) = match (self, in_loop) {
+            (Self::Published, true) => (2, 1, 1, 4, 4),
             (Self::Published, _) => (Self::ROWS, 1, 1, 8, 4),
             (Self::Balanced, _) => (Self::ROWS, 2, 2, 12, 8),
             (Self::Fast, _) => (13, 5, 4, 20, 12),
         };
         let divider = if matches!(self, Self::Fast) { Divider::Table } else { Divider::Rows };
-        let (decision, node, memory, select, handshake, delay_line) = match (self, kind) {
-            (Self::Published, DatapathKind::Published) => (1, 0, 1, 0, 0, 0),
+        let (decision, node, memory, select, handshake, delay_line) = match (self, in_loop) {
+            (Self::Published, true) => (1, 0, 1, 0, 0, 0),
             (Self::Published, _) => (2, 1, 2, 1, 1, 0),
             (Self::Balanced, _) => (2, 2, 4, 1, 1, 0),
             (Self::Fast, _) => (5, 3, 4, 1, 3, 4),
@@ -82,6 +87,6 @@ impl Profile {
 /// Those of [`Profile::Balanced`]: placed and routed, they meet the default clock with room to spare (`docs/clocks.md`).
 impl Default for LatencyConfig {
     fn default() -> Self {
-        Profile::Balanced.latency(DatapathKind::Watertight)
+        Profile::Balanced.latency(DatapathConfig::default().kind)
     }
 }

@@ -1,6 +1,6 @@
 //! What must hold of a whole configuration.
 use super::keys::KEYS;
-use super::{Border, Config, DatapathKind, MapKind, MapRange, Trim, check};
+use super::{Border, Config, MapKind, MapRange, Trim, check, datapaths};
 use crate::error::{Error, Result};
 
 impl Config {
@@ -14,9 +14,8 @@ impl Config {
         if problems.is_empty() {
             self.choice_problems(&mut problems);
             self.convert_problem(&mut problems);
-            self.width_problems(&mut problems);
-            self.published_problems(&mut problems);
-            self.trim_problems(&mut problems);
+            self.datapath.kind.facts().limits.iter().for_each(|limit| limit(self, &mut problems));
+            self.mode_problems(&mut problems);
             self.bilinear_problems(&mut problems);
             self.map_problems(&mut problems);
             problems.extend(self.design().divider_problems());
@@ -51,7 +50,7 @@ impl Config {
 
     /// A traversal in floating point is watertight by an argument about one choice of the format (`docs/datapath.md`).
     fn choice_problems(&self, problems: &mut Vec<String>) {
-        if self.datapath.kind == DatapathKind::Fixed {
+        if !self.datapath.kind.facts().reads.format {
             return;
         }
         let plain = Config::default().format;
@@ -80,85 +79,14 @@ impl Config {
         }
     }
 
-    /// The bounds that keep every intermediate result of the datapath inside its width (`docs/datapath.md`, Parameters).
-    fn width_problems(&self, problems: &mut Vec<String>) {
-        if self.datapath.kind == DatapathKind::Fixed {
-            return self.fixed_problems(problems);
-        }
-        let (exp, man) = (self.format.exp, self.format.man);
-        let (levels, height, tiles) = (self.traverse.levels, self.traverse.height_bits, self.traverse.tile_bits);
-        let bias = (1u32 << (exp - 1)) - 1;
-        if man < 7 {
-            problems.push(format!("format.man = {man} is too small for the traverse unit: 7 to 23 are legal"));
-        }
-        if height > man + 1 {
-            problems.push(format!(
-                "traverse.height_bits = {height} is too large for format.man = {man}: at most format.man + 1 = {} is legal, so that a height code is exact",
-                man + 1
-            ));
-        }
-        let index = self.traverse.idx_bits();
-        let position = index + self.traverse.frac_bits + man;
-        if position > 60 {
-            problems.push(format!(
-                "traverse.frac_bits = {} is too large for a texel coordinate of {index} bits and format.man = {man}: levels + tile_bits + 2 + frac_bits + man = {position} may be at most 60",
-                self.traverse.frac_bits
-            ));
-        }
-        if index > 24 {
-            problems.push(format!(
-                "traverse.levels = {levels} and traverse.tile_bits = {tiles} make a texel coordinate of {index} bits: levels + tile_bits + 2 may be at most 24"
-            ));
-        }
-        if levels + tiles + 1 > bias {
-            problems.push(format!(
-                "format.exp = {exp} is too small for traverse.levels = {levels} and traverse.tile_bits = {tiles}: levels + tile_bits + 1 = {} may be at most 2^(exp-1) - 1 = {bias}",
-                levels + tiles + 1
-            ));
-        }
-        if man > bias + levels {
-            problems.push(format!(
-                "format.man = {man} is too large for format.exp = {exp} and traverse.levels = {levels}: at most 2^(exp-1) - 1 + levels = {} is legal",
-                bias + levels
-            ));
-        }
-        if self.mode.trim != Trim::None && self.datapath.kind == DatapathKind::Watertight && man + 4 > bias {
-            problems.push(format!(
-                "mode.trim = \"{}\" needs exponents of more bits for format.man = {man}: format.man + 4 = {} may be at most 2^(exp-1) - 1 = {bias}",
-                if self.mode.trim == Trim::Always { "always" } else { "descent" },
-                man + 4
-            ));
-        }
-        if height + 2 > bias {
-            problems.push(format!(
-                "format.exp = {exp} is too small for traverse.height_bits = {height}: height_bits + 2 = {} may be at most 2^(exp-1) - 1 = {bias}",
-                height + 2
-            ));
-        }
-    }
-
-    /// What the published datapath asks for besides (`docs/published.md`, Parameters).
-    fn published_problems(&self, problems: &mut Vec<String>) {
-        if self.datapath.kind != DatapathKind::Published {
-            return;
-        }
-        let (index, nudge, man) = (self.traverse.idx_bits(), self.datapath.nudge_bits, self.format.man);
-        if index + nudge + man > 60 {
-            problems.push(format!(
-                "datapath.nudge_bits = {nudge} is too large for a texel coordinate of {index} bits and format.man = {man}: levels + tile_bits + 2 + nudge_bits + man = {} may be at most 60",
-                index + nudge + man
-            ));
-        }
-    }
-
-    /// The published datapath is as it was published: without chord trim and level of detail.
-    fn trim_problems(&self, problems: &mut Vec<String>) {
-        if self.datapath.kind != DatapathKind::Published {
-            return;
-        }
-        for (key, set) in [("mode.trim", self.mode.trim != Trim::None), ("mode.lod", self.mode.lod)] {
-            if set {
-                problems.push(format!("{key} is set, but datapath.kind = \"published\" does not have it"));
+    /// What the datapath does not have.
+    fn mode_problems(&self, problems: &mut Vec<String>) {
+        let path = self.datapath.kind.facts();
+        for (key, set, has) in
+            [("mode.trim", self.mode.trim != Trim::None, path.trim), ("mode.lod", self.mode.lod, path.lod)]
+        {
+            if set && !has {
+                problems.push(format!("{key} is set, but datapath.kind = \"{}\" does not have it", path.word));
             }
         }
     }
@@ -168,11 +96,13 @@ impl Config {
         if !self.mode.bilinear {
             return;
         }
-        let kind = self.datapath.kind;
-        if kind != DatapathKind::Watertight {
+        let path = self.datapath.kind.facts();
+        if !path.bilinear {
+            let having = datapaths().filter(|k| k.facts().bilinear).map(|k| format!("\"{}\"", k.word()));
             problems.push(format!(
-                "mode.bilinear = true and datapath.kind = \"{}\" exclude each other: the refinement needs datapath.kind = \"watertight\"",
-                kind.word()
+                "mode.bilinear = true and datapath.kind = \"{}\" exclude each other: the refinement needs datapath.kind = {}",
+                path.word,
+                having.collect::<Vec<_>>().join(" or ")
             ));
             return;
         }
@@ -189,24 +119,6 @@ impl Config {
                 "traverse.frac_bits = {frac} is too large for mode.bilinear with traverse.height_bits = {height} and format.man = {man}: height_bits + 2 * frac_bits + man = {depth} may be at most 60"
             ));
         }
-    }
-
-    /// As [`Config::width_problems`], of the fixed-point datapath (`docs/fixed.md`, Parameters).
-    fn fixed_problems(&self, problems: &mut Vec<String>) {
-        let (f, w) = (self.datapath.fraction_bits, self.datapath.reciprocal_bits);
-        let (levels, height, tiles) = (self.traverse.levels, self.traverse.height_bits, self.traverse.tile_bits);
-        let mut most = |what: &str, value: u32, why: &str, limit: u32| {
-            if value > limit {
-                problems.push(format!("{what} = {value} is too large: {why} may be at most {limit}"));
-            }
-        };
-        most("traverse.levels", levels, "with datapath.fraction_bits a texel's corner is exact, so it", f);
-        most("traverse.height_bits", height, "with datapath.fraction_bits a height code is exact, so it", f);
-        let index = self.traverse.idx_bits();
-        most("traverse.levels + traverse.tile_bits + 2", index, "a texel coordinate", 24);
-        most("datapath.fraction_bits + traverse.tile_bits", f + tiles, "a travel's magnitude", 32);
-        let product = f + tiles + w;
-        most("datapath.fraction_bits + traverse.tile_bits + datapath.reciprocal_bits", product, "their sum", 63);
     }
 
     fn map_problems(&self, problems: &mut Vec<String>) {

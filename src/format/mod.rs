@@ -1,7 +1,9 @@
 //! The floating-point format's constants and named choices: all that hardware and golden model share.
 mod choices;
+mod words;
 
 pub use choices::{Rounding, Specials, Subnormals};
+pub use words::Words;
 
 /// A floating-point format: 1 sign bit, `exp` exponent bits, `man` fraction bits (PIDM-HW section 4.3 uses 7 and 16),
 /// and what `docs/arithmetic.md` lets one choose.

@@ -61,8 +61,8 @@ pub fn all(d: &Design) -> Vec<Arc<Module>> {
     if d.mode.lod {
         list.extend([traversal::finest_level(t), traversal::node_hit(t)]);
     }
-    // Where positions are moved, no index is stepped: the published datapath has units of its own for that.
-    let indices = d.datapath.kind != crate::config::DatapathKind::Published;
+    // Where positions are moved, no index is stepped: such a datapath has units of its own for that.
+    let indices = d.datapath.kind.facts().steps_indices;
     list.push(traversal::height_address(t));
     list.extend(indices.then(|| traversal::node_planes(d, parity)));
     list.extend((path.steps)(d));

@@ -1,7 +1,7 @@
 //! A hard case, and what it makes for a design.
 use super::Numbers;
 use super::draw::{Draw, Ray};
-use crate::config::{DatapathKind, Design};
+use crate::config::Design;
 
 /// Makes a map, and what makes each of its rays.
 pub(super) type Make = fn(&Draw) -> (Vec<u32>, fn(&mut Draw) -> Ray);
@@ -45,8 +45,8 @@ impl Case {
         let mut design = *design;
         if let Some(levels) = self.levels {
             design.traverse.levels = levels;
-            if design.datapath.kind != DatapathKind::Fixed {
-                let room = (design.format.bias() as u32).saturating_sub(levels + 1).max(1);
+            if let Some(format) = design.words().float() {
+                let room = (format.bias() as u32).saturating_sub(levels + 1).max(1);
                 design.traverse.tile_bits = design.traverse.tile_bits.min(room);
             }
         }

@@ -1,5 +1,6 @@
 //! What a design's number format can hold exactly, as f64.
-use crate::config::{DatapathKind, Design};
+use crate::config::Design;
+use crate::format::Words;
 
 /// The numbers of a design's rays; all of them fit into an f64 exactly.
 #[derive(Clone, Copy, Debug)]
@@ -12,29 +13,15 @@ pub struct Numbers {
     pub tile_bits: u32,
     /// Iterations after which a ray is given up.
     pub step_limit: u32,
-    spacing: Spacing,
-}
-
-#[derive(Clone, Copy, Debug)]
-enum Spacing {
-    /// Fraction bits, and the exponent of the smallest normal number.
-    Float { man: i32, least: i32 },
-    /// Fraction bits.
-    Fixed(i32),
+    words: Words,
 }
 
 impl Numbers {
     /// The numbers of `design`.
     pub fn of(design: &Design) -> Self {
-        let spacing = match design.datapath.kind {
-            DatapathKind::Fixed => Spacing::Fixed(design.datapath.fraction_bits as i32),
-            DatapathKind::Watertight | DatapathKind::Published => {
-                Spacing::Float { man: design.format.man as i32, least: 1 - design.format.bias() }
-            }
-        };
         let t = &design.traverse;
         let top = (1 << t.height_bits) - 1;
-        Self { levels: t.levels, top, tile_bits: t.tile_bits, step_limit: t.step_limit, spacing }
+        Self { levels: t.levels, top, tile_bits: t.tile_bits, step_limit: t.step_limit, words: design.words() }
     }
 
     /// Texels in a row.
@@ -49,10 +36,7 @@ impl Numbers {
 
     /// The smallest positive number.
     pub fn smallest(&self) -> f64 {
-        match self.spacing {
-            Spacing::Float { least, .. } => 2f64.powi(least),
-            Spacing::Fixed(bits) => 2f64.powi(-bits),
-        }
+        2f64.powi(self.words.least_exponent())
     }
 
     /// The number `ulps` places from the number `x`, away from 0 if positive; never across 0.
@@ -60,15 +44,10 @@ impl Numbers {
         let one = if ulps < 0 { -1 } else { 1 };
         let mut near = x.abs();
         for _ in 0..ulps.abs() {
-            let unit = match self.spacing {
-                Spacing::Fixed(bits) => 2f64.powi(-bits),
-                Spacing::Float { man, least } => {
-                    // Below a power of two the numbers stand twice as close as above it.
-                    let exp = exponent(near);
-                    let exp = if one < 0 && near == 2f64.powi(exp) { exp - 1 } else { exp };
-                    2f64.powi(exp.max(least) - man)
-                }
-            };
+            // Below a power of two floating-point numbers stand twice as close as above it.
+            let exp = exponent(near);
+            let exp = if one < 0 && near == 2f64.powi(exp) { exp - 1 } else { exp };
+            let unit = 2f64.powi(self.words.spacing_exponent(exp));
             near = (near + f64::from(one) * unit).max(0.0);
         }
         // What is below the smallest number is zero.

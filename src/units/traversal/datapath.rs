@@ -34,6 +34,8 @@ pub struct Datapath {
     pub hit_clocks: fn(&Design) -> u32,
     /// Inputs of `hit` along an axis (`x` or `y`) and the words that they take.
     pub hit_inputs: for<'b> fn(&Ray<'b>, &str) -> Vec<(&'static str, Sig<'b>)>,
+    /// Why its loop differs from the published one in a row of `LoopResources::rows`; empty where nothing is to be said.
+    pub difference: fn(&str) -> &'static str,
 }
 
 impl Datapath {

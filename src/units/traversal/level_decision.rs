@@ -1,6 +1,7 @@
 //! `level_decision`: hit, descend or cross; the node, level and parameter of the next iteration (PIDM-HW section 4.2).
 use super::params::{LevelParams, bindings, index_width};
-use crate::config::{DatapathKind, Design, Trim};
+use crate::config::{Design, Trim};
+use crate::format::Words;
 use crate::ir::{Builder, Module};
 use crate::units::float::FormatParams;
 use std::sync::Arc;
@@ -9,11 +10,9 @@ use std::sync::Arc;
 pub fn level_decision(d: &Design) -> Arc<Module> {
     let t = &d.traverse;
     let b = Builder::new("level_decision", file!(), "hit, descend or cross: the next node, level and parameter");
-    let (time_w, time_unit) = match d.datapath.kind {
-        DatapathKind::Fixed => super::fixed::time(&b, d),
-        DatapathKind::Watertight | DatapathKind::Published => {
-            (FormatParams::declare(&b, d.format).width, "float, height codes")
-        }
+    let (time_w, time_unit) = match d.words() {
+        Words::Fixed { .. } => super::fixed::time(&b, d),
+        Words::Float(format) => (FormatParams::declare(&b, format).width, "float, height codes"),
     };
     let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
     let idx = index_width(&b, t, Some(&levels));
@@ -64,7 +63,7 @@ pub fn level_decision(d: &Design) -> Arc<Module> {
     b.drive(o_y, y, None);
     b.drive(o_t, inside.mux(m, t_next), None);
     let mut at = bindings();
-    if d.datapath.kind != DatapathKind::Fixed {
+    if d.words().float().is_some() {
         at.extend(crate::units::float::bindings());
     }
     b.finish(Some(0), &at)

@@ -1,12 +1,12 @@
 //! `level_up`: does a crossing go one level up? (PIDM-HW section 3.3; the rules stand in `docs/datapath.md`.)
 use super::params::{LevelParams, bindings, index_width};
-use crate::config::{DatapathKind, Design, LevelUp};
+use crate::config::{Design, LevelUp};
 use crate::ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
 /// Clocks through `level_up`: the distance of two nodes, and what it says, are long one behind the other.
 pub fn latency(d: &Design) -> u32 {
-    let alone = d.datapath.kind == DatapathKind::Published || d.mode.level_up != LevelUp::Selective;
+    let alone = !d.datapath.kind.facts().steps_indices || d.mode.level_up != LevelUp::Selective;
     match d.latency.decision {
         _ if alone => 0,
         0..=2 => 0,

@@ -2,7 +2,7 @@
 use super::bilinear;
 use super::datapath::Datapath;
 use super::traverse::Traverse;
-use crate::config::{DatapathKind, Design};
+use crate::config::Design;
 use crate::ir::Module;
 use crate::units::float::names;
 use std::sync::Arc;
@@ -60,22 +60,7 @@ fn count(m: &Module, name: &str) -> u32 {
     u32::from(m.name == name) + m.insts.iter().map(|i| count(&i.module, name)).sum::<u32>()
 }
 
-/// Why the `row` (of [`LoopResources::rows`]) of a datapath differs from the published one, where it does.
-pub fn difference(kind: DatapathKind, row: &str) -> &'static str {
-    match (kind, row) {
-        (_, "stages") if kind == DatapathKind::Published => {
-            "latencies other than the published ones: add 2, divide 2, multiply 1, compare 1"
-        }
-        (DatapathKind::Watertight, "adders") => {
-            "only the hit is predicted; a crossing steps an integer index and needs no position"
-        }
-        (DatapathKind::Watertight, "multipliers") => {
-            "planes times a reciprocal, and the hit; t counts height codes, so heights are not scaled"
-        }
-        (DatapathKind::Watertight, "dividers") => "the reciprocal of the travel is found once per ray, in setup",
-        (DatapathKind::Watertight, "stages") => "no division, and no position after the nearer plane is known",
-        (DatapathKind::Fixed, "stages") => "fixed-point units are shorter, and nothing is divided in the loop",
-        (DatapathKind::Fixed, _) => "fixed-point arithmetic instead of floating-point units",
-        _ => "",
-    }
+/// Why the `row` (of [`LoopResources::rows`]) of the design's datapath differs from the published one, where it does.
+pub fn difference(d: &Design, row: &str) -> &'static str {
+    (Datapath::of(d).difference)(row)
 }

@@ -56,6 +56,10 @@ pub(super) static DATAPATH: Datapath = Datapath {
         ins.extend(ray.find("lod").map(|lod| ("lod", lod)));
         ins
     },
+    difference: |row| match row {
+        "stages" => "fixed-point units are shorter, and nothing is divided in the loop",
+        _ => "fixed-point arithmetic instead of floating-point units",
+    },
 };
 
 const UNITS: PlaneUnits = PlaneUnits {

@@ -73,6 +73,10 @@ pub(super) static DATAPATH: Datapath = Datapath {
         let of = |name: &str| ray.get(&format!("{name}_{axis}"));
         vec![("p", of("p")), ("d", of("d")), ("t", ray.get("t"))]
     },
+    difference: |row| match row {
+        "stages" => "latencies other than the published ones: add 2, divide 2, multiply 1, compare 1",
+        _ => "",
+    },
 };
 
 /// Per axis entry point and travel; and whether the trip is the one that finds the start level.

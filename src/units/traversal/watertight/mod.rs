@@ -56,6 +56,13 @@ pub(super) static DATAPATH: Datapath = Datapath {
         ins.extend(ray.find("lod").map(|lod| ("lod", lod)));
         ins
     },
+    difference: |row| match row {
+        "adders" => "only the hit is predicted; a crossing steps an integer index and needs no position",
+        "multipliers" => "planes times a reciprocal, and the hit; t counts height codes, so heights are not scaled",
+        "dividers" => "the reciprocal of the travel is found once per ray, in setup",
+        "stages" => "no division, and no position after the nearer plane is known",
+        _ => "",
+    },
 };
 
 const UNITS: PlaneUnits = PlaneUnits {

@@ -1,0 +1,35 @@
+//! The kinds of datapaths, and what is chosen of one.
+use serde::{Deserialize, Serialize};
+
+/// How hits are found (`docs/datapath.md`, `docs/published.md`, `docs/fixed.md`).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum DatapathKind {
+    /// Parameters of integer planes are compared in floating point; no position is moved.
+    #[default]
+    Watertight,
+    /// Positions are moved in floating point, boundaries found by division in the loop (PIDM-HW section 4.2).
+    Published,
+    /// The watertight comparison in fixed point, with a reciprocal of chosen width.
+    Fixed,
+}
+
+/// Which arithmetic traces the rays, and its widths.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct DatapathConfig {
+    /// How hits are found.
+    pub kind: DatapathKind,
+    /// `published`: a crossing lands 2^-nudge_bits texels behind its plane; 0 is no nudge.
+    pub nudge_bits: u32,
+    /// `fixed`: fraction bits of entry point, travel (tiles) and ray parameter.
+    pub fraction_bits: u32,
+    /// `fixed`: significant bits of the reciprocal of the travel.
+    pub reciprocal_bits: u32,
+}
+
+impl Default for DatapathConfig {
+    fn default() -> Self {
+        Self { kind: Default::default(), nudge_bits: 7, fraction_bits: 24, reciprocal_bits: 24 }
+    }
+}

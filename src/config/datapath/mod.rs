@@ -1,0 +1,12 @@
+//! The datapaths: what each of them has, reads and promises, in one table. Its arithmetic stands in `golden`, its hardware in `units`.
+mod facts;
+mod fixed;
+mod float;
+mod kind;
+mod published;
+mod table;
+mod watertight;
+
+pub use facts::{DatapathFacts, Reads};
+pub use kind::{DatapathConfig, DatapathKind};
+pub use table::datapaths;
