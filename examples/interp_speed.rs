@@ -3,7 +3,7 @@
 //! `cargo run --release --example interp_speed -- [RAYS] [LANES] [THREADS] [all]`
 use rand::{Rng, SeedableRng};
 use reliefrtl::config::{Design, LevelUp, ModeConfig};
-use reliefrtl::golden::{Pyramid, RayInput, Watertight};
+use reliefrtl::golden::{Datapath, Pyramid, RayInput, Watertight};
 use reliefrtl::interp::Traffic;
 use reliefrtl::ir::Binding;
 use reliefrtl::trace::{Pipeline, hit};
@@ -37,7 +37,7 @@ fn measure(mode: ModeConfig, rays: usize, lanes: usize, threads: usize) {
     let ins: Vec<RayInput> = (0..rays)
         .map(|_| RayInput::from_f64(d.format, real(1.0, 0.0), real(1.0, 0.0), real(4.0, 0.5), real(0.5, 0.5)))
         .collect();
-    let golden = Watertight::new(&d).expect("legal design");
+    let golden = Watertight::prepare(&d).expect("legal design");
     let pipeline = Pipeline::new(&d, &Binding::new()).expect("legal design");
     let (start, busy) = (Instant::now(), processor_seconds());
     let run = pipeline.run_parallel(&pyramid, &ins, lanes, threads, Traffic::default()).expect("every ray comes out");

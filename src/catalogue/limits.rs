@@ -4,7 +4,7 @@ use super::ray_plan::planned_rays;
 use super::rays::{RaySet, ray_set_at};
 use crate::config::Design;
 use crate::error::Result;
-use crate::golden::{Pyramid, Tracer};
+use crate::golden::{Pyramid, prepare};
 use crate::ir::{Binding, Module};
 use crate::units::traversal::traverse;
 
@@ -28,7 +28,7 @@ pub fn limit_sets(d: &Design, pyramid: &Pyramid, seed: u64) -> Result<Vec<(&'sta
     };
     let all = planned_rays(&at(d.traverse.step_limit).0, &small, seed)?;
     let rays: Vec<_> = all.iter().step_by(all.len().div_ceil(RAYS)).copied().collect();
-    let tracer = Tracer::new(&at(u32::from(u16::MAX)).0)?;
+    let tracer = prepare(&at(u32::from(u16::MAX)).0)?;
     let mut steps: Vec<u32> = rays.iter().map(|r| tracer.trace(&small, r).steps).filter(|s| *s > 1).collect();
     steps.sort_unstable();
     // Most rays stay below it.

@@ -1,6 +1,7 @@
 //! One entry a unit ([`UNITS`]): its model, legal operands, stimulus, bindings, proofs. Here alone hardware and golden model meet.
 mod bindings;
 mod check;
+mod datapath;
 mod entries;
 mod events;
 mod limits;
@@ -24,7 +25,7 @@ pub use row::{Context, Row};
 pub use table::{UNITS, entry, proofs, unit_entries};
 pub use unit::{Counted, Legal, Model, Stimulus, Unit};
 
-use crate::config::{Config, DatapathKind, Design};
+use crate::config::{Config, Design, datapaths};
 use crate::error::{Error, Result};
 use crate::ir::{Binding, Module, Port};
 use crate::units;
@@ -75,7 +76,7 @@ pub const SETTINGS: [&str; 11] = [
 /// The first of [`SETTINGS`], or another datapath, with which there is a module of this name.
 fn setting_of(d: &Design, name: &str) -> Option<String> {
     unit_entries().find(|u| u.name == name)?;
-    let kinds = DatapathKind::ALL.map(|kind| format!("datapath.kind={}", kind.word()));
+    let kinds = datapaths().map(|kind| format!("datapath.kind={}", kind.word()));
     SETTINGS.map(String::from).into_iter().filter(|s| s.contains('=')).chain(kinds).find(|set| {
         let mut c = Config::default();
         (c.mode, c.latency, c.datapath) = (d.mode, d.latency, d.datapath);

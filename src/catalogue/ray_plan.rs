@@ -1,8 +1,10 @@
 //! Rays that reach what a camera's rays leave out: every texel or a spread of them, refused rays, axes that do not move, travels of every
 //! exponent and of full length, every start level, lattice corners, tile borders.
-use crate::config::{DatapathKind, Design, TraverseConfig};
+use crate::config::{Design, TraverseConfig};
 use crate::error::Result;
-use crate::golden::{Pyramid, RayHit, RayInput, Tracer, encode_ray};
+use crate::format::Words;
+use crate::golden::{Datapath, Pyramid, RayHit, RayInput, encode_ray, prepare};
+use crate::scene::hard::Numbers;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -22,8 +24,8 @@ pub fn planned_rays(d: &Design, pyramid: &Pyramid, seed: u64) -> Result<Vec<RayI
     rng.set_stream(2);
     // What a ray hits is asked without the configured limit, which is there to end rays that never end by themselves.
     let unlimited = Design { traverse: TraverseConfig { step_limit: LONGEST, ..d.traverse }, ..*d };
-    let tracer = Tracer::new(&unlimited)?;
-    let mut rays = texel_rays(&tracer, pyramid, &mut rng);
+    let tracer = prepare(&unlimited)?;
+    let mut rays = texel_rays(&*tracer, pyramid, &mut rng);
     let refused = refused(d);
     let mut others = still(d);
     others.extend(sweep(d));
@@ -64,7 +66,7 @@ fn texels(levels: u32) -> Vec<(u32, u32)> {
 
 /// For each of [`texels`] a ray that ends on its top, so that any other height of it gives another result: straight down, along an axis, within the
 /// texel, or from a few texels away.
-fn texel_rays(tracer: &Tracer, pyramid: &Pyramid, rng: &mut ChaCha8Rng) -> Vec<RayInput> {
+fn texel_rays(tracer: &dyn Datapath, pyramid: &Pyramid, rng: &mut ChaCha8Rng) -> Vec<RayInput> {
     let d = tracer.design();
     let side = f64::from(1u32 << d.traverse.levels);
     let most = f64::from((1u32 << d.traverse.height_bits) - 1);
@@ -97,11 +99,13 @@ fn refused(d: &Design) -> Vec<RayInput> {
         *[&mut r.u, &mut r.v, &mut r.du, &mut r.dv][k] = word;
         r
     };
-    if d.datapath.kind == DatapathKind::Fixed {
-        let far = 1u64 << (d.datapath.fraction_bits + d.traverse.tile_bits);
-        return vec![put(2, far), put(3, far), RayInput { du: far, ..put(3, far) }];
-    }
-    let f = d.format;
+    let f = match d.words() {
+        Words::Float(format) => format,
+        Words::Fixed { travel_bits, .. } => {
+            let far = 1u64 << (travel_bits - 1);
+            return vec![put(2, far), put(3, far), RayInput { du: far, ..put(3, far) }];
+        }
+    };
     let power = |e: i32| ((f.bias() + e) as u64) << f.man;
     let (inf, nan, sign) = (f.infinity(), f.nan(), f.sign_bit());
     let smallest = 1u64 << f.man;
@@ -116,24 +120,7 @@ fn refused(d: &Design) -> Vec<RayInput> {
 /// Entry points that stand for all: the first, the last, on a border, inside of a texel.
 fn entries(d: &Design) -> [f64; 4] {
     let side = f64::from(1u32 << d.traverse.levels);
-    [0.0, 1.0 - last_place(d), (side / 2.0 + 1.0) / side, (side / 4.0 + 0.375) / side]
-}
-
-/// The last place of a number just below 1.
-fn last_place(d: &Design) -> f64 {
-    match d.datapath.kind {
-        DatapathKind::Fixed => 2f64.powi(-(d.datapath.fraction_bits as i32)),
-        _ => 2f64.powi(-(d.format.man as i32) - 1),
-    }
-}
-
-/// The longest travel, in tiles.
-fn far(d: &Design) -> f64 {
-    let tiles = 2f64.powi(d.traverse.tile_bits as i32);
-    match d.datapath.kind {
-        DatapathKind::Fixed => tiles - last_place(d),
-        _ => tiles * (1.0 - last_place(d)),
-    }
+    [0.0, Numbers::of(d).below_one(), (side / 2.0 + 1.0) / side, (side / 4.0 + 0.375) / side]
 }
 
 /// Rays that don't move along one axis or both, with every zero there is.
@@ -143,7 +130,7 @@ fn still(d: &Design) -> Vec<RayInput> {
     for (u, v) in entries(d).into_iter().zip(entries(d).into_iter().rev()) {
         out.push(encode_ray(d, [u, v, 0.0, 0.0]));
         for travel in [0.375 / side, 0.6875, 2.5] {
-            let travel = travel.min(far(d));
+            let travel = travel.min(Numbers::of(d).longest());
             out.extend(
                 [[travel, 0.0], [-travel, 0.0], [0.0, travel], [0.0, -travel]]
                     .map(|[du, dv]| encode_ray(d, [u, v, du, dv])),
@@ -151,9 +138,9 @@ fn still(d: &Design) -> Vec<RayInput> {
         }
     }
     let ray = encode_ray(d, [0.3125, 0.6875, 0.4375, -0.28125]);
-    let (one, top) = match d.datapath.kind {
-        DatapathKind::Fixed => (1, (1 << (d.datapath.fraction_bits + d.traverse.tile_bits + 1)) - 1),
-        _ => (d.format.man_mask(), d.format.sign_bit()),
+    let (one, top) = match d.words() {
+        Words::Fixed { travel_bits, .. } => (1, (1 << travel_bits) - 1),
+        Words::Float(format) => (format.man_mask(), format.sign_bit()),
     };
     // The other zero, what reads as zero, and the least travels; entry points likewise.
     for word in [top, one, one | top, one + 1, (one + 1) | top] {
@@ -163,7 +150,7 @@ fn still(d: &Design) -> Vec<RayInput> {
             RayInput { du: word, dv: word, ..ray },
         ]);
     }
-    if d.datapath.kind != DatapathKind::Fixed {
+    if d.words().float().is_some() {
         for word in [top, one, one | top, one + 1] {
             out.extend([RayInput { u: word, ..ray }, RayInput { v: word, ..ray }]);
         }
@@ -173,10 +160,7 @@ fn still(d: &Design) -> Vec<RayInput> {
 
 /// A travel of every exponent, axes and directions in turn.
 fn sweep(d: &Design) -> Vec<RayInput> {
-    let (least, most) = match d.datapath.kind {
-        DatapathKind::Fixed => (-(d.datapath.fraction_bits as i32), d.traverse.tile_bits as i32),
-        _ => (1 - d.format.bias(), d.traverse.tile_bits as i32),
-    };
+    let (least, most) = (d.words().least_exponent(), d.traverse.tile_bits as i32);
     let step = ((most - least + SWEEP - 1) / SWEEP).max(1);
     let ray = |(k, e): (usize, i32)| {
         let travel = 1.37 * 2f64.powi(e) * [1.0, -1.0][k / 2 % 2];
@@ -189,7 +173,7 @@ fn sweep(d: &Design) -> Vec<RayInput> {
 
 /// The longest rays in every direction, from corners of the map and from inside.
 fn longest(d: &Design) -> Vec<RayInput> {
-    let far = far(d);
+    let far = Numbers::of(d).longest();
     let mut out = Vec::new();
     for (u, v) in entries(d).into_iter().zip(entries(d)).skip(1).step_by(2) {
         for (du, dv) in [(far, far), (-far, far), (far, -far), (-far, -far)] {
@@ -248,7 +232,8 @@ fn anywhere(d: &Design, rng: &mut ChaCha8Rng) -> Vec<RayInput> {
         };
         let (u, v) = (entry(), entry());
         let mut travel = || {
-            let length = far(d) * 2f64.powf(-rng.random::<f64>() * f64::from(n + d.traverse.tile_bits as i32 + 1));
+            let length = Numbers::of(d).longest()
+                * 2f64.powf(-rng.random::<f64>() * f64::from(n + d.traverse.tile_bits as i32 + 1));
             if rng.random() { length } else { -length }
         };
         let (du, dv) = (travel(), travel());

@@ -1,8 +1,8 @@
 //! Vector sets of `traverse`: rays, a height pyramid, expected hits, and every iteration on the way.
 use super::design_at;
-use crate::config::{DatapathKind, Design, Trim};
+use crate::config::{Design, Trim};
 use crate::error::Result;
-use crate::golden::{Pyramid, RayHit, RayInput, Tracer};
+use crate::golden::{Iteration, Pyramid, RayHit, RayInput, prepare};
 use crate::ir::{Binding, Module};
 use crate::trace::{hit_row, inputs, outputs, row};
 use crate::units::traversal::traverse;
@@ -62,7 +62,7 @@ pub fn ray_set_at(
     let params = m.binding_with(over);
     let d = &design_at(design, &params);
     let rays = [planned, seen].concat();
-    let g = Tracer::new(d)?;
+    let g = prepare(d)?;
     // Where the design trims, the level of the node that was read stands at the end of the line.
     let trims = d.mode.trim != Trim::None;
     let mut trace = format!("ray,step,level,x,y,height,t,decision{}\n", if trims { ",read" } else { "" });
@@ -70,13 +70,14 @@ pub fn ray_set_at(
     let mut events = Reached::default();
     for (k, r) in rays.iter().enumerate() {
         let mut step = 0;
-        let h = g.trace_with(pyramid, r, |i| {
+        let mut line = |i: &Iteration| {
             let (x, y) = (i.x, i.y);
             let read = if trims { format!(",{}", i.chord.map_or(i.level, |c| c.level)) } else { String::new() };
             writeln!(trace, "{k},{step},{},{x},{y},{},{:x},{:?}{read}", i.level, i.height, i.t, i.decision)
                 .expect("writing to a string can't fail");
             step += 1;
-        });
+        };
+        let h = g.trace_with(pyramid, r, Some(&mut line));
         events.count(d, r, &h);
         expected.push(hit_row(d, &h));
     }
@@ -118,10 +119,7 @@ struct Reached(BTreeMap<String, usize>);
 impl Reached {
     fn count(&mut self, d: &Design, r: &RayInput, h: &RayHit) {
         let refused = h.limit && h.steps == 0;
-        let still = |travel: u64| match d.datapath.kind {
-            DatapathKind::Fixed => travel == 0,
-            _ => travel & !d.format.sign_bit() < 1 << d.format.man,
-        };
+        let still = |travel: u64| d.words().is_zero(travel);
         let found = [
             ("refused: not a ray", refused),
             ("given up at the step limit", h.limit && !refused),

@@ -2,7 +2,7 @@
 use super::args::{Cli, HardArgs, MOST_RAYS};
 use super::output::{spinner, table};
 use super::views::{Pixels, look};
-use crate::config::{DatapathKind, Design, ModeConfig};
+use crate::config::Design;
 use crate::engine::EngineName;
 use crate::error::{Error, Result};
 use crate::files::{OutDir, Part};
@@ -133,7 +133,7 @@ fn endure(cli: &Cli, ground: &HardGround<'_>, tasks: &[HardTask<'_>], rays: usiz
         let row = |of: &EnduredCase| {
             let longest = of.longest.as_ref();
             let long =
-                longest.map_or_else(Default::default, |l| [l.steps.to_string(), l.words.join(" "), mode(&l.mode)]);
+                longest.map_or_else(Default::default, |l| [l.steps.to_string(), l.words.join(" "), l.mode.label()]);
             let counts = [format!("{} of {}", of.given_up, of.rays), of.refused.to_string()];
             [&[of.case.clone()], &counts[..], &long[..]].concat()
         };
@@ -150,10 +150,10 @@ fn endure(cli: &Cli, ground: &HardGround<'_>, tasks: &[HardTask<'_>], rays: usiz
             sum.refused
         );
     }
-    match sum.witness.filter(|_| c.datapath.kind != DatapathKind::Published) {
+    match sum.witness.filter(|_| c.datapath.kind.facts().modes_agree) {
         None => Ok(()),
         Some((ray, m)) => {
-            Err(Error::mismatch(format!("a ray does not end: {} ({})", hex_words(&ray).join(" "), mode(&m))))
+            Err(Error::mismatch(format!("a ray does not end: {} ({})", hex_words(&ray).join(" "), m.label())))
         }
     }
 }
@@ -205,11 +205,6 @@ fn witness(f: &HardCase) -> Vec<Vec<String>> {
     let limit =
         limit.map(|g| line("given up".into(), g.ray, &g.words, format!("{} iterations", g.steps), "a hit".into()));
     let differs = f.first_that_differs.as_ref();
-    let differs = differs.map(|d| line(mode(&d.mode), d.ray, &d.words, d.got.to_string(), d.expected.to_string()));
+    let differs = differs.map(|d| line(d.mode.label(), d.ray, &d.words, d.got.to_string(), d.expected.to_string()));
     wrong.into_iter().chain(limit).chain(differs).collect()
-}
-
-fn mode(m: &ModeConfig) -> String {
-    let start = if m.start_level { "start level" } else { "root" };
-    format!("{start}, {} down, up {:?}, trim {:?}", m.levels_down, m.level_up, m.trim)
 }

@@ -2,9 +2,10 @@
 use super::args::{Cli, StepsArgs};
 use super::output::table;
 use super::views::{Pixels, Viewed, look};
+use crate::config::modes::BEST;
 use crate::config::{Config, MapKind, View};
 use crate::error::Result;
-use crate::measure::{PUBLISHED, ROWS};
+use crate::measure::PUBLISHED;
 use crate::project::{Beside, ModeSteps, Scene, SceneSteps, scene_steps, step_rows};
 use std::path::Path;
 
@@ -30,9 +31,9 @@ pub fn run(cli: &Cli, a: &StepsArgs) -> Result<()> {
         cells.extend(found.beside.into_iter().map(|x| Beside { what: format!("{}, {}", p.scene, x.what), ..x }));
     }
     if !cli.json {
-        println!("mean over scenes and views, relative to {}:", ROWS[ROWS.len() - 1].0);
-        let base = sums[ROWS.len() - 1];
-        let row = |((name, _), s): ((&str, _), &f64)| vec![name.to_string(), format!("{:.3}", s / base)];
+        println!("mean over scenes and views, relative to {}:", BEST.label());
+        let base = step_rows(&c).zip(&sums).find(|row| row.0.1 == BEST).map_or(f64::NAN, |row| *row.1);
+        let row = |((name, _), s): ((String, _), &f64)| vec![name, format!("{:.3}", s / base)];
         println!("{}", table(&["mode", "relative"], &step_rows(&c).zip(&sums).map(row).collect::<Vec<_>>()));
         println!("{}", verdict(&cells));
     }

@@ -40,7 +40,7 @@ pub fn fit_checked(
         if check.keeps(budget) {
             return Ok(Checked { fit: found, check, set });
         }
-        broken = Some((found.chosen.name(), check.figure(budget)));
+        broken = Some((found.chosen.design.label(), check.figure(budget)));
         seen = truth(&(0..=set).collect::<Vec<_>>())?;
     }
     let figure = broken.map_or(String::new(), |b| b.1);

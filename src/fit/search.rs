@@ -1,8 +1,9 @@
 //! The search: one dimension after the other, each to the least that keeps the budget.
-use super::trial::{Budget, Trial, Truth, name};
-use crate::config::{DatapathKind, Design, LevelUp, ModeConfig, Trim};
+use super::trial::{Budget, Trial, Truth};
+use crate::config::modes::{PLAIN, combinations};
+use crate::config::{Design, ModeConfig, Trim, datapaths};
 use crate::error::{Error, Result};
-use crate::golden::Tracer;
+use crate::golden::prepare;
 
 /// What the search may change.
 #[derive(Clone, Copy, Debug)]
@@ -65,7 +66,7 @@ pub fn fit(base: &Design, truth: &Truth, budget: Budget, limits: Limits, seen: &
 impl Search<'_> {
     fn run(&mut self, d: &Design) -> Result<Trial> {
         self.tried += 1;
-        (self.seen)(&name(d));
+        (self.seen)(&d.label());
         Trial::run(d, self.truth)
     }
 
@@ -101,16 +102,16 @@ impl Search<'_> {
     fn numbers(&mut self, d: &Design) -> Result<Trial> {
         let mut found: Vec<Trial> = Vec::new();
         let mut last: Option<Trial> = None;
-        for ladder in [floats(d), fixed(d)] {
+        for kind in datapaths().filter(|k| k.facts().modes_agree) {
             let mut before: Option<Trial> = None;
-            for candidate in ladder {
-                if Tracer::new(&candidate).is_err() {
-                    continue;
-                }
+            let mut of = *d;
+            of.datapath.kind = kind;
+            for step in (kind.facts().ladder)(&of) {
+                let Some(candidate) = step.into_iter().find(|d| prepare(d).is_ok()) else { continue };
                 let t = self.run(&candidate)?;
                 if t.keeps_surely(self.budget) {
                     if let Some(b) = &before {
-                        self.reject(b, name(&b.design));
+                        self.reject(b, b.design.label());
                     }
                     found.push(t);
                     break;
@@ -119,31 +120,29 @@ impl Search<'_> {
             }
             last = before.or(last);
         }
-        found = found.into_iter().map(|t| self.reciprocal(t)).collect::<Result<_>>()?;
+        found = found.into_iter().map(|t| self.narrower(t)).collect::<Result<_>>()?;
         found.sort_by_key(|t| t.cost.bits());
         let mut found = found.into_iter();
         let Some(best) = found.next() else {
             let best = last.map_or_else(
                 || "no design is legal here".to_string(),
-                |t| format!("{}: {}", name(&t.design), t.figure(self.budget)),
+                |t| format!("{}: {}", t.design.label(), t.figure(self.budget)),
             );
             return Err(Error::mismatch(format!("no design keeps the budget; the widest one is {best}")));
         };
         for other in found {
-            self.reject(&other, name(&other.design));
+            self.reject(&other, other.design.label());
         }
-        self.reasons.push(format!("{}: {}, {} bits", name(&best.design), best.figure(self.budget), best.cost.bits()));
+        self.reasons.push(format!("{}: {}, {} bits", best.design.label(), best.figure(self.budget), best.cost.bits()));
         Ok(best)
     }
 
-    /// A fixed-point design may do with fewer bits of the reciprocal.
-    fn reciprocal(&mut self, mut best: Trial) -> Result<Trial> {
-        while best.design.datapath.kind == DatapathKind::Fixed && best.design.datapath.reciprocal_bits > 8 {
-            let mut d = best.design;
-            d.datapath.reciprocal_bits -= 1;
+    /// A design may do with fewer bits that do not change the words of a ray.
+    fn narrower(&mut self, mut best: Trial) -> Result<Trial> {
+        while let Some(d) = (best.design.datapath.kind.facts().narrower)(&best.design) {
             let t = self.run(&d)?;
             if !t.keeps_surely(self.budget) {
-                self.reject(&t, name(&d));
+                self.reject(&t, d.label());
                 break;
             }
             best = t;
@@ -188,30 +187,30 @@ impl Search<'_> {
         Ok(best)
     }
 
-    /// The modes with the least bits times cycles; they never change a hit of the watertight and fixed datapaths.
+    /// The modes with the least bits times cycles; they never change a hit of the datapaths that are tried.
     fn modes(&mut self, best: Trial) -> Result<Trial> {
         let mut all: Vec<Trial> = Vec::new();
         for mode in modes() {
             let d = Design { mode, ..best.design };
-            if Tracer::new(&d).is_ok() {
+            if prepare(&d).is_ok() {
                 all.push(self.run(&d)?);
             }
         }
         let product = |t: &Trial| t.cost.bits() as f64 * t.steps.mean;
         all.retain(|t| t.keeps_surely(self.budget));
         all.sort_by(|a, b| product(a).total_cmp(&product(b)));
-        let plain = all.iter().find(|t| t.design.mode == plain()).cloned();
+        let plain = all.iter().find(|t| t.design.mode == PLAIN).cloned();
         let mut all = all.into_iter();
         let Some(chosen) = all.next() else { return Ok(best) };
         if let Some(next) = all.next() {
             let why = format!("{:.2} steps, {} bits", next.steps.mean, next.cost.bits());
-            self.rejected.push(Rejected { what: mode_name(&next.design.mode), why });
+            self.rejected.push(Rejected { what: next.design.mode.label(), why });
         }
         let against =
             plain.map_or(String::new(), |p| format!("; without any {:.2} steps, {} bits", p.steps.mean, p.cost.bits()));
         self.reasons.push(format!(
             "modes {}: {:.2} steps a ray (max {} at ray {}), {} bits{against}",
-            mode_name(&chosen.design.mode),
+            chosen.design.mode.label(),
             chosen.steps.mean,
             chosen.steps.max,
             chosen.steps.witness,
@@ -245,61 +244,7 @@ impl Search<'_> {
     }
 }
 
-/// Floating-point designs, narrow to wide, each with the fewest exponent bits that hold the map.
-fn floats(d: &Design) -> Vec<Design> {
-    let of = |man: u32| {
-        (5..=8).map(move |exp| {
-            let mut d = *d;
-            d.datapath.kind = DatapathKind::Watertight;
-            d.format = crate::format::FloatFormat::new(exp, man);
-            d
-        })
-    };
-    (7..=23).filter_map(|man| of(man).find(|d| Tracer::new(d).is_ok())).collect()
-}
-
-/// Fixed-point designs, narrow to wide.
-fn fixed(d: &Design) -> Vec<Design> {
-    let of = |bits: u32| {
-        let mut d = *d;
-        d.datapath.kind = DatapathKind::Fixed;
-        (d.datapath.fraction_bits, d.datapath.reciprocal_bits) = (bits, bits);
-        d
-    };
-    (8..=28).map(of).collect()
-}
-
-fn plain() -> ModeConfig {
-    ModeConfig {
-        start_level: false,
-        levels_down: 1,
-        level_up: LevelUp::None,
-        trim: Trim::None,
-        lod: false,
-        bilinear: false,
-    }
-}
-
-fn modes() -> Vec<ModeConfig> {
-    let mut all = Vec::new();
-    for trim in Trim::ALL {
-        for start_level in [false, true] {
-            for levels_down in [1, 2, 3] {
-                all.extend(LevelUp::ALL.map(|level_up| ModeConfig {
-                    start_level,
-                    levels_down,
-                    level_up,
-                    trim,
-                    lod: false,
-                    bilinear: false,
-                }));
-            }
-        }
-    }
-    all
-}
-
-fn mode_name(m: &ModeConfig) -> String {
-    let start = if m.start_level { "start level" } else { "from the root" };
-    format!("{start}, {} down, up {:?}, trim {:?}", m.levels_down, m.level_up, m.trim).to_lowercase()
+/// The modes that are tried; four levels down take more steps than three (PIDM-HW table 3).
+fn modes() -> impl Iterator<Item = ModeConfig> {
+    combinations(PLAIN, &Trim::ALL).into_iter().filter(|mode| mode.levels_down < 4)
 }

@@ -1,5 +1,5 @@
 //! One design on one scene, against the truth.
-use crate::config::{DatapathKind, Design};
+use crate::config::Design;
 use crate::error::Result;
 use crate::golden::{Pyramid, RayHit, RayInput, encode_ray};
 use crate::measure::{Cost, Spread, Steps, exact_ray, given_ray, place, steps, uv_error};
@@ -121,11 +121,6 @@ impl Trial {
         })
     }
 
-    /// The arithmetic of the design, in words.
-    pub fn name(&self) -> String {
-        name(&self.design)
-    }
-
     /// True if the budget is kept; a ray that is given up never keeps it.
     pub fn keeps(&self, budget: Budget) -> bool {
         self.steps.limits == 0
@@ -170,15 +165,4 @@ fn sure(errors: &[(f64, usize)]) -> f64 {
     let n = errors.len();
     let share = (0.99 + 3.0 * (0.99 * 0.01 / n.max(1) as f64).sqrt()).min(1.0);
     errors.get(((n as f64 * share).ceil() as usize).saturating_sub(1)).copied().unwrap_or(0.0)
-}
-
-/// The arithmetic of a design in words.
-pub(super) fn name(d: &Design) -> String {
-    match d.datapath.kind {
-        DatapathKind::Watertight => format!("watertight, float {}/{}", d.format.exp, d.format.man),
-        DatapathKind::Published => format!("published, float {}/{}", d.format.exp, d.format.man),
-        DatapathKind::Fixed => {
-            format!("fixed, {} fraction bits, reciprocal of {}", d.datapath.fraction_bits, d.datapath.reciprocal_bits)
-        }
-    }
 }

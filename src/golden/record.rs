@@ -1,4 +1,39 @@
-//! What a traversal returns, and what each of its iterations did.
+//! A ray, what a traversal returns of it, and what each of the iterations did.
+use super::float;
+use crate::format::FloatFormat;
+
+/// A ray as it enters the unit; every field is an encoded number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct RayInput {
+    /// Entry point on the top plane along u, in tiles; [0, 1).
+    pub u: u64,
+    /// Entry point along v, in tiles; [0, 1).
+    pub v: u64,
+    /// Tiles travelled along u while the height falls from 1 to 0; less than 2^TILE_W either way.
+    pub du: u64,
+    /// As `du`, along v.
+    pub dv: u64,
+    /// The finest level at which the ray may end, in as many bits as LEVELS needs; above LEVELS it means LEVELS. Read only where the design's
+    /// `mode.lod` is set.
+    pub lod: u32,
+}
+
+impl RayInput {
+    /// The ray whose fields are nearest to the given ones, at full detail.
+    pub fn from_f64(fmt: FloatFormat, u: f64, v: f64, du: f64, dv: f64) -> Self {
+        let [u, v, du, dv] = [u, v, du, dv].map(|x| float::from_f64(fmt, x));
+        Self { u, v, du, dv, lod: 0 }
+    }
+
+    /// The ray of floating-point words that are nearest to (u, v, du, dv), in tiles. The map repeats, so the entry point is wrapped into
+    /// \[0, 1), also where it rounds up to 1.
+    pub(super) fn wrapped(fmt: FloatFormat, [u, v, du, dv]: [f64; 4]) -> Self {
+        let one = (fmt.bias() as u64) << fmt.man;
+        let wrap = |x: u64| if x == one { 0 } else { x };
+        let r = Self::from_f64(fmt, u.rem_euclid(1.0), v.rem_euclid(1.0), du, dv);
+        Self { u: wrap(r.u), v: wrap(r.v), ..r }
+    }
+}
 
 /// What the bilinear refinement found (`docs/bilinear.md`).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

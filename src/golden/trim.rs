@@ -1,22 +1,7 @@
 //! Chord trim: the smallest node that holds the rest of the ray inside the current one (`docs/datapath.md`, "Chord trim").
-use super::float;
 use super::level::start_level;
+use super::planes::{AxisView, PlaneArithmetic, Setup, kept};
 use super::record::Chord;
-use super::setup::Setup;
-use super::traverse::Watertight;
-use super::walk::{AxisView, PlaneArithmetic, kept};
-
-impl Watertight {
-    /// Pf and Le of an axis: entry point moved forward by `bias`, and a texel that the ray does not get beyond.
-    pub(super) fn ahead(&self, p: u64, dn: u64, dt: u64, bias: u64) -> (u64, i64) {
-        let fmt = self.design.format;
-        let zero = |x: u64| matches!(float::decode(fmt, x), float::Value::Zero(_));
-        let start = if zero(dn) { p } else { float::add(fmt, p, bias) };
-        let end = float::add(fmt, start, dn);
-        // A travel per height code that is no number any more says nothing about the way: then the whole way is assumed.
-        (if zero(dt) { end } else { start }, float::to_int(fmt, end, self.idx_w))
-    }
-}
 
 /// The chord from texel `(x, y)` to the exit of its level-k node, whose planes are met at `t_x` and `t_y`.
 pub(super) fn chord<P: PlaneArithmetic>(

@@ -1,63 +1,29 @@
 //! The walk from node to node: the same for every datapath that compares parameters of planes; what it computes with is a [`PlaneArithmetic`].
-use super::level::{Crossing, descend_levels, level_up, start_level, trim_return};
+use super::level::{Crossing, descend_levels, level_up, trim_return};
+use super::planes::{AxisView, PlaneArithmetic, Setup, kept};
 use super::pyramid::Pyramid;
-use super::record::{Decision, Iteration, RayHit};
-use super::setup::{RayInput, Setup};
-use crate::config::{Design, LevelUp, Trim};
+use super::record::{Decision, Iteration, RayHit, RayInput};
+use super::trim::chord;
+use crate::config::{LevelUp, Trim};
 
-/// One axis of a ray, as far as the walk looks at it. Texels are unwrapped.
-pub(super) trait AxisView {
-    /// The ray runs toward lower indices.
-    fn neg(&self) -> bool;
-    /// X: texel of the entry point.
-    fn entry(&self) -> i64;
-    /// Xa: texel of the point where the ray meets the bottom plane, for the start level.
-    fn end(&self) -> i64;
-    /// Le: a texel that the ray does not get beyond.
-    fn last(&self) -> i64;
-}
-
-/// The arithmetic of a datapath. Ray parameters are words that only it can read.
-pub(super) trait PlaneArithmetic {
-    /// One axis of a ray after setup.
-    type Axis: AxisView + Copy;
-
-    /// The design.
-    fn design(&self) -> &Design;
-    /// Setup of one ray.
-    fn ray(&self, ray: &RayInput) -> Setup<Self::Axis>;
-    /// Whether parameter `a` comes before `b`.
-    fn lt(&self, a: u64, b: u64) -> bool;
-    /// Where a node of that height code is met.
-    fn height_time(&self, height: u32) -> u64;
-    /// Where the ray meets integer plane `b`.
-    fn plane_time(&self, axis: &Self::Axis, b: i64) -> u64;
-    /// The texel where the ray is at `t`, or one that it has left already: never one that it has yet to reach.
-    fn texel_lower_bound(&self, axis: &Self::Axis, t: u64) -> i64;
-    /// The texel where the ray is at `t`, or one further on: never one that it has left already.
-    fn texel_upper_bound(&self, axis: &Self::Axis, t: u64) -> i64;
-    /// Where the ray is at `t`, in 2^-FRAC_W texels.
-    fn position(&self, axis: &Self::Axis, t: u64) -> i64;
-
-    /// The larger of two parameters; the first when they are equal.
-    fn max(&self, a: u64, b: u64) -> u64 {
-        if self.lt(a, b) { b } else { a }
-    }
-}
-
-/// What setup says of both axes, and the first level of the walk: start level and level of detail, where the design has them.
-pub(super) fn both<A: AxisView>(d: &Design, lod: u32, u: A, v: A) -> Setup<A> {
-    let (n, idx_w) = (d.traverse.levels, d.traverse.idx_bits());
-    let level = if d.mode.start_level { start_level(n, idx_w, u.entry(), v.entry(), u.end(), v.end()) } else { n };
-    let lod = if d.mode.lod { lod.min(n) } else { 0 };
-    Setup { valid: true, u, v, level: level.max(lod), lod }
-}
-
-/// Traces a ray. `RECORD`: somebody looks at the iterations, so that what no decision needs is computed too.
+/// Traces a ray, and shows every iteration to `on_iteration`.
 ///
 /// # Panics
 /// If the pyramid has other levels or height bits than the design.
-pub(super) fn walk<const RECORD: bool, P: PlaneArithmetic>(
+pub(super) fn walk<P: PlaneArithmetic>(
+    planes: &P,
+    pyramid: &Pyramid,
+    ray: &RayInput,
+    on_iteration: Option<&mut dyn FnMut(&Iteration)>,
+) -> RayHit {
+    match on_iteration {
+        Some(see) => walk_on::<true, P>(planes, pyramid, ray, see),
+        None => walk_on::<false, P>(planes, pyramid, ray, &mut |_| ()),
+    }
+}
+
+/// As [`walk`]. `RECORD`: the iterations are looked at, so that what no decision needs is computed too.
+fn walk_on<const RECORD: bool, P: PlaneArithmetic>(
     planes: &P,
     pyramid: &Pyramid,
     ray: &RayInput,
@@ -136,7 +102,7 @@ fn iterate<const RECORD: bool, P: PlaneArithmetic>(
         Trim::Descent => s.descended,
         Trim::Always => true,
     };
-    let chord = trims.then(|| super::trim::chord(planes, setup, k, [s.x, s.y], [t_x, t_y]));
+    let chord = trims.then(|| chord(planes, setup, k, [s.x, s.y], [t_x, t_y]));
     // The node that is read: all else but a descent goes on from the node of level k.
     let r = chord.map_or(k, |c| c.level);
     let height = pyramid.node(r, wrap(s.x, n) >> r, wrap(s.y, n) >> r);
@@ -214,15 +180,6 @@ struct State {
 fn exit(axis: &impl AxisView, k: u32, x: i64) -> i64 {
     let mask = (1i64 << k) - 1;
     if axis.neg() { x & !mask } else { (x | mask) + 1 }
-}
-
-/// Texel `to`, but still in the level-k node of `x`, and never before `x`.
-///
-/// An estimate may lie behind a plane that was crossed already. Going back there would cost steps on an axis that moves,
-/// could repeat for ever when each crossing goes a level up, and on an axis that never crosses would be wrong for good.
-pub(super) fn kept(axis: &impl AxisView, k: u32, x: i64, to: i64) -> i64 {
-    let mask = (1i64 << k) - 1;
-    if axis.neg() { to.clamp(x & !mask, x) } else { to.clamp(x, x | mask) }
 }
 
 /// The texel behind plane `b`, seen along the ray.

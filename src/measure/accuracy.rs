@@ -1,8 +1,8 @@
 //! Hits against the exact texel walk: wrong texels with their witnesses, and the largest error of the parameter.
 use super::uv::{given_ray, place, uv_error};
-use crate::config::{DatapathKind, Design};
+use crate::config::Design;
 use crate::error::{Error, Result};
-use crate::golden::{RayHit, RayInput, decode_time, decode_travel};
+use crate::golden::{RayHit, RayInput, decode_time};
 use crate::oracle::{ExactMap, ExactRay};
 use rayon::prelude::*;
 
@@ -41,11 +41,8 @@ pub struct Accuracy {
 /// # Errors
 /// Words that are not numbers.
 pub fn exact_ray(d: &Design, r: &RayInput) -> Result<ExactRay> {
-    let (p, t) = ([r.u, r.v], [r.du, r.dv]);
-    if d.datapath.kind == DatapathKind::Fixed {
-        return Ok(ExactRay::fixed(d.datapath.fraction_bits, p, t.map(|word| decode_travel(d, word))));
-    }
-    ExactRay::float(d.format, p, t).ok_or_else(|| Error::input("an exact ray is made of finite numbers"))
+    ExactRay::of_words(d.words(), [r.u, r.v], [r.du, r.dv])
+        .ok_or_else(|| Error::input("an exact ray is made of finite numbers"))
 }
 
 /// Compares `hits` with the exact walk of the same encoded rays over `texels`.

@@ -5,7 +5,7 @@ use super::spread::Spread;
 use super::uv::uv_error;
 use crate::config::{Config, Design};
 use crate::error::Result;
-use crate::golden::{Patch, Pyramid, RayHit, RayInput, Refined, Watertight, decode_time};
+use crate::golden::{Datapath, Patch, Pyramid, RayHit, RayInput, Refined, Watertight, decode_time};
 use crate::oracle::{Dyadic, ExactMap, Root};
 use crate::scene::{ViewRay, border};
 use rayon::prelude::*;
@@ -52,7 +52,7 @@ struct Judged {
 /// # Panics
 /// If the pyramid has other levels or height bits than the design.
 pub fn bilinear(d: &Design, pyramid: &Pyramid, texels: &[u32], rays: &[RayInput]) -> Result<Bilinear> {
-    let golden = Watertight::new(d)?;
+    let golden = Watertight::prepare(d)?;
     let t = &d.traverse;
     let map = ExactMap { levels: t.levels, height_bits: t.height_bits, texels };
     let judge = |r: &RayInput| -> Result<Option<Judged>> {

@@ -1,8 +1,8 @@
 //! Whether every ray ends: a hard case's rays in all modes in turn, counted, and nothing else asked.
-use super::hard::combinations;
-use crate::config::{DatapathKind, Design, ModeConfig, Trim};
+use crate::config::modes::combinations;
+use crate::config::{Design, ModeConfig};
 use crate::error::Result;
-use crate::golden::{Pyramid, RayInput, Tracer, encode_ray};
+use crate::golden::{Datapath, Pyramid, RayInput, encode_ray, prepare};
 use crate::scene::hard::HardScene;
 use rayon::prelude::*;
 
@@ -33,7 +33,7 @@ pub struct Endured {
 }
 
 impl Endured {
-    fn of(tracer: &Tracer, pyramid: &Pyramid, ray: &RayInput) -> Self {
+    fn of(tracer: &dyn Datapath, pyramid: &Pyramid, ray: &RayInput) -> Self {
         let hit = tracer.trace(pyramid, ray);
         let mode = tracer.design().mode;
         let given_up = hit.limit && hit.steps > 0;
@@ -67,10 +67,10 @@ impl Endured {
 pub fn endure(scene: &HardScene) -> Result<Endured> {
     let design = scene.design;
     let pyramid = Pyramid::build(design.traverse.levels, design.traverse.height_bits, &scene.texels)?;
-    let tracers: Vec<Tracer> =
-        modes(&design).into_iter().map(|mode| Tracer::new(&Design { mode, ..design })).collect::<Result<_>>()?;
+    let tracers: Vec<Box<dyn Datapath>> =
+        modes(&design).into_iter().map(|mode| prepare(&Design { mode, ..design })).collect::<Result<_>>()?;
     let one =
-        |(k, ray): (usize, &[f64; 4])| Endured::of(&tracers[k % tracers.len()], &pyramid, &encode_ray(&design, *ray));
+        |(k, ray): (usize, &[f64; 4])| Endured::of(&*tracers[k % tracers.len()], &pyramid, &encode_ray(&design, *ray));
     // In order, so that the witnesses do not depend on the threads.
     let parts: Vec<Endured> = scene
         .rays
@@ -85,10 +85,5 @@ pub fn endure(scene: &HardScene) -> Result<Endured> {
 
 /// Every mode that the design's datapath and format have: 40, or 120 with the chord trims.
 pub fn modes(design: &Design) -> Vec<ModeConfig> {
-    let trims = match design.datapath.kind {
-        DatapathKind::Fixed => true,
-        DatapathKind::Watertight => i64::from(design.format.man) + 4 <= i64::from(design.format.bias()),
-        DatapathKind::Published => false,
-    };
-    combinations(design.mode, if trims { &Trim::ALL } else { &[Trim::None] })
+    combinations(design.mode, design.trims())
 }

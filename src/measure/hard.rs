@@ -1,8 +1,9 @@
 //! A design on a hard case: wrong texels, rays given up, and whether every mode finds the same.
 use super::accuracy::{Accuracy, accuracy, exact_ray};
-use crate::config::{DatapathKind, Design, LevelUp, ModeConfig, Trim};
+use crate::config::modes::combinations;
+use crate::config::{Design, ModeConfig, Trim};
 use crate::error::Result;
-use crate::golden::{Pyramid, RayHit, RayInput, Tracer, decode_time, encode_ray};
+use crate::golden::{Datapath, Pyramid, RayHit, RayInput, decode_time, encode_ray, prepare};
 use crate::oracle::ExactMap;
 use crate::scene::hard::{Case, HardScene};
 use rayon::prelude::*;
@@ -58,10 +59,10 @@ impl HardFigures {
     /// As [`HardFigures::new`].
     pub fn of_scene(scene: &HardScene, limit: bool) -> Result<Self> {
         let design = scene.design;
-        let tracer = Tracer::new(&design)?;
+        let tracer = prepare(&design)?;
         let pyramid = Pyramid::build(design.traverse.levels, design.traverse.height_bits, &scene.texels)?;
         let rays: Vec<RayInput> = scene.rays.iter().map(|ray| encode_ray(&design, *ray)).collect();
-        let hits = all(&tracer, &pyramid, &rays);
+        let hits = all(&*tracer, &pyramid, &rays);
         let accuracy = accuracy(&design, &scene.texels, &rays, &hits)?;
         let t = &design.traverse;
         let map = ExactMap { levels: t.levels, height_bits: t.height_bits, texels: &scene.texels };
@@ -69,10 +70,8 @@ impl HardFigures {
         let margins: Vec<f64> = rays.par_iter().map(margin).collect::<Result<_>>()?;
         let tied = margins.iter().filter(|margin| **margin == 0.0).count();
         let ties = accuracy.wrong.iter().filter(|w| w.margin == 0.0).count();
-        let modes: Vec<Tracer> = modes(design.mode)
-            .into_iter()
-            .map(|mode| Tracer::new(&Design { mode, ..design }))
-            .collect::<Result<_>>()?;
+        let modes: Vec<Box<dyn Datapath>> =
+            modes(design.mode).into_iter().map(|mode| prepare(&Design { mode, ..design })).collect::<Result<_>>()?;
         let first = |ray: usize| {
             modes.iter().find_map(|tracer| {
                 let (got, expected) = (tracer.trace(&pyramid, &rays[ray]), hits[ray]);
@@ -85,11 +84,11 @@ impl HardFigures {
         Ok(Self { design, rays, hits, accuracy, ties, tied, modes: modes.len(), differ, limit_wrong })
     }
 
-    /// Whether the design does what its datapath promises: no ray given up or refused, every mode the same. The published one promises
-    /// neither.
+    /// Whether the design does what its datapath promises: no ray given up or refused, every mode the same. Not every datapath
+    /// promises that.
     pub fn keeps_promises(&self) -> bool {
         let broken = self.accuracy.limits + self.differ.len() + self.limit_wrong.unwrap_or(0);
-        self.design.datapath.kind == DatapathKind::Published || broken == 0
+        !self.design.datapath.kind.facts().modes_agree || broken == 0
     }
 
     /// The largest margin among the wrong texels: how far from another decision the exact walk was when the design went wrong.
@@ -98,24 +97,10 @@ impl HardFigures {
     }
 }
 
-/// Every combination of start level, levels down and level-up rule: 40, without chord trim; and 40 with that of `base`, if it has one.
+/// The modes that a design is compared in: 40 without chord trim; and 40 with that of `base`, if it has one.
 pub fn modes(base: ModeConfig) -> Vec<ModeConfig> {
     let both = [Trim::None, base.trim];
     combinations(base, if base.trim == Trim::None { &both[..1] } else { &both })
-}
-
-/// Every combination of start level, levels down and level-up rule with each of `trims`; the first one is the plain walk from the root.
-pub fn combinations(base: ModeConfig, trims: &[Trim]) -> Vec<ModeConfig> {
-    let mut out = Vec::new();
-    for &trim in trims {
-        for start_level in [false, true] {
-            for levels_down in 1..=4 {
-                let mode = |level_up| ModeConfig { start_level, levels_down, level_up, trim, ..base };
-                out.extend(LevelUp::ALL.map(mode));
-            }
-        }
-    }
-    out
 }
 
 /// The parts of the travels after which rays end, 0 to 1.
@@ -130,7 +115,7 @@ pub fn answer(hit: &RayHit) -> RayHit {
     RayHit { steps: 0, crossings: 0, ups: 0, ..*hit }
 }
 
-fn all(tracer: &Tracer, pyramid: &Pyramid, rays: &[RayInput]) -> Vec<RayHit> {
+fn all(tracer: &dyn Datapath, pyramid: &Pyramid, rays: &[RayInput]) -> Vec<RayHit> {
     rays.par_iter().map(|ray| tracer.trace(pyramid, ray)).collect()
 }
 
@@ -144,7 +129,7 @@ fn at_the_limit(design: &Design, pyramid: &Pyramid, rays: &[RayInput], hits: &[R
         }
         let mut design = *design;
         design.traverse.step_limit = limit;
-        let limited = all(&Tracer::new(&design)?, pyramid, rays);
+        let limited = all(&*prepare(&design)?, pyramid, rays);
         let right = |(got, hit): &(&RayHit, &RayHit)| {
             if hit.steps > limit { got.limit && !got.wall && got.steps == limit } else { got == hit }
         };

@@ -1,5 +1,4 @@
 //! Iterations per ray, beside the published table (PIDM-HW table 4).
-use crate::config::{LevelUp, ModeConfig, Trim};
 use crate::golden::RayHit;
 
 /// Mean and largest number of iterations.
@@ -36,27 +35,6 @@ pub fn steps(hits: &[RayHit]) -> Steps {
     s
 }
 
-const fn mode(start_level: bool, levels_down: u32, level_up: LevelUp) -> ModeConfig {
-    ModeConfig { start_level, levels_down, level_up, trim: Trim::None, lod: false, bilinear: false }
-}
-
-/// Rows of the published table: name and modes.
-pub const ROWS: [(&str, ModeConfig); 7] = [
-    ("PDM baseline [10]", mode(false, 1, LevelUp::None)),
-    ("Tevs [12]", mode(false, 1, LevelUp::Tevs)),
-    ("(a) start level", mode(true, 1, LevelUp::None)),
-    ("(b) two levels down", mode(false, 2, LevelUp::None)),
-    ("(c1) selective up", mode(false, 1, LevelUp::Selective)),
-    ("(c2) coherent up", mode(false, 1, LevelUp::Coherent)),
-    ("a + b + c1", mode(true, 2, LevelUp::Selective)),
-];
-
-/// Fewer iterations than published: the last row of [`ROWS`] with a chord trim.
-pub const TRIM_ROWS: [(&str, ModeConfig); 2] = [
-    ("  + trim after descents", ModeConfig { trim: Trim::Descent, ..ROWS[6].1 }),
-    ("  + trim always", ModeConfig { trim: Trim::Always, ..ROWS[6].1 }),
-];
-
 /// One scene of the published table.
 #[derive(Clone, Copy, Debug)]
 pub struct Published {
@@ -66,7 +44,7 @@ pub struct Published {
     pub scale: f64,
     /// Repeats of the map along the quad.
     pub repeat: u32,
-    /// Mean iterations by row of [`ROWS`], then front, oblique, grazing; `None` where our copy is not legible.
+    /// Mean iterations by row of [`crate::config::modes::PUBLISHED_ROWS`], then front, oblique, grazing; `None` where our copy is not legible.
     pub means: [[Option<f64>; 3]; 7],
 }
 

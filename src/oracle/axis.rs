@@ -1,6 +1,5 @@
 //! One axis of the walk: where the next plane is, as a number that may be a little off and as one that is not.
 use super::exact::{Dyadic, Ratio, scale, too_wide};
-use super::walk::ExactMap;
 use super::wide::U256;
 use crate::error::{Error, Result};
 
@@ -34,13 +33,14 @@ pub(super) struct Axis {
 }
 
 impl Axis {
-    pub(super) fn new(p: Dyadic, d: Dyadic, map: &ExactMap) -> Result<Self> {
+    /// A map of 2^`levels` texels a side, with height codes of `height_bits` bits.
+    pub(super) fn new(p: Dyadic, d: Dyadic, [levels, height_bits]: [u32; 2]) -> Result<Self> {
         // Below 1 means that the top bit of sig * 2^exp is below the point.
         let bits = |x: &Dyadic| (u128::BITS - x.sig.leading_zeros()) as i32 + x.exp;
         if p.sig != 0 && (p.negative || bits(&p) > 0) || d.sig != 0 && bits(&d) > 8 {
             return Err(Error::input("an exact ray enters in [0, 1) and travels less than 256 tiles"));
         }
-        let n = map.levels as i32;
+        let n = levels as i32;
         let exp = if p.sig == 0 { 0 } else { p.exp + n };
         let unit = exp.min(0).unsigned_abs();
         // Room for a plane of 2^24 texels beside the scale.
@@ -53,7 +53,7 @@ impl Axis {
         } else {
             (0, p.sig)
         };
-        let bottom = (1u128 << map.height_bits) - 1;
+        let bottom = (1u128 << height_bits) - 1;
         // f64 holds numbers of so few bits exactly, and products of such numbers don't leave its range.
         let plain = |x: &Dyadic| x.sig >> 53 == 0 && x.exp > -400;
         let mut axis = Self {

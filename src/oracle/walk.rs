@@ -2,7 +2,7 @@
 use super::axis::{Axis, NEVER};
 use super::exact::{Dyadic, Ratio};
 use crate::error::{Error, Result};
-use crate::format::FloatFormat;
+use crate::format::{FloatFormat, Words};
 use std::cmp::Ordering;
 
 /// A square map that repeats.
@@ -26,6 +26,17 @@ pub struct ExactRay {
 }
 
 impl ExactRay {
+    /// A ray by the words that enter a datapath; `None` if one of them is infinite or no number.
+    pub fn of_words(words: Words, p: [u64; 2], d: [u64; 2]) -> Option<Self> {
+        match words {
+            Words::Float(format) => Self::float(format, p, d),
+            Words::Fixed { fraction_bits, travel_bits } => {
+                let spare = u64::BITS - travel_bits;
+                Some(Self::fixed(fraction_bits, p, d.map(|word| (word << spare) as i64 >> spare)))
+            }
+        }
+    }
+
     /// A ray of floating-point words; `None` if one of them is infinite or no number.
     pub fn float(format: FloatFormat, p: [u64; 2], d: [u64; 2]) -> Option<Self> {
         let read = |x: u64| Dyadic::read(x, format.exp, format.man);
@@ -117,8 +128,9 @@ impl ExactMap<'_> {
         if self.texels.len() != 1 << (2 * self.levels) {
             return Err(Error::input(format!("the map has {} texels, not 4^{}", self.texels.len(), self.levels)));
         }
-        let mut u = Axis::new(ray.p[0], ray.d[0], self)?;
-        let mut v = Axis::new(ray.p[1], ray.d[1], self)?;
+        let size = [self.levels, self.height_bits];
+        let mut u = Axis::new(ray.p[0], ray.d[0], size)?;
+        let mut v = Axis::new(ray.p[1], ray.d[1], size)?;
         let judge = Judge { filter: filter && u.near_is_near && v.near_is_near };
         let bottom = (1u64 << self.height_bits) - 1;
         let mask = (1i64 << self.levels) - 1;

@@ -1,6 +1,6 @@
 //! Wrong texels and position errors on the published scenes, in floating and in fixed point.
 use super::{Scene, encode};
-use crate::config::{Config, DatapathKind, MapKind, View};
+use crate::config::{Config, DatapathKind, MapKind, View, datapaths};
 use crate::error::Result;
 use crate::golden::RayInput;
 use crate::measure::{Accuracy, PUBLISHED, Published, accuracy, hex_words};
@@ -58,20 +58,20 @@ pub struct Rate {
 /// A scene that can't be read; a configuration that is not legal at a size.
 pub fn published_rates(c: &Config, dir: &Path, tell: &dyn Fn(String)) -> Result<Vec<Rate>> {
     c.map.published_border()?;
-    let kinds = match c.datapath.kind {
-        DatapathKind::Published => &[DatapathKind::Published][..],
-        _ => &[DatapathKind::Watertight, DatapathKind::Fixed],
-    };
+    // Beside each other stand those that find the same hits in every mode; one that does not stands alone, where it is asked for.
+    let own = c.datapath.kind;
+    let beside = |k: &DatapathKind| if own.facts().modes_agree { k.facts().modes_agree } else { *k == own };
+    let kinds: Vec<DatapathKind> = datapaths().filter(beside).collect();
     let mut rates = Vec::new();
     let mut sizes = vec![c.traverse.levels, WIDE];
     sizes.dedup();
     for levels in sizes {
-        for kind in kinds {
+        for kind in &kinds {
             let mut c = c.clone();
             (c.traverse.levels, c.datapath.kind, c.map.kind) = (levels, *kind, MapKind::File);
             c.map.file = Some(dir.join("-"));
             c.validate()?;
-            let mut rate = Rate { datapath: label(&c), texels: 1 << levels, ..Rate::default() };
+            let mut rate = Rate { datapath: c.design().label(), texels: 1 << levels, ..Rate::default() };
             for p in &PUBLISHED {
                 tell(format!("{} on {}, {} texels", rate.datapath, p.scene, rate.texels));
                 rate.scene(&mut c, p, dir)?;
@@ -80,18 +80,6 @@ pub fn published_rates(c: &Config, dir: &Path, tell: &dyn Fn(String)) -> Result<
         }
     }
     Ok(rates)
-}
-
-fn label(c: &Config) -> String {
-    match c.datapath.kind {
-        DatapathKind::Fixed => {
-            format!("fixed Q.{}, reciprocal {}", c.datapath.fraction_bits, c.datapath.reciprocal_bits)
-        }
-        DatapathKind::Published if c.datapath.nudge_bits == 0 => {
-            format!("published {}/{}, no nudge", c.format.exp, c.format.man)
-        }
-        kind => format!("{} {}/{}", kind.word(), c.format.exp, c.format.man),
-    }
 }
 
 impl Rate {

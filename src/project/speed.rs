@@ -5,7 +5,7 @@ use crate::config::Config;
 use crate::emit::hardware;
 use crate::engine::EngineName;
 use crate::error::{Error, Result};
-use crate::golden::{RayInput, Tracer};
+use crate::golden::{RayInput, prepare};
 use crate::interp::{BLOCK, Traffic};
 use crate::ir::Binding;
 use crate::measure::turns::{Spread3, Turns};
@@ -37,7 +37,7 @@ impl SpeedTask {
     /// An illegal design.
     pub fn new(c: &Config, scene: Scene, rays: Vec<RayInput>) -> Result<Self> {
         let d = c.design();
-        let golden = Tracer::new(&d)?;
+        let golden = prepare(&d)?;
         let hits: Vec<_> = rays.iter().map(|r| golden.trace(&scene.pyramid, r)).collect();
         let iterations = hits.iter().map(|h| u64::from(h.steps)).sum();
         let expected = hits.iter().map(|h| hit_row(&d, h)).collect();
@@ -173,7 +173,7 @@ fn measure(c: &Config, task: &SpeedTask, turns: usize, tell: &dyn Fn(&str)) -> R
         turns: Vec::new(),
         wall,
     };
-    let golden = Tracer::new(&d)?;
+    let golden = prepare(&d)?;
     let start = Instant::now();
     let p = Pipeline::new(&d, &Binding::new())?;
     let stream = p.stream();

@@ -1,17 +1,18 @@
 //! Iterations of a scene's views in every mode of the published table.
 use super::{Scene, encode};
-use crate::config::{Config, DatapathKind, ModeConfig, View};
+use crate::config::modes::{published_rows, trimmed};
+use crate::config::{Config, ModeConfig, View};
 use crate::error::Result;
 use crate::golden::RayInput;
-use crate::measure::{ROWS, TRIM_ROWS, steps};
+use crate::measure::steps;
 use crate::scene::{RaySet, ViewRay};
 use crate::trace::trace_golden;
 use serde::Serialize;
 
 /// The published rows, then those with fewer iterations, where the datapath has them.
-pub fn step_rows(c: &Config) -> impl Iterator<Item = (&'static str, ModeConfig)> {
-    let trims = c.datapath.kind != DatapathKind::Published;
-    ROWS.into_iter().chain(TRIM_ROWS.into_iter().filter(move |_| trims))
+pub fn step_rows(c: &Config) -> impl Iterator<Item = (String, ModeConfig)> {
+    let trims = c.datapath.kind.facts().trim;
+    published_rows().chain(trimmed().filter(move |_| trims)).map(|mode| (mode.label(), mode))
 }
 
 /// Iterations of one view in one mode.
@@ -20,7 +21,7 @@ pub struct ModeSteps {
     /// The map.
     pub scene: String,
     /// The row of the table.
-    pub row: &'static str,
+    pub row: String,
     /// The view.
     pub view: String,
     /// Mean iterations of the rays that end.
@@ -84,13 +85,13 @@ pub fn scene_steps(
             let s = steps(&trace_golden(&d, &scene.pyramid, &rays)?);
             let published = means.and_then(|m| *m.get(r)?.get(v)?);
             out.beside.extend(published.map(|p| Beside {
-                what: format!("{}, {}", set.name, name.trim()),
+                what: format!("{}, {}", set.name, name),
                 off: s.mean / p - 1.0,
                 bound: if set.standard() == Some(View::Grazing) { 0.1 } else { 0.03 },
             }));
             row.push(ModeSteps {
                 scene: scene.name.clone(),
-                row: name,
+                row: name.clone(),
                 view: set.name.clone(),
                 mean: s.mean,
                 published,

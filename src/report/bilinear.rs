@@ -2,6 +2,7 @@
 use super::pictures::{SIZE, cameras, data_uri};
 use super::plan::{Map, Plan, Rays};
 use super::table::{Table, real};
+use crate::config::modes::BEST;
 use crate::config::{Config, DatapathConfig, MapConfig, ModeConfig};
 use crate::error::Result;
 use crate::golden::{RayInput, encode_ray};
@@ -23,7 +24,7 @@ const PICTURE_LEVELS: u32 = 5;
 fn config(plan: &Plan, site: &Map, (exp, man): (u32, u32)) -> Option<Config> {
     let (mut c, s) = (plan.config.clone(), &site.spec);
     (c.format.exp, c.format.man, c.traverse.levels) = (exp, man, s.levels);
-    (c.datapath, c.mode) = (DatapathConfig::default(), ModeConfig { bilinear: true, ..super::plan::BEST });
+    (c.datapath, c.mode) = (DatapathConfig::default(), ModeConfig { bilinear: true, ..BEST });
     (c.map.kind, c.map.scale, c.map.repeat, c.map.border) = (s.kind, s.scale, s.repeat, s.border);
     c.map.file = site.file.clone();
     c.validate().is_ok().then_some(c)

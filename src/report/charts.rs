@@ -1,19 +1,18 @@
 //! The charts of the report.
 use super::figures::{Aggregate, DesignPoint, Series};
-use super::plan::{BEST, DesignSpec, Plan, mode_label};
+use super::plan::{DesignSpec, Plan};
 use super::svg::{Chart, Line, Mark, Scale, decades};
 use super::table::short;
-use crate::config::DatapathKind;
+use crate::config::modes::BEST;
 use crate::measure::spread::{BINS, upper};
 
 /// Colour and shape of a design.
 fn kind(d: &DesignSpec) -> usize {
-    match (d.kind, d.nudge_bits) {
-        (DatapathKind::Watertight, _) if d.man == Some(16) || d.mode != BEST => 0,
-        (DatapathKind::Watertight, _) => 4,
-        (DatapathKind::Fixed, _) => 2,
-        (DatapathKind::Published, Some(0)) => 3,
-        (DatapathKind::Published, _) => 1,
+    match d.nudge_bits {
+        Some(0) => 3,
+        // Other widths of a datapath that is compared in all of them.
+        None if d.mode == BEST && d.man.is_some_and(|man| man != 16) => 4,
+        _ => d.kind as usize,
     }
 }
 
@@ -104,7 +103,7 @@ pub fn pareto(plan: &Plan, points: &[DesignPoint<'_>], plot: Plot) -> String {
             said.push(*place);
             label = d.design.label();
             if d.design.mode != BEST {
-                label += &format!(", {}", mode_label(&d.design.mode));
+                label += &format!(", {}", d.design.mode.label());
             }
             if twins > 0 && !headline {
                 label += &format!(" and {twins} more");
@@ -161,7 +160,7 @@ pub fn along(plan: &Plan, all: &[Series<'_>], by: &str, what: &str) -> String {
         }
         drawn.push((ys, lines.len()));
         let colour = match (by, design) {
-            ("bits", Some(d)) if d.kind == DatapathKind::Fixed => 2,
+            ("bits", Some(d)) if d.exp.is_none() => kind(d),
             ("bits", _) => [0, 4, 1, 3][k % 4],
             (_, Some(d)) if named.iter().any(|h| h.design == *d) => kind(d),
             _ => 4,

@@ -1,7 +1,8 @@
 //! Cells put together: a dot a design, and how errors and steps go with angle, map size and width.
 use super::measurement::Measurement;
-use super::plan::{BEST, DesignSpec, Plan, Synthesized, mode_label};
-use crate::config::DatapathKind;
+use super::plan::{DesignSpec, Plan, Synthesized};
+use crate::config::modes::BEST;
+use crate::config::{DatapathKind, datapaths};
 use crate::measure::Cost;
 use crate::measure::spread::{BINS, bound};
 use rayon::prelude::*;
@@ -118,7 +119,7 @@ pub struct DesignPoint<'a> {
 impl DesignPoint<'_> {
     /// Design and mode.
     pub fn label(&self) -> String {
-        format!("{}, {}", self.design.label(), mode_label(&self.design.mode))
+        format!("{}, {}", self.design.label(), self.design.mode.label())
     }
 
     /// Cycles count the rays that end. Where more than 1 of 100 does not, they tell nothing, and the design is in no frontier.
@@ -226,11 +227,14 @@ pub fn series<'a>(plan: &'a Plan, cells: &'a [Measurement], angles: &'a [Measure
         points.sort_by(|a, b| a.x.total_cmp(&b.x));
         points
     };
-    for exp in [5, 6, 7, 8] {
-        let name = format!("watertight EXP_W {exp}");
-        out.push(Series { by: "bits", name, points: widths(DatapathKind::Watertight, Some(exp)) });
+    // Of a datapath with a nudge only the published width is measured.
+    for kind in datapaths().filter(|k| !k.facts().reads.nudge_bits) {
+        let exps = if kind.facts().reads.format { vec![Some(5), Some(6), Some(7), Some(8)] } else { vec![None] };
+        for exp in exps {
+            let width = exp.map_or(String::new(), |exp| format!(" EXP_W {exp}"));
+            out.push(Series { by: "bits", name: kind.word().to_owned() + &width, points: widths(kind, exp) });
+        }
     }
-    out.push(Series { by: "bits", name: "fixed".to_owned(), points: widths(DatapathKind::Fixed, None) });
     for s in &mut out {
         s.points.retain(|p| !p.aggregate.cells.is_empty());
     }

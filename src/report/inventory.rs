@@ -1,7 +1,7 @@
 //! The tables that list: every measurement, iterations, the points of the charts, maps, and what has no datapath.
 use super::figures::{Aggregate, Series};
 use super::measurement::Measurement;
-use super::plan::{NotLegal, Plan, mode_label};
+use super::plan::{NotLegal, Plan};
 use super::table::{Table, real};
 use serde_json::{Value, json};
 
@@ -55,7 +55,7 @@ pub fn cells(cells: &[Measurement]) -> Table {
             json!(c.spec.stride),
             json!(d.label()),
             json!(d.word_bits()),
-            json!(mode_label(&d.mode)),
+            json!(d.mode.label()),
             json!(c.rays),
             json!(c.unjudged),
             json!(c.wrong),
@@ -113,7 +113,7 @@ pub fn steps(plan: &Plan, cells: &[Measurement]) -> Table {
                     |f: &dyn Fn(&Measurement) -> f64| p.cells.iter().map(|c| f(c)).sum::<f64>() / p.cells.len() as f64;
                 t.push(vec![
                     json!(h.label()),
-                    json!(mode_label(&h.mode)),
+                    json!(h.mode.label()),
                     json!(n),
                     json!(view),
                     json!(p.rays()),

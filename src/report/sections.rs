@@ -1,7 +1,7 @@
 //! The tables that judge: cost against error, position error, decisions, worst cases.
 use super::figures::DesignPoint;
 use super::measurement::{Measurement, Witness};
-use super::plan::{Plan, mode_label};
+use super::plan::Plan;
 use super::replay::command;
 use super::table::{Table, grouped, real};
 use crate::measure::spread::{BINS, bound, upper};
@@ -45,7 +45,7 @@ pub fn pareto(points: &[DesignPoint<'_>]) -> Table {
         let (rate, zero) = d.aggregate.rate_or_bound();
         t.push(vec![
             json!(d.design.label()),
-            json!(mode_label(&d.design.mode)),
+            json!(d.design.mode.label()),
             json!(d.design.word_bits()),
             real(d.aggregate.cycles()),
             json!(d.size),

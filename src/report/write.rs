@@ -2,13 +2,14 @@
 use super::charts::Plot;
 use super::figures::{DesignPoint, design_points, series};
 use super::measurement::Measurement;
-use super::plan::{BEST, Extent, Headline, Plan, Rays, mode_label, mode_words};
+use super::plan::{Extent, Headline, Plan, Rays};
 use super::table::{grouped, short};
 use super::{bilinear, charts, inventory, pictures, published, sections};
-use crate::config::{LevelUp, ModeConfig, Trim};
+use crate::config::modes::{BEST, deeper, published_rows, trimmed};
+use crate::config::{LevelUp, ModeConfig};
 use crate::error::{Error, Result};
 use crate::files::write_inside;
-use crate::measure::{DEFINITION, GIVEN_BITS, ROWS};
+use crate::measure::{DEFINITION, GIVEN_BITS};
 use crate::scene::{Camera, RaySource};
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -19,7 +20,7 @@ pub type Output = Vec<(String, Vec<u8>)>;
 
 /// A card of the verdict strip.
 fn card(plan: &Plan, headline: &Headline, dot: Option<&DesignPoint<'_>>) -> Value {
-    let (name, label, mode) = (headline.name, headline.design.label(), mode_words(&headline.design.mode));
+    let (name, label, mode) = (&headline.name, headline.design.label(), headline.design.mode.sentence());
     let Some(d) = dot else {
         let same = |r: &&super::plan::NotLegal| r.design.starts_with(&label);
         let reason = plan.not_legal.iter().find(same).map_or("not measured", |r| r.reason.as_str());
@@ -44,10 +45,9 @@ fn views_of(plan: &Plan) -> impl Iterator<Item = &Rays> {
 
 /// The names of modes on the page, and what they do: the rows of the published table, then the rest.
 fn legend() -> Vec<Value> {
-    let trims = [Trim::Descent, Trim::Always].map(|trim| ModeConfig { trim, ..BEST });
-    let more = [ModeConfig { levels_down: 3, ..ROWS[0].1 }, ModeConfig { level_up: LevelUp::Always, ..BEST }];
-    let modes = ROWS.iter().map(|r| r.1).chain(trims).chain(more);
-    modes.map(|m| json!({"name": mode_label(&m), "words": mode_words(&m)})).collect()
+    let more = deeper().take(1).chain([ModeConfig { level_up: LevelUp::Always, ..BEST }]);
+    let modes = published_rows().chain(trimmed()).chain(more);
+    modes.map(|m| json!({"name": m.label(), "words": m.sentence()})).collect()
 }
 
 /// Which rays of each view are traced, in words.
@@ -119,7 +119,7 @@ pub fn files(plan: &Plan, cells: &[Measurement], again: &str) -> Result<Output> 
         "strides": views_of(plan).map(|r| r.stride).collect::<Vec<_>>(),
         "views": views_of(plan).map(|r| r.set.name.as_str()).collect::<Vec<_>>(),
         "side": 1u64 << c.traverse.levels,
-        "mode": mode_label(&BEST),
+        "mode": BEST.label(),
     });
     let mut report = json!({"report": head});
     for t in &tables {

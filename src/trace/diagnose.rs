@@ -1,11 +1,11 @@
 //! Where a ray goes wrong: the pipeline's signals beside the golden model's, iteration by iteration.
 use super::interp::Pipeline;
 use super::memory::images;
-use crate::config::{DatapathKind, Design, Trim};
+use crate::config::{Design, Trim};
 use crate::error::Result;
-use crate::format::FloatFormat;
+use crate::format::{FloatFormat, Words};
 use crate::golden::float::to_f64;
-use crate::golden::{Iteration, Pyramid, RayInput, Tracer, decode_time};
+use crate::golden::{Iteration, Pyramid, RayInput, decode_time, prepare};
 use crate::interp::{Lanes, Netlist, Slot};
 use crate::ir::Binding;
 
@@ -60,7 +60,7 @@ const PLANES: [Probe; 15] = [
     ("x_hit", Shown::Integer, |i| Some(i.e_x as u64)),
     ("y_hit", Shown::Integer, |i| Some(i.e_y as u64)),
 ];
-const PUBLISHED: [Probe; 14] = [
+const POSITIONS: [Probe; 14] = [
     ("level", Shown::Integer, |i| Some(u64::from(i.level))),
     ("x", Shown::Integer, |i| Some(i.x as u64)),
     ("y", Shown::Integer, |i| Some(i.y as u64)),
@@ -97,14 +97,14 @@ pub fn diagnose(design: &Design, pyramid: &Pyramid, ray: &RayInput) -> Result<Op
 /// Illegal parameters.
 pub fn diagnose_in(p: &Pipeline, design: &Design, pyramid: &Pyramid, ray: &RayInput) -> Result<Option<Divergence>> {
     let mut iterations = Vec::new();
-    Tracer::new(design)?.trace_with(pyramid, ray, |i| iterations.push(*i));
-    let published = design.datapath.kind == DatapathKind::Published;
-    let signals: &[Probe] = if published { &PUBLISHED } else { &PLANES };
+    prepare(design)?.trace_with(pyramid, ray, Some(&mut |i| iterations.push(*i)));
+    let path = design.datapath.kind;
+    let signals: &[Probe] = if path.facts().steps_indices { &PLANES } else { &POSITIONS };
     let traced = |q: &&Probe| design.mode.trim != Trim::None || !CHORD.contains(&q.0);
     let list: Vec<&Probe> = signals.iter().filter(traced).collect();
     let probes: Vec<(u32, String, Slot)> = list.iter().map(|q| find(&p.net, q.0)).collect();
     // The trip that finds the start level comes first, and is no iteration.
-    let trips = usize::from(published && design.mode.start_level);
+    let trips = path.start_trips(&design.mode) as usize;
     let clocks = p.depth as usize + (iterations.len() + trips) * p.slots as usize + 2 + WAITS;
     let (log, start) = record(&p.net, &p.inputs, pyramid, ray, clocks, &probes);
     let start = start + trips * p.slots as usize;
@@ -175,10 +175,10 @@ fn record(
 
 /// A value as a report shows it; `width` is that of an integer.
 pub(super) fn display(design: &Design, shown: Shown, v: u64, width: u32) -> String {
-    match (shown, design.datapath.kind) {
+    match (shown, design.words()) {
         (Shown::Integer, _) => format!("{} (hex {v:x})", crate::bits::signed(v, width)),
-        (Shown::Time, DatapathKind::Fixed) => format!("hex {v:x} ({} height codes)", decode_time(design, v)),
-        (Shown::Time, DatapathKind::Watertight | DatapathKind::Published) => decode(design.format, v),
+        (Shown::Time, Words::Fixed { .. }) => format!("hex {v:x} ({} height codes)", decode_time(design, v)),
+        (Shown::Time, Words::Float(format)) => decode(format, v),
     }
 }
 

@@ -1,8 +1,8 @@
 //! Iterations that a simulator saw, beside the golden model's.
 use super::diagnose::{Shown, display};
-use crate::config::{DatapathKind, Design};
+use crate::config::Design;
 use crate::error::{Error, Result};
-use crate::golden::{Iteration, Pyramid, RayInput, Tracer};
+use crate::golden::{Iteration, Pyramid, RayInput, prepare};
 
 /// Values as a ray enters the loop: level, x, y, t.
 type Entry = [u64; 4];
@@ -17,12 +17,10 @@ const SIGNALS: [(&str, Shown); 4] =
 /// A line that is not one of the bench's, or illegal parameters.
 pub fn wrong_iteration(d: &Design, pyramid: &Pyramid, ray: &RayInput, number: usize, text: &str) -> Result<String> {
     let mut seen = entries(number, text)?;
-    if d.datapath.kind == DatapathKind::Published && d.mode.start_level && !seen.is_empty() {
-        // The trip that finds the start level comes first, and is no iteration.
-        seen.remove(0);
-    }
+    // The trip that finds the start level comes first, and is no iteration.
+    seen.drain(..seen.len().min(d.datapath.kind.start_trips(&d.mode) as usize));
     let mut model = Vec::new();
-    Tracer::new(d)?.trace_with(pyramid, ray, |i| model.push(*i));
+    prepare(d)?.trace_with(pyramid, ray, Some(&mut |i| model.push(*i)));
     for (n, (want, got)) in model.iter().zip(&seen).enumerate() {
         if let Some(told) = difference(d, want, got) {
             return Ok(format!("first wrong iteration: {n}, {told}{}", before(n, &model)));

@@ -19,7 +19,7 @@ pub use wave::{Window, record, record_mismatch, record_ray, record_rows};
 
 use crate::config::Design;
 use crate::error::Result;
-use crate::golden::{Pyramid, RayHit, RayInput, Tracer};
+use crate::golden::{Pyramid, RayHit, RayInput, prepare};
 use rayon::prelude::*;
 
 /// Traces rays with the golden model, on all threads; hits come in the order of the rays.
@@ -27,6 +27,6 @@ use rayon::prelude::*;
 /// # Errors
 /// If the design is not a legal one.
 pub fn trace_golden(design: &Design, pyramid: &Pyramid, rays: &[RayInput]) -> Result<Vec<RayHit>> {
-    let golden = Tracer::new(design)?;
+    let golden = prepare(design)?;
     Ok(rays.par_iter().map(|r| golden.trace(pyramid, r)).collect())
 }

@@ -20,7 +20,7 @@ fn trims_take_fewer_iterations() {
         };
         let relative = |name: &str| mean(name) / mean("a + b + c1");
         if rows == 9 {
-            let [after, always] = [relative("  + trim after descents"), relative("  + trim always")];
+            let [after, always] = [relative("a + b + c1 + trim descent"), relative("a + b + c1 + trim always")];
             println!("{kind}: after descents {after:.3}, always {always:.3}");
             assert!(after <= 0.94 && always <= 0.91 && always < after, "{kind}: {after} {always}");
         }

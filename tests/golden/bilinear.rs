@@ -1,6 +1,6 @@
 //! The bilinear refinement against the exact surface between texel centres (`docs/bilinear.md`).
 use reliefrtl::config::{Config, MapKind, View};
-use reliefrtl::golden::{Patch, Pyramid, RayInput, Refined, Watertight, float};
+use reliefrtl::golden::{Datapath, Patch, Pyramid, RayInput, Refined, Watertight, float};
 use reliefrtl::measure::exact_ray;
 use reliefrtl::oracle::{Dyadic, ExactMap, ExactRay};
 use reliefrtl::project::Scene;
@@ -25,7 +25,7 @@ struct Case {
 
 fn cases(c: &Config, scene: &Scene) -> Vec<Case> {
     let d = c.design();
-    let golden = Watertight::new(&d).unwrap();
+    let golden = Watertight::prepare(&d).unwrap();
     let one = |ray: RayInput| {
         let hit = golden.trace(&scene.pyramid, &ray);
         let refined = golden.refine(&scene.pyramid, &ray, &hit)?;
@@ -145,7 +145,7 @@ fn a_plane_is_met_where_it_is() {
         let texels: Vec<u32> = (0..64 * 64).map(|k| 2 * (k % 64)).collect();
         let pyramid = Pyramid::build(6, 8, &texels).unwrap();
         let map = exact_map(&c, &texels);
-        let golden = Watertight::new(&d).unwrap();
+        let golden = Watertight::prepare(&d).unwrap();
         let mut met = 0;
         for k in 0..400 {
             // The ramp rises along the ray, and is met long before the map repeats.

@@ -3,7 +3,8 @@ use dashu::base::Abs;
 use dashu::integer::{IBig, UBig};
 use dashu::rational::RBig;
 use reliefrtl::config::{Config, DatapathKind, Design};
-use reliefrtl::golden::{RayInput, decode_travel, encode_ray, float};
+use reliefrtl::golden::fixed::travel;
+use reliefrtl::golden::{RayInput, encode_ray, float};
 use reliefrtl::measure::exact_ray;
 use reliefrtl::oracle::{ExactHit, ExactMap, Ratio};
 use reliefrtl::scene::hard::Case;
@@ -31,7 +32,7 @@ fn numbers(d: &Design, r: &RayInput) -> [RBig; 4] {
     let fixed = d.datapath.kind == DatapathKind::Fixed;
     let of = |k: usize, word: u64| {
         let tiles = if fixed {
-            let word = if k < 2 { IBig::from(word) } else { IBig::from(decode_travel(d, word)) };
+            let word = if k < 2 { IBig::from(word) } else { IBig::from(travel(d, word)) };
             RBig::from(word) * power(-(d.datapath.fraction_bits as i32))
         } else {
             RBig::try_from(float::to_f64(d.format, word)).expect("finite")

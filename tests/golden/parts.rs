@@ -2,7 +2,7 @@
 use proptest::prelude::*;
 use reliefrtl::config::{Design, LevelUp, TraverseConfig};
 use reliefrtl::format::FloatFormat;
-use reliefrtl::golden::{Crossing, Pyramid, Watertight, address, descend_levels, level_up, start_level};
+use reliefrtl::golden::{Crossing, Datapath, Pyramid, Watertight, address, descend_levels, level_up, start_level};
 
 #[test]
 fn addresses_leave_no_gap_and_keep_children_together() {
@@ -61,7 +61,7 @@ fn wrong_maps_are_refused() {
 fn illegal_designs_are_refused() {
     let with = |format, levels, height_bits, tile_bits| {
         let traverse = TraverseConfig { levels, height_bits, tile_bits, ..TraverseConfig::default() };
-        Watertight::new(&Design { format, traverse, ..Design::default() }).is_ok()
+        Watertight::prepare(&Design { format, traverse, ..Design::default() }).is_ok()
     };
     let fmt = FloatFormat::new;
     assert!(with(fmt(7, 16), 12, 16, 8) && with(fmt(5, 10), 4, 11, 3) && with(fmt(8, 23), 2, 2, 1));

@@ -6,7 +6,7 @@ use reliefrtl::bench::{Simulator, run_bench};
 use reliefrtl::catalogue::{check_netlist, find, ray_set, vector_set};
 use reliefrtl::config::{Config, Design, Trim};
 use reliefrtl::format::FloatFormat;
-use reliefrtl::golden::{Patch, Pyramid, RayInput, Tracer};
+use reliefrtl::golden::{Patch, Pyramid, RayInput, prepare};
 use reliefrtl::interp::{Traffic, elaborate};
 use reliefrtl::ir::Binding;
 use reliefrtl::project::hardware;
@@ -69,7 +69,7 @@ fn the_interpreter_equals_golden_at_formats_and_level_counts() {
             let mut d = design(format, levels, height);
             d.traverse.step_limit = if k == 1 { 9 } else { 65535 };
             let (pyramid, rays) = hard(&d, k as u64);
-            let (g, p) = (Tracer::new(&d).unwrap(), Pipeline::new(&d, &Binding::new()).unwrap());
+            let (g, p) = (prepare(&d).unwrap(), Pipeline::new(&d, &Binding::new()).unwrap());
             // Few lanes: the refinement's pipeline is full.
             let run = p.run(&pyramid, &rays, 2, traffic).unwrap();
             for (n, (row, r)) in run.results.iter().zip(&rays).enumerate() {
@@ -86,7 +86,7 @@ fn the_interpreter_equals_golden_at_formats_and_level_counts() {
 fn clocks_and_trims_change_no_refined_hit() {
     let base = design((7, 16), 5, 8);
     let (pyramid, rays) = hard(&base, 11);
-    let golden = Tracer::new(&base).unwrap();
+    let golden = prepare(&base).unwrap();
     for (l, trim) in [(0, Trim::Always), (1, Trim::None), (3, Trim::Descent), (5, Trim::Always)] {
         let mut d = base;
         d.mode.trim = trim;
@@ -104,7 +104,7 @@ fn clocks_and_trims_change_no_refined_hit() {
 fn nothing_undefined_comes_out() {
     let d = design((7, 16), 4, 8);
     let (pyramid, rays) = hard(&d, 5);
-    let golden = Tracer::new(&d).unwrap();
+    let golden = prepare(&d).unwrap();
     let some: Vec<&RayInput> = rays.iter().step_by(60).collect();
     let hits = some.iter().map(|r| record(&d, &pyramid, r).unwrap().0);
     assert!(hits.zip(&some).all(|(h, r)| h == golden.trace(&pyramid, r)));

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 use reliefrtl::bench::Simulator;
 use reliefrtl::catalogue::planned_rays;
 use reliefrtl::config::{Config, DatapathKind, LatencyConfig, ModeConfig, Trim};
-use reliefrtl::golden::{Tracer, address};
+use reliefrtl::golden::{address, prepare};
 use reliefrtl::interp::Traffic;
 use reliefrtl::ir::Binding;
 use reliefrtl::project::{Scene, check_tree, project, ray_sets};
@@ -143,7 +143,7 @@ fn verilator_notices_what_is_cut_out() {
 fn decided(c: &Config) -> Vec<(u32, u32)> {
     let d = c.design();
     let pyramid = Scene::new(c, None, false).unwrap().pyramid;
-    let g = Tracer::new(&d).unwrap();
+    let g = prepare(&d).unwrap();
     let rays = planned_rays(&d, &pyramid, c.vectors.seed).unwrap();
     let hits = rays.iter().map(|r| g.trace(&pyramid, r)).filter(|h| !h.wall && !h.limit);
     hits.map(|h| (h.i, h.j)).collect()

@@ -3,7 +3,7 @@ use rayon::prelude::*;
 use reliefrtl::bench::{Simulator, bench_files, run_bench};
 use reliefrtl::catalogue::ray_set;
 use reliefrtl::config::{Config, Design, LevelUp, ModeConfig, Profile, TraverseConfig};
-use reliefrtl::golden::{Pyramid, RayHit, RayInput, Tracer, encode_ray};
+use reliefrtl::golden::{Pyramid, RayHit, RayInput, encode_ray, prepare};
 use reliefrtl::interp::Traffic;
 use reliefrtl::ir::Binding;
 use reliefrtl::measure::endure::{endure, modes};
@@ -53,7 +53,7 @@ fn in_mode(given: &[&Given], mode: ModeConfig) -> Vec<Vec<RayHit>> {
     let mut pipelines: HashMap<TraverseConfig, Pipeline> = HashMap::new();
     let trace = |g: &&Given| {
         let d = Design { mode, ..g.design };
-        let golden = Tracer::new(&d).unwrap();
+        let golden = prepare(&d).unwrap();
         let p = pipelines.entry(d.traverse).or_insert_with(|| Pipeline::new(&d, &Binding::new()).unwrap());
         let run = p.run(&g.pyramid, &g.rays, 8, Traffic::default()).unwrap();
         let hits: Vec<RayHit> = run.results.iter().map(|r| hit(r)).collect();
@@ -74,7 +74,7 @@ const LONG: u32 = 3000;
 
 fn leave_short(g: &mut Given, also: usize) {
     let mode = ModeConfig { start_level: false, levels_down: 1, level_up: LevelUp::None, ..g.design.mode };
-    let plain = Tracer::new(&Design { mode, ..g.design }).unwrap();
+    let plain = prepare(&Design { mode, ..g.design }).unwrap();
     let mut k = 0;
     g.rays.retain(|r| {
         k += 1;

@@ -1,7 +1,7 @@
 //! The harness that `bench` compares with: every output of every ray is held against what is expected.
 use reliefrtl::bench::{Harness, Load};
 use reliefrtl::config::{Config, View};
-use reliefrtl::golden::{RayInput, Tracer};
+use reliefrtl::golden::{RayInput, prepare};
 use reliefrtl::ir::Binding;
 use reliefrtl::project::{Scene, encode, hardware};
 use reliefrtl::trace::{Pipeline, hit_row};
@@ -19,7 +19,7 @@ fn one_wrong_bit_of_one_output_ends_the_harness_with_a_mismatch() {
     let scene = Scene::new(&c, None, false).unwrap();
     let seen = scene.view(&c, View::Oblique, 1).unwrap();
     let rays: Vec<RayInput> = seen.iter().map(|r| encode(&c, r)).collect();
-    let golden = Tracer::new(&d).unwrap();
+    let golden = prepare(&d).unwrap();
     let mut expected: Vec<Vec<u64>> = rays.iter().map(|r| hit_row(&d, &golden.trace(&scene.pyramid, r))).collect();
     let (_, items) = Pipeline::new(&d, &Binding::new()).unwrap().words(&scene.pyramid, &rays);
     let memory: Vec<u64> = scene.pyramid.memory().iter().map(|w| u64::from(*w)).collect();

@@ -3,7 +3,7 @@ use super::one_op::{KINDS, one_op, shapes, word};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use reliefrtl::config::Design;
-use reliefrtl::golden::{Pyramid, RayInput, Watertight};
+use reliefrtl::golden::{Datapath, Pyramid, RayInput, Watertight};
 use reliefrtl::interp::{Kind, Lanes, Tracked, Wave, elaborate, eval};
 use reliefrtl::ir::Binding;
 use reliefrtl::trace::{Pipeline, Window, record, record_mismatch, record_ray};
@@ -128,7 +128,7 @@ fn traverse_from_power_up_is_defined_and_right() {
     let mut d = Design::default();
     d.traverse.levels = 5;
     let (pyramid, rays) = scene(&d, 9);
-    let g = Watertight::new(&d).unwrap();
+    let g = Watertight::prepare(&d).unwrap();
     for (k, r) in rays.iter().enumerate() {
         let (hit, _) = record(&d, &pyramid, r).unwrap_or_else(|e| panic!("ray {k}: {e}"));
         assert_eq!(hit, g.trace(&pyramid, r), "ray {k}");

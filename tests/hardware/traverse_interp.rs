@@ -3,7 +3,7 @@ use rand::{Rng, SeedableRng};
 use rayon::prelude::*;
 use reliefrtl::catalogue::design_at;
 use reliefrtl::config::{Design, Divider, LatencyConfig, LevelUp, ModeConfig, Profile, Trim};
-use reliefrtl::golden::{Pyramid, RayHit, RayInput, Watertight};
+use reliefrtl::golden::{Datapath, Pyramid, RayHit, RayInput, Watertight};
 use reliefrtl::interp::Traffic;
 use reliefrtl::ir::Binding;
 use reliefrtl::trace::{Pipeline, hit};
@@ -46,7 +46,7 @@ fn every_mode_equals_golden_and_hits_alike() {
         for levels_down in 1..=4 {
             for start_level in [false, true] {
                 d.mode = ModeConfig { start_level, levels_down, level_up, ..ModeConfig::default() };
-                let g = Watertight::new(&d).unwrap();
+                let g = Watertight::prepare(&d).unwrap();
                 let p = Pipeline::new(&d, &Binding::new()).unwrap();
                 let traffic = Traffic { gaps: 60, stalls: 90, resets: 2, seed: runs };
                 let run = p.run(&pyramid, &rays, 8, traffic).unwrap();
@@ -78,7 +78,7 @@ fn every_trim_equals_golden_and_hits_alike() {
             for levels_down in 1..=4 {
                 for start_level in [false, true] {
                     d.mode = ModeConfig { start_level, levels_down, level_up, trim, lod: true, bilinear: false };
-                    let g = Watertight::new(&d).unwrap();
+                    let g = Watertight::prepare(&d).unwrap();
                     let p = Pipeline::new(&d, &Binding::new()).unwrap();
                     let traffic = Traffic { gaps: 60, stalls: 90, resets: 2, seed: runs };
                     let run = p.run(&pyramid, &rays, 8, traffic).unwrap();
@@ -107,7 +107,7 @@ fn other_latencies_and_full_load() {
         d.mode.trim = trim;
         (d.latency.add, d.latency.mul, d.latency.div, d.latency.decision) = (l, l, 2 * l, 1 + l / 3);
         let (pyramid, rays) = hard(&d, 8);
-        let g = Watertight::new(&d).unwrap();
+        let g = Watertight::prepare(&d).unwrap();
         let p = Pipeline::new(&d, &Binding::new()).unwrap();
         let run = p.run(&pyramid, &rays, 1, Traffic::default()).unwrap();
         assert!(run.results.iter().zip(&rays).all(|(h, r)| hit(h) == g.trace(&pyramid, r)));
@@ -147,7 +147,7 @@ fn registers_between_units_change_no_result() {
         d.traverse.levels = 4;
         d.mode.trim = [Trim::None, Trim::Descent, Trim::Always][k % 3];
         let (pyramid, rays) = hard(&d, 8);
-        let (g, p) = (Watertight::new(&d).unwrap(), Pipeline::new(&d, &Binding::new()).unwrap());
+        let (g, p) = (Watertight::prepare(&d).unwrap(), Pipeline::new(&d, &Binding::new()).unwrap());
         for traffic in [
             Traffic::default(),
             Traffic { gaps: 30, stalls: 200, resets: 3, seed: 7 },
@@ -169,7 +169,7 @@ fn dividers_by_table() {
         d.traverse.levels = 5;
         (d.latency.div, d.latency.divider) = (div, Divider::Table);
         let (pyramid, rays) = hard(&d, 8);
-        let g = Watertight::new(&d).unwrap();
+        let g = Watertight::prepare(&d).unwrap();
         let p = Pipeline::new(&d, &Binding::new()).unwrap();
         let run = p.run(&pyramid, &rays, 64, Traffic::default()).unwrap();
         assert_eq!(run.results.len(), rays.len());
@@ -208,7 +208,7 @@ fn other_formats_equal_golden() {
         let at = design_at(&d, &over);
         let (pyramid, rays) = hard(&at, 5);
         let run = Pipeline::new(&d, &over).unwrap().run(&pyramid, &rays, 8, Traffic::default()).unwrap();
-        let g = Watertight::new(&at).unwrap();
+        let g = Watertight::prepare(&at).unwrap();
         for (k, (got, r)) in run.results.iter().zip(&rays).enumerate() {
             assert_eq!(hit(got), g.trace(&pyramid, r), "ray {k} at {over:?}");
         }

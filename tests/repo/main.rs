@@ -1,4 +1,5 @@
 //! The project itself: its layers, its committed tree, its guide.
+mod datapaths;
 mod emission;
 mod glossary;
 mod guide;

@@ -192,13 +192,13 @@ fn what_is_chosen_is_what_is_measured() {
 #[test]
 fn the_configured_design_leads_the_page_unless_it_is_a_usual_one() {
     let mut c = Config::default();
-    let names = |c: &Config| -> Vec<(&'static str, String)> {
+    let names = |c: &Config| -> Vec<(String, String)> {
         let plan = Plan::new(c, &Selection::default()).unwrap();
-        plan.headlines.iter().map(|h| (h.name, h.design.label())).collect()
+        plan.headlines.iter().map(|h| (h.name.clone(), h.design.label())).collect()
     };
     assert!(names(&c).iter().all(|n| n.0 != "configured"));
     (c.datapath.kind, c.datapath.fraction_bits, c.datapath.reciprocal_bits) = (DatapathKind::Fixed, 15, 13);
-    assert_eq!(names(&c)[0], ("configured", "fixed Q.15, reciprocal 13".to_owned()));
+    assert_eq!(names(&c)[0], ("configured".to_owned(), "fixed Q.15, reciprocal 13".to_owned()));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Units of the bilinear refinement.
+use super::super::datapath::WATERTIGHT;
 use super::super::ray_stimulus::{one_axis, refined_hit};
-use super::super::unit::{UNIT, Unit};
-use crate::config::DatapathKind;
+use super::super::unit::Unit;
 use crate::golden::{address, bilinear as gb, float as gf};
 
 /// The entries. Rays through `traverse` exercise those that hold memories.
@@ -16,8 +16,6 @@ pub const UNITS: &[&Unit] = &[
     &BILINEAR_HIT,
 ];
 
-const BILINEAR: Unit = Unit { datapath: Some(DatapathKind::Watertight), ..UNIT };
-
 static BILINEAR_WINDOW: Unit = Unit {
     name: "bilinear_window",
     model: Some(|c, row, out| {
@@ -28,7 +26,7 @@ static BILINEAR_WINDOW: Unit = Unit {
         out["t_end"] = end;
     }),
     stimulus: Some(refined_hit),
-    ..BILINEAR
+    ..WATERTIGHT
 };
 
 static RAY_PLACE: Unit = Unit {
@@ -41,7 +39,7 @@ static RAY_PLACE: Unit = Unit {
         out["fraction"] = u64::from(fraction);
     }),
     stimulus: Some(one_axis),
-    ..BILINEAR
+    ..WATERTIGHT
 };
 
 static PATCH_CORNER: Unit = Unit {
@@ -52,7 +50,7 @@ static PATCH_CORNER: Unit = Unit {
         out["corner"] = u64::from(corner);
         out["weight"] = u64::from(weight);
     }),
-    ..BILINEAR
+    ..WATERTIGHT
 };
 
 static BANK_ADDRESS: Unit = Unit {
@@ -70,10 +68,10 @@ static BANK_ADDRESS: Unit = Unit {
             out[port] = address(n, 0, of("i", odd_i), of("j", odd_j)) as u64 / 4;
         }
     }),
-    ..BILINEAR
+    ..WATERTIGHT
 };
 
-static PATCH_MEMORY: Unit = Unit { name: "patch_memory", ..BILINEAR };
+static PATCH_MEMORY: Unit = Unit { name: "patch_memory", ..WATERTIGHT };
 
 static SURFACE_GAP: Unit = Unit {
     name: "surface_gap",
@@ -84,7 +82,7 @@ static SURFACE_GAP: Unit = Unit {
         out["gap"] = gb::gap(c.design.format, widths, codes, weights, row["t"]);
     }),
     stimulus: Some(refined_hit),
-    ..BILINEAR
+    ..WATERTIGHT
 };
 
 static SECANT_STEP: Unit = Unit {
@@ -95,7 +93,7 @@ static SECANT_STEP: Unit = Unit {
         out["t"] = gb::secant(f, [row["t_begin"], row["t_end"]], gaps);
     }),
     stimulus: Some(refined_hit),
-    ..BILINEAR
+    ..WATERTIGHT
 };
 
-static BILINEAR_HIT: Unit = Unit { name: "bilinear_hit", ..BILINEAR };
+static BILINEAR_HIT: Unit = Unit { name: "bilinear_hit", ..WATERTIGHT };

@@ -1,20 +1,18 @@
 //! Units that the fixed-point datapath alone has.
+use super::super::datapath::FIXED;
 use super::super::ray_stimulus::{both_axes, one_axis, one_axis_in_node, whole_ray};
 use super::super::row::{Context, Row};
-use super::super::unit::{UNIT, Unit};
+use super::super::unit::Unit;
 use super::some_level;
 use super::traversal::kept_in_node;
 use crate::bits::mask;
-use crate::config::DatapathKind;
-use crate::golden::RayInput;
 use crate::golden::fixed::{Fixed, FixedAxis};
+use crate::golden::{Datapath, RayInput};
 use crate::proofs::{BIT_LEVEL, PROOF, Proof};
 
 /// The entries.
 pub const UNITS: &[&Unit] =
     &[&RECIPROCAL, &PLANE_TIME, &HEIGHT_TEST, &PREDICTED_HIT, &NODE_CROSSING, &RAY_SETUP, &HIT_POSITION, &CHORD_END];
-
-const FIXED: Unit = Unit { datapath: Some(DatapathKind::Fixed), ..UNIT };
 
 /// The narrowest words of the fixed-point datapath, and a map whose texels are their units.
 const NARROW: &[(&str, i64)] = &[("FRACTION_W", 8), ("RECIP_W", 8), ("LEVELS", 8), ("HEIGHT_W", 2), ("TILE_W", 1)];
@@ -31,7 +29,7 @@ fn golden(c: &Context<'_>) -> Fixed {
     least("HEIGHT_W", &mut d.traverse.height_bits, 2);
     least("TILE_W", &mut d.traverse.tile_bits, 1);
     least("RECIP_W", &mut d.datapath.reciprocal_bits, 8);
-    Fixed::new(&d).expect("the set's parameters are legal")
+    Fixed::prepare(&d).expect("the set's parameters are legal")
 }
 
 /// A ray's constants along an axis, as the ports of a unit bring them.

@@ -1,11 +1,12 @@
 //! Units that the published datapath alone has.
+use super::super::datapath::PUBLISHED;
 use super::super::ray_stimulus::{both_axes, both_positions, one_axis, one_axis_at_surface, one_node, whole_ray};
-use super::super::unit::{UNIT, Unit};
+use super::super::unit::Unit;
 use super::some_level;
 use crate::bits::mask;
-use crate::config::{DatapathConfig, DatapathKind, Design, TraverseConfig};
+use crate::config::{DatapathConfig, Design, TraverseConfig};
 use crate::golden::float as gf;
-use crate::golden::{Published, RayInput, descend_levels};
+use crate::golden::{Datapath, Published, RayInput, descend_levels};
 
 /// The entries.
 pub const UNITS: &[&Unit] = &[
@@ -21,15 +22,13 @@ pub const UNITS: &[&Unit] = &[
     &TEXEL_FRACTION,
 ];
 
-const PUBLISHED: Unit = Unit { datapath: Some(DatapathKind::Published), ..UNIT };
-
 static RAY_SCALE: Unit = Unit {
     name: "ray_scale",
     model: Some(|c, row, out| {
         // The setup knows nothing of the hit position and of the nudge, whose bits may be too many beside it.
         let traverse = TraverseConfig { frac_bits: 1, ..c.design.traverse };
         let datapath = DatapathConfig { nudge_bits: 0, ..c.design.datapath };
-        let g = Published::new(&Design { traverse, datapath, ..c.design }).expect("the set's parameters are legal");
+        let g = Published::prepare(&Design { traverse, datapath, ..c.design }).expect("the set's parameters are legal");
         let [u, v, du, dv] = ["u", "v", "du", "dv"].map(|p| row[p]);
         // What is no ray gives zeros.
         out.fill(0);

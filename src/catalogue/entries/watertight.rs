@@ -1,19 +1,18 @@
 //! Units that the watertight datapath alone has.
+use super::super::datapath::WATERTIGHT;
 use super::super::ray_stimulus::{both_axes, one_axis, one_axis_in_node, whole_ray};
-use super::super::unit::{UNIT, Unit};
+use super::super::unit::Unit;
 use super::float::FP_MUL;
 use super::some_level;
 use super::traversal::kept_in_node;
-use crate::config::{DatapathKind, Design, TraverseConfig};
+use crate::config::{Design, TraverseConfig};
 use crate::golden::float as gf;
-use crate::golden::{RayInput, Watertight};
+use crate::golden::{Datapath, RayInput, Watertight};
 use crate::proofs::{BIT_LEVEL, PROOF, Proof};
 
 /// The entries.
 pub const UNITS: &[&Unit] =
     &[&PLANE_TIME, &HEIGHT_TEST, &PREDICTED_HIT, &NODE_CROSSING, &RAY_SETUP, &HIT_POSITION, &CHORD_END];
-
-const WATERTIGHT: Unit = Unit { datapath: Some(DatapathKind::Watertight), ..UNIT };
 
 /// Parameter values at which two chains of an adder and a multiplier are compared.
 const TINY: &[(&str, i64)] = &[("EXP_W", 4), ("MAN_W", 2), ("IDX_W", 5)];
@@ -81,7 +80,7 @@ static RAY_SETUP: Unit = Unit {
     model: Some(|c, row, out| {
         // The setup knows nothing of the hit position, whose bits may be too many beside it.
         let traverse = TraverseConfig { frac_bits: 1, ..c.design.traverse };
-        let g = Watertight::new(&Design { traverse, ..c.design }).expect("the set's parameters are legal");
+        let g = Watertight::prepare(&Design { traverse, ..c.design }).expect("the set's parameters are legal");
         let [u, v, du, dv] = ["u", "v", "du", "dv"].map(|p| row[p]);
         let o = g.setup(&RayInput { u, v, du, dv, lod: row.get("lod").unwrap_or(0) as u32 });
         out["ok"] = u64::from(o.valid);

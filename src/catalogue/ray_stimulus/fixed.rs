@@ -2,14 +2,14 @@
 use super::{AxisSample, RaySample};
 use crate::bits::mask;
 use crate::config::Design;
-use crate::golden::fixed::{Fixed, FixedAxis};
-use crate::golden::{RayInput, decode_travel};
+use crate::golden::fixed::{Fixed, FixedAxis, travel as travel_value};
+use crate::golden::{Datapath, RayInput};
 use rand::Rng;
 use rand::seq::IndexedRandom;
 use rand_chacha::ChaCha8Rng;
 
 /// A ray that can be traced, somewhere on its way.
-pub(super) fn sample(g: &Fixed, idx: u32, rng: &mut ChaCha8Rng) -> RaySample {
+pub fn sample(g: &Fixed, idx: u32, rng: &mut ChaCha8Rng) -> RaySample {
     let size = g.design().traverse;
     let ray = any_ray(g.design(), rng);
     let setup = g.setup(&ray);
@@ -107,6 +107,6 @@ fn any_ray(d: &Design, rng: &mut ChaCha8Rng) -> RayInput {
         if rng.random() { x } else { -x }
     };
     let [du, dv] = [travel(), travel()].map(|x| x as u64 & mask(bits));
-    debug_assert!(decode_travel(d, du) != -1 << (bits - 1));
+    debug_assert!(travel_value(d, du) != -1 << (bits - 1));
     RayInput { u, v, du, dv, lod: 0 }
 }

@@ -1,44 +1,18 @@
 //! Rows as a traced ray brings them to the units of the traversal. Free combinations of words hardly ever are: most are no ray at all,
 //! or a texel that the ray never sees, and a unit that clamps or refuses them hides what it computes.
-mod fixed;
-mod published;
+pub(super) mod fixed;
+pub(super) mod published;
 mod sample;
-mod watertight;
+pub(super) mod watertight;
 
 use sample::AxisSample;
 pub use sample::RaySample;
 
+use super::datapath::sampler;
 use super::unit::Stimulus;
-use crate::config::{DatapathKind, Design};
-use crate::golden::fixed::Fixed;
-use crate::golden::{Published, Watertight};
+use crate::config::Design;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
-
-/// Samples rays for a design.
-enum Sampler {
-    Watertight(Watertight),
-    Published(Published),
-    Fixed(Fixed),
-}
-
-impl Sampler {
-    fn of(d: &Design) -> Option<Self> {
-        Some(match d.datapath.kind {
-            DatapathKind::Watertight => Self::Watertight(Watertight::new(d).ok()?),
-            DatapathKind::Published => Self::Published(Published::new(d).ok()?),
-            DatapathKind::Fixed => Self::Fixed(Fixed::new(d).ok()?),
-        })
-    }
-
-    fn sample(&self, idx_w: u32, rng: &mut ChaCha8Rng) -> RaySample {
-        match self {
-            Self::Watertight(g) => watertight::sample(g, idx_w, rng),
-            Self::Published(g) => published::sample(g, idx_w, rng),
-            Self::Fixed(g) => fixed::sample(g, idx_w, rng),
-        }
-    }
-}
 
 /// Writes into `rows` what rays bring; ports that no ray decides keep their word. False, and nothing is changed, if no datapath exists at
 /// `d`: a format too small for the map.
@@ -50,11 +24,11 @@ pub fn sample_rows(
     seed: u64,
     rows: &mut [Vec<u64>],
 ) -> bool {
-    let Some(sampler) = Sampler::of(d) else { return false };
+    let Some(sample) = sampler(d) else { return false };
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     rng.set_stream(1);
     for row in rows {
-        let sample = sampler.sample(idx_w, &mut rng);
+        let sample = sample(idx_w, &mut rng);
         for (slot, port) in row.iter_mut().zip(ports) {
             *slot = stimulus(&sample, port).unwrap_or(*slot);
         }

@@ -3,13 +3,13 @@ use super::watertight::{any_ray, edge};
 use super::{AxisSample, RaySample};
 use crate::bits::mask;
 use crate::golden::float as gf;
-use crate::golden::{Published, Travel};
+use crate::golden::{Datapath, Published, Travel};
 use rand::Rng;
 use rand::seq::IndexedRandom;
 use rand_chacha::ChaCha8Rng;
 
 /// A ray that can be traced, somewhere on its way.
-pub(super) fn sample(g: &Published, idx: u32, rng: &mut ChaCha8Rng) -> RaySample {
+pub fn sample(g: &Published, idx: u32, rng: &mut ChaCha8Rng) -> RaySample {
     let (f, size) = (g.design().format, g.design().traverse);
     let (mut ray, route) = loop {
         let r = any_ray(g.design(), rng);

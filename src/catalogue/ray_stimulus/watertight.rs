@@ -3,13 +3,13 @@ use super::{AxisSample, RaySample};
 use crate::bits::mask;
 use crate::config::Design;
 use crate::golden::float as gf;
-use crate::golden::{Axis, RayInput, Watertight};
+use crate::golden::{Axis, Datapath, RayInput, Watertight};
 use rand::Rng;
 use rand::seq::IndexedRandom;
 use rand_chacha::ChaCha8Rng;
 
 /// A ray that can be traced, somewhere on its way.
-pub(super) fn sample(g: &Watertight, idx: u32, rng: &mut ChaCha8Rng) -> RaySample {
+pub fn sample(g: &Watertight, idx: u32, rng: &mut ChaCha8Rng) -> RaySample {
     let (f, size) = (g.design().format, g.design().traverse);
     let (mut ray, setup) = loop {
         let r = any_ray(g.design(), rng);

@@ -50,7 +50,7 @@ pub struct ReportArgs {
     #[arg(long, value_delimiter = ',', value_name = "N,...", value_parser = clap::value_parser!(u32).range(2..=12))]
     pub levels: Vec<u32>,
     /// Datapaths: watertight, fixed, published.
-    #[arg(long, value_delimiter = ',', value_name = "KIND,...", value_parser = datapath)]
+    #[arg(long, value_delimiter = ',', value_name = "KIND,...")]
     pub datapaths: Vec<DatapathKind>,
     /// Floating-point formats, exponent bits / fraction bits: 7/16.
     #[arg(long, value_delimiter = ',', value_name = "E/M,...", value_parser = float)]
@@ -67,15 +67,6 @@ pub struct ReportArgs {
     /// Every width and every mode, not a selection.
     #[arg(long)]
     pub full: bool,
-}
-
-/// Reads the name of a datapath.
-fn datapath(word: &str) -> Result<DatapathKind, String> {
-    let names = || DatapathKind::ALL.map(DatapathKind::word).join(", ");
-    DatapathKind::ALL
-        .into_iter()
-        .find(|k| k.word() == word)
-        .ok_or_else(|| format!("{word:?} is not one of {}", names()))
 }
 
 /// Reads "7/16".

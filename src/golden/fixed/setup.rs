@@ -1,7 +1,8 @@
 //! What is computed once per ray.
-use super::super::setup::{RayInput, Setup};
-use super::super::walk::{AxisView, both};
-use super::{Fixed, GUARD, travel};
+use super::model::{Fixed, GUARD};
+use super::words::travel;
+use crate::golden::planes::{AxisView, Setup, both};
+use crate::golden::record::RayInput;
 
 /// What S may lack, by its four roundings and the factors that are left out.
 const SLACK: u64 = 6;

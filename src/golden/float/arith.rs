@@ -1,5 +1,6 @@
 //! Sum, product, quotient, comparison.
-use super::{Finite, Value, decode, infinity, invalid, round, zero};
+use super::rounding::round;
+use super::value::{Finite, Value, decode, infinity, invalid, zero};
 use crate::format::{FloatFormat, Rounding};
 
 /// Exponents further apart than this leave the smaller operand of a sum no influence but its sign:

@@ -1,6 +1,7 @@
 //! Conversions from and to integers, fixed point and f64.
 use super::arith::ratio;
-use super::{Value, decode, infinity, invalid, round, zero};
+use super::rounding::round;
+use super::value::{Value, decode, infinity, invalid, zero};
 use crate::format::FloatFormat;
 
 /// `v * 2^-frac`, rounded once; 0 gives +0.
@@ -80,4 +81,9 @@ pub fn to_f64(fmt: FloatFormat, a: u64) -> f64 {
 /// If `m` is 0.
 pub fn recip_int(fmt: FloatFormat, m: u64) -> u64 {
     ratio(fmt, false, 1, u128::from(m), 0)
+}
+
+/// 2^`e`, encoded.
+pub fn power_of_two(fmt: FloatFormat, e: i32) -> u64 {
+    from_f64(fmt, 2f64.powi(e))
 }

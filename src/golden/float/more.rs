@@ -1,6 +1,7 @@
 //! Square root, reciprocal, comparison in full, sum of three.
 use super::arith::{div, order, signed, zero_sum};
-use super::{Finite, Value, decode, infinity, invalid, round, zero};
+use super::rounding::round;
+use super::value::{Finite, Value, decode, infinity, invalid, zero};
 use crate::format::FloatFormat;
 use std::cmp::Ordering;
 

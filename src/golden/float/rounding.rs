@@ -1,5 +1,5 @@
 //! The one rounding.
-use super::{infinity, zero};
+use super::value::{infinity, zero};
 use crate::format::{FloatFormat, Rounding};
 use std::cmp::Ordering;
 

@@ -1,10 +1,9 @@
 //! A design as the report names it.
-use crate::config::{
-    Config, DatapathConfig, DatapathKind, Design, LevelUp, MapConfig, ModeConfig, TraverseConfig, Trim,
-};
+use crate::config::modes::BEST;
+use crate::config::{Config, DatapathConfig, DatapathKind, Design, MapConfig, ModeConfig, TraverseConfig};
 use crate::error::Result;
-use crate::golden::Tracer;
-use crate::measure::ROWS;
+use crate::format::FloatFormat;
+use crate::golden::prepare;
 use serde::{Deserialize, Serialize};
 
 /// A design, as a cell names it: what does not matter to its datapath is left out.
@@ -32,16 +31,6 @@ pub struct DesignSpec {
     pub mode: ModeConfig,
 }
 
-/// The mode that the page takes where it compares formats.
-pub const BEST: ModeConfig = ModeConfig {
-    start_level: true,
-    levels_down: 2,
-    level_up: LevelUp::Selective,
-    trim: Trim::None,
-    lod: false,
-    bilinear: false,
-};
-
 /// Iterations after which a ray without nudge is given up: more than any ray of the usual maps needs.
 const STUCK_LIMIT: u32 = 511;
 
@@ -60,21 +49,20 @@ impl DesignSpec {
     }
 
     fn sized(t: &TraverseConfig, datapath: DatapathConfig, exp: u32, man: u32, mode: ModeConfig) -> Self {
-        let fixed = datapath.kind == DatapathKind::Fixed;
-        let published = datapath.kind == DatapathKind::Published;
+        let facts = datapath.kind.facts();
         // Without its nudge more than half of the published datapath's rays stay in a texel for ever, and each costs the whole limit.
-        let cap = match (published, datapath.nudge_bits) {
-            (true, 0) => STUCK_LIMIT,
-            (true, _) => 1023,
-            _ => 8191,
+        let cap = match (facts.modes_agree, datapath.nudge_bits) {
+            (true, _) => 8191,
+            (false, 0) => STUCK_LIMIT,
+            (false, _) => 1023,
         };
         Self {
             kind: datapath.kind,
-            exp: (!fixed).then_some(exp),
-            man: (!fixed).then_some(man),
-            nudge_bits: published.then_some(datapath.nudge_bits),
-            fraction_bits: fixed.then_some(datapath.fraction_bits),
-            reciprocal_bits: fixed.then_some(datapath.reciprocal_bits),
+            exp: facts.reads.format.then_some(exp),
+            man: facts.reads.format.then_some(man),
+            nudge_bits: facts.reads.nudge_bits.then_some(datapath.nudge_bits),
+            fraction_bits: facts.reads.fraction_bits.then_some(datapath.fraction_bits),
+            reciprocal_bits: facts.reads.fraction_bits.then_some(datapath.reciprocal_bits),
             tile_bits: t.tile_bits,
             frac_bits: t.frac_bits,
             step_limit: t.step_limit.min(cap),
@@ -107,7 +95,7 @@ impl DesignSpec {
         let c = self.config(base, levels);
         c.validate()?;
         let design = c.design();
-        Tracer::new(&design)?;
+        prepare(&design)?;
         Ok(design)
     }
 
@@ -121,17 +109,13 @@ impl DesignSpec {
 
     /// Datapath and widths of its arithmetic in a few words.
     fn arithmetic(&self) -> String {
-        let float = format!("{}/{}", self.exp.unwrap_or(0), self.man.unwrap_or(0));
-        match (self.kind, self.nudge_bits) {
-            (DatapathKind::Watertight, _) => format!("watertight {float}"),
-            (DatapathKind::Published, Some(0) | None) => format!("published {float}, no nudge"),
-            (DatapathKind::Published, Some(n)) => format!("published {float}, nudge 2^-{n}"),
-            (DatapathKind::Fixed, _) => {
-                let (f, r) = (self.fraction_bits.unwrap_or(0), self.reciprocal_bits.unwrap_or(0));
-                // Usually the reciprocal is as wide.
-                if f.max(8) == r { format!("fixed Q.{f}") } else { format!("fixed Q.{f}, reciprocal {r}") }
-            }
-        }
+        let datapath = DatapathConfig {
+            kind: self.kind,
+            nudge_bits: self.nudge_bits.unwrap_or(0),
+            fraction_bits: self.fraction_bits.unwrap_or(0),
+            reciprocal_bits: self.reciprocal_bits.unwrap_or(0),
+        };
+        datapath.label(FloatFormat::new(self.exp.unwrap_or(0), self.man.unwrap_or(0)))
     }
 
     /// Bits of a word of a ray's entry point.
@@ -139,56 +123,13 @@ impl DesignSpec {
         self.fraction_bits.unwrap_or(1 + self.exp.unwrap_or(0) + self.man.unwrap_or(0))
     }
 
-    /// Cycles a ray needs beside its iterations: the published datapath sends a ray through the loop once for its start.
+    /// Cycles a ray needs beside its iterations: trips through the loop for its start.
     pub fn start_trips(&self) -> u32 {
-        u32::from(self.kind == DatapathKind::Published)
+        self.kind.start_trips(&self.mode)
     }
 
     /// Another mode of the same arithmetic.
     pub fn same_arithmetic(&self, other: &Self) -> bool {
         Self { mode: BEST, ..self.clone() } == Self { mode: BEST, ..other.clone() }
-    }
-}
-
-/// A mode in words: what it does, for who does not know the published rows.
-pub fn mode_words(m: &ModeConfig) -> String {
-    let start =
-        if m.start_level { "starts at the lowest level whose node holds the whole ray" } else { "starts at the root" };
-    let down = ["one level", "two levels", "three levels", "four levels"][(m.levels_down.clamp(1, 4) - 1) as usize];
-    let down = if m.levels_down == 1 {
-        format!("{down} down a descent")
-    } else {
-        format!("{down} down a descent until the first crossing")
-    };
-    let up = match m.level_up {
-        LevelUp::None => "never up a level",
-        LevelUp::Tevs => "up a level when a crossing leaves the parent node",
-        LevelUp::Selective => {
-            "up a level when a crossing leaves the parent node and the predicted hit is not in a neighbouring node"
-        }
-        LevelUp::Coherent => "up a level on the second crossing in a row",
-        LevelUp::Always => "up a level on every crossing",
-    };
-    let trim = match m.trim {
-        Trim::None => "",
-        Trim::Descent => "; after a descent, chord trim to the smallest node that holds the rest of the ray in it",
-        Trim::Always => "; always chord trim to the smallest node that holds the rest of the ray in it",
-    };
-    format!("{start}; {down}; {up}{trim}")
-}
-
-/// A mode in a few words: that of the published table where it has one.
-pub fn mode_label(m: &ModeConfig) -> String {
-    let plain = ModeConfig { trim: Trim::None, lod: false, bilinear: false, ..*m };
-    let up = serde_json::to_value(m.level_up).expect("plain data");
-    let named = ROWS.iter().find(|(_, row)| *row == plain).map(|(name, _)| (*name).to_owned());
-    let name = named.unwrap_or_else(|| {
-        let start = if m.start_level { "start level" } else { "from root" };
-        format!("{start}, {} down, up {}", m.levels_down, up.as_str().unwrap_or_default())
-    });
-    match m.trim {
-        Trim::None => name,
-        Trim::Descent => name + " + trim descent",
-        Trim::Always => name + " + trim always",
     }
 }

@@ -1,13 +1,14 @@
 //! The designs that the page always names.
-use super::design::{BEST, DesignSpec};
+use super::design::DesignSpec;
 use super::select::configured;
-use crate::config::{Config, DatapathConfig, DatapathKind};
+use crate::config::modes::BEST;
+use crate::config::{Config, DatapathConfig, DatapathKind, datapaths};
 
 /// A design that the page always names.
 #[derive(Clone, Debug)]
 pub struct Headline {
     /// What it is called.
-    pub name: &'static str,
+    pub name: String,
     /// The design.
     pub design: DesignSpec,
 }
@@ -17,28 +18,25 @@ pub struct Headline {
 pub fn headlines(c: &Config, designs: &[DesignSpec]) -> Vec<Headline> {
     let usual = DatapathConfig::default();
     let find = |kind: DatapathKind, nudge: u32| {
-        let same = |d: &&DesignSpec| {
-            let published = kind != DatapathKind::Published || d.nudge_bits == Some(nudge);
-            d.kind == kind && d.mode == BEST && published
-        };
+        let reads = kind.facts().reads;
+        let same =
+            |d: &&DesignSpec| d.kind == kind && d.mode == BEST && (!reads.nudge_bits || d.nudge_bits == Some(nudge));
         let known = |d: &&DesignSpec| {
-            let float = kind == DatapathKind::Fixed || (d.exp, d.man) == (Some(7), Some(16));
-            float && (kind != DatapathKind::Fixed || d.fraction_bits == Some(usual.fraction_bits))
+            (!reads.format || (d.exp, d.man) == (Some(7), Some(16)))
+                && (!reads.fraction_bits || d.fraction_bits == Some(usual.fraction_bits))
         };
         designs.iter().filter(same).find(known).or_else(|| designs.iter().find(same))
     };
-    let mut out: Vec<Headline> = [
-        ("watertight", DatapathKind::Watertight, 0),
-        ("fixed", DatapathKind::Fixed, 0),
-        ("published", DatapathKind::Published, usual.nudge_bits),
-        ("published, no nudge", DatapathKind::Published, 0),
-    ]
-    .into_iter()
-    .filter_map(|(name, kind, nudge)| Some(Headline { name, design: find(kind, nudge)?.clone() }))
-    .collect();
+    let mut out = Vec::new();
+    for kind in datapaths() {
+        let word = kind.word();
+        let both = [(word.to_owned(), usual.nudge_bits), (format!("{word}, no nudge"), 0)];
+        let named = both.into_iter().take(if kind.facts().reads.nudge_bits { 2 } else { 1 });
+        out.extend(named.filter_map(|(name, nudge)| Some(Headline { name, design: find(kind, nudge)?.clone() })));
+    }
     let own = configured(c);
     if designs.contains(&own) && out.iter().all(|h| h.design != own) {
-        out.insert(0, Headline { name: "configured", design: own });
+        out.insert(0, Headline { name: "configured".to_owned(), design: own });
     }
     out
 }

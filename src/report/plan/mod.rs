@@ -5,13 +5,13 @@ mod map;
 mod select;
 mod synthesized;
 
-pub use design::{BEST, DesignSpec, mode_label, mode_words};
+pub use design::DesignSpec;
 pub use headline::Headline;
 pub use map::{Map, MapSpec};
 pub use select::{Extent, ModeSet, Selection};
 pub use synthesized::{Synthesized, UnitFigures};
 
-use crate::config::{Config, DatapathKind, MapConfig, MapKind, View};
+use crate::config::{Config, MapConfig, MapKind, View};
 use crate::error::Result;
 use crate::measure::PUBLISHED;
 use crate::scene::{Camera, RaySet, RaySource};
@@ -113,14 +113,15 @@ impl Plan {
         for (site, at) in self.sites.iter().enumerate() {
             for (design, spec) in self.designs.iter().enumerate() {
                 let levels = at.spec.levels;
-                // On wide maps most rays of the published datapath run to the limit: modes would tell nothing, and cost most of the time.
-                let stuck = spec.kind == DatapathKind::Published && levels != self.config.traverse.levels;
+                // On wide maps most rays of a datapath without the promise that they end run to the limit: modes would tell nothing, and cost most of
+                // the time.
+                let stuck = !spec.kind.facts().modes_agree && levels != self.config.traverse.levels;
                 let left_out = at.sweep || stuck && self.selection.extent != Extent::Full;
                 if left_out && !self.followed(spec) {
                     continue;
                 }
                 if let Err(e) = spec.design(&self.config, levels) {
-                    let name = format!("{}, {}", spec.label(), mode_label(&spec.mode));
+                    let name = format!("{}, {}", spec.label(), spec.mode.label());
                     let refused = NotLegal { design: name, levels, reason: e.to_string().replace("\n  - ", " ") };
                     if !self.not_legal.contains(&refused) {
                         self.not_legal.push(refused);
@@ -178,7 +179,7 @@ impl Plan {
 
     /// True for the designs whose error is followed along angle and map size.
     pub fn followed(&self, d: &DesignSpec) -> bool {
-        let narrow = d.kind == DatapathKind::Watertight && (d.exp, d.man) == (Some(7), Some(10));
+        let narrow = d.kind.facts().modes_agree && (d.exp, d.man) == (Some(7), Some(10));
         narrow || self.headlines.iter().any(|h| h.design == *d)
     }
 }

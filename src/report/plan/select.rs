@@ -1,8 +1,8 @@
 //! What of all that could be measured is measured.
-use super::design::{BEST, DesignSpec};
-use crate::config::{Config, DatapathConfig, DatapathKind, LevelUp, MapKind, ModeConfig, Trim, View};
+use super::design::DesignSpec;
+use crate::config::modes::{BEST, combinations, deeper, published_rows, trimmed};
+use crate::config::{Config, DatapathConfig, DatapathKind, MapKind, ModeConfig, Trim, View, datapaths};
 use crate::format::FloatFormat;
-use crate::measure::ROWS;
 use crate::scene::RaySet;
 use std::path::PathBuf;
 
@@ -76,49 +76,55 @@ impl Selection {
 
     /// The modes that are compared on one arithmetic.
     fn modes(&self) -> Vec<ModeConfig> {
-        let trims = [Trim::Descent, Trim::Always].map(|trim| ModeConfig { trim, ..BEST });
         let set = self.modes.unwrap_or(if self.extent == Extent::Full { ModeSet::All } else { ModeSet::Table });
         match set {
             ModeSet::One => vec![BEST],
             ModeSet::Table => {
                 let few = self.extent == Extent::Tiny && self.scenes.is_none();
-                let rows = if few { &ROWS[5..] } else { &ROWS[..] };
-                let downs = [3, 4].map(|levels_down| ModeConfig { levels_down, ..ROWS[0].1 });
-                let downs = downs.into_iter().filter(|_| self.extent != Extent::Tiny);
-                rows.iter().map(|r| r.1).chain(downs).chain(trims).collect()
+                let rows = published_rows().skip(if few { 5 } else { 0 });
+                let downs = deeper().filter(|_| self.extent != Extent::Tiny);
+                rows.chain(downs).chain(trimmed()).collect()
             }
-            ModeSet::All => every_mode(),
+            ModeSet::All => combinations(BEST, &Trim::ALL),
         }
     }
 
     /// The designs to be measured: each datapath's formats in one mode, its modes in one format, and the configured design.
     pub fn designs(&self, c: &Config) -> Vec<DesignSpec> {
-        let kind = |kind| DatapathConfig { kind, ..DatapathConfig::default() };
-        let fixed =
-            |f: u32| DatapathConfig { fraction_bits: f, reciprocal_bits: f.max(8), ..kind(DatapathKind::Fixed) };
-        let published = |nudge_bits| DatapathConfig { nudge_bits, ..kind(DatapathKind::Published) };
-        let watertight = kind(DatapathKind::Watertight);
-        let chosen = |kind| self.datapaths.is_empty() || self.datapaths.contains(&kind);
+        let chosen = |kind: &DatapathKind| self.datapaths.is_empty() || self.datapaths.contains(kind);
         let (formats, fractions) = (self.formats(), self.fractions());
         // The published figures are those of its own format.
         let usual = FloatFormat::new(7, 16);
+        let own = if self.formats.is_empty() { vec![usual] } else { self.formats.clone() };
         let one = *formats.iter().find(|f| **f == usual).unwrap_or(&formats[0]);
         let bits = *fractions.iter().find(|f| **f == 24).unwrap_or(&fractions[0]);
+        let at = |kind, f: u32| DatapathConfig {
+            kind,
+            fraction_bits: f,
+            reciprocal_bits: f.max(8),
+            ..DatapathConfig::default()
+        };
         let mut out = Vec::new();
         let mut add = |datapath: DatapathConfig, f: FloatFormat, mode| {
             let design = DesignSpec::usual(c, datapath, f.exp, f.man, mode);
-            if chosen(datapath.kind) && !out.contains(&design) {
+            if !out.contains(&design) {
                 out.push(design);
             }
         };
-        formats.iter().for_each(|f| add(watertight, *f, BEST));
-        fractions.iter().for_each(|f| add(fixed(*f), usual, BEST));
-        let own = if self.formats.is_empty() { &[usual][..] } else { &self.formats[..] };
-        own.iter().for_each(|f| [7, 0].iter().for_each(|nudge| add(published(*nudge), *f, BEST)));
-        for datapath in [watertight, fixed(bits), published(7)] {
-            // The published datapath knows no trim.
-            let known = |m: &ModeConfig| datapath.kind != DatapathKind::Published || m.trim == Trim::None;
-            self.modes().into_iter().filter(known).for_each(|mode| add(datapath, one, mode));
+        // What a datapath does not read, no design says: of its values those that make no difference fall together.
+        for kind in datapaths().filter(chosen) {
+            let nudged = kind.facts().reads.nudge_bits;
+            for format in if nudged { &own } else { &formats } {
+                for fraction in &fractions {
+                    for nudge_bits in if nudged { &[7, 0][..] } else { &[0] } {
+                        add(DatapathConfig { nudge_bits: *nudge_bits, ..at(kind, *fraction) }, *format, BEST);
+                    }
+                }
+            }
+        }
+        for kind in datapaths().filter(chosen) {
+            let known = |m: &ModeConfig| kind.facts().trim || m.trim == Trim::None;
+            self.modes().into_iter().filter(known).for_each(|mode| add(at(kind, bits), one, mode));
         }
         let configured = configured(c);
         if self.extent != Extent::Tiny && !out.contains(&configured) {
@@ -151,18 +157,4 @@ impl Selection {
 pub fn configured(c: &Config) -> DesignSpec {
     let mode = ModeConfig { lod: false, bilinear: false, ..c.mode };
     DesignSpec::new(c, c.datapath, c.format.exp, c.format.man, mode)
-}
-
-fn every_mode() -> Vec<ModeConfig> {
-    let mut out = Vec::new();
-    for trim in Trim::ALL {
-        for level_up in LevelUp::ALL {
-            for levels_down in 1..=4 {
-                for start_level in [false, true] {
-                    out.push(ModeConfig { start_level, levels_down, level_up, trim, ..BEST });
-                }
-            }
-        }
-    }
-    out
 }

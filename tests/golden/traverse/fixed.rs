@@ -6,7 +6,7 @@ use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use reliefrtl::config::{DatapathConfig, DatapathKind, Design, ModeConfig, TraverseConfig};
 use reliefrtl::golden::fixed::{Fixed, FixedAxis};
-use reliefrtl::golden::{Pyramid, RayHit, RayInput, Tracer, decode_time, encode_ray};
+use reliefrtl::golden::{Datapath, Pyramid, RayHit, RayInput, decode_time, encode_ray, prepare};
 use reliefrtl::measure::exact_ray;
 use reliefrtl::oracle::ExactMap;
 
@@ -108,7 +108,7 @@ fn disagreements(base: Design, kind: usize, count: u64, seed: u64) -> (u64, u64,
     let (n, h) = (base.traverse.levels, base.traverse.height_bits);
     let pyramid = Pyramid::build(n, h, &map(kind, n, h, seed)).unwrap();
     let tracers: Vec<Fixed> =
-        every_mode().into_iter().map(|mode| Fixed::new(&Design { mode, ..base }).unwrap()).collect();
+        every_mode().into_iter().map(|mode| Fixed::prepare(&Design { mode, ..base }).unwrap()).collect();
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let (mut wrong, mut limits, mut witness) = (0, 0, String::new());
     for number in 0..count {
@@ -174,7 +174,7 @@ fn estimates_are_never_ahead_and_planes_come_in_order() {
     let (mut checked, mut exact) = (0, 0);
     for (f, w, n, h, tile) in SIZES {
         let d = design(f, w, n, h, tile);
-        let g = Fixed::new(&d).unwrap();
+        let g = Fixed::prepare(&d).unwrap();
         let texel = 1i64 << (f - n);
         let bottom = ((1u64 << h) - 1) << (f + 2 - h);
         for k in 0..count {
@@ -214,7 +214,7 @@ fn passed(g: &Fixed, a: &FixedAxis, b: i64, late: u64) -> Option<[bool; 2]> {
 fn no_chord_ends_before_a_plane_that_is_met_exhaustively() {
     let mut met = 0u64;
     for (w, h, tile) in [(8, 2, 1), (8, 8, 1), (9, 3, 2), (12, 2, 2), (8, 4, 3), (32, 2, 1)] {
-        let g = Fixed::new(&design(8, w, 8, h, tile)).unwrap();
+        let g = Fixed::prepare(&design(8, w, 8, h, tile)).unwrap();
         for d in 1 - (1i64 << (8 + tile))..1 << (8 + tile) {
             let word = d as u64 & ((2 << (8 + tile)) - 1);
             let a = g.setup(&RayInput { u: 77, v: 0, du: word, dv: 0, lod: 0 }).u;
@@ -238,7 +238,7 @@ fn no_chord_ends_before_a_plane_that_is_met() {
     let (mut checked, mut tight) = (0u64, 0u64);
     for (f, w, n, h, tile) in SIZES {
         let d = design(f, w, n, h, tile);
-        let g = Fixed::new(&d).unwrap();
+        let g = Fixed::prepare(&d).unwrap();
         for k in 0..count {
             let r = ray(&d, Kind::ALL[k as usize % 9], &mut rng);
             let a = g.setup(&r).u;
@@ -266,7 +266,7 @@ fn the_hit_in_fixed_point_is_the_exact_one() {
                 let d = design(f, w, n, h, 4);
                 let texels = map(scene, n, h, seed);
                 let pyramid = Pyramid::build(n, h, &texels).unwrap();
-                let golden = Tracer::new(&d).unwrap();
+                let golden = prepare(&d).unwrap();
                 let mut rng = ChaCha8Rng::seed_from_u64(seed + 1000 * scene as u64);
                 for _ in 0..count / 18 {
                     let ray = ray(&d, Kind::Generic, &mut rng);
@@ -294,7 +294,7 @@ fn the_hit_in_fixed_point_is_the_exact_one() {
 fn words_of_fixed_point_rays() {
     let d = design(12, 10, 4, 8, 4);
     let pyramid = Pyramid::build(4, 8, &map(0, 4, 8, 1)).unwrap();
-    let golden = Fixed::new(&d).unwrap();
+    let golden = Fixed::prepare(&d).unwrap();
     let nothing = RayHit { limit: true, ..RayHit::default() };
     let r = encode_ray(&d, [0.25, 1.75, 0.5, -0.5]);
     assert_eq!(r, RayInput { u: 0x400, v: 0xc00, du: 0x800, dv: 0x1f800, lod: 0 });
@@ -316,9 +316,9 @@ fn words_of_fixed_point_rays() {
 fn illegal_sizes_are_refused() {
     let bad = [(12, 10, 12, 16, 1), (8, 8, 9, 8, 1), (28, 24, 8, 8, 5), (28, 32, 8, 8, 4), (24, 24, 12, 8, 11)];
     for (f, w, n, h, tile) in bad {
-        assert!(Fixed::new(&design(f, w, n, h, tile)).is_err(), "{f} {w} {n} {h} {tile}");
+        assert!(Fixed::prepare(&design(f, w, n, h, tile)).is_err(), "{f} {w} {n} {h} {tile}");
     }
     for (f, w, n, h, tile) in SIZES {
-        assert!(Fixed::new(&design(f, w, n, h, tile)).is_ok(), "{f} {w} {n} {h} {tile}");
+        assert!(Fixed::prepare(&design(f, w, n, h, tile)).is_ok(), "{f} {w} {n} {h} {tile}");
     }
 }

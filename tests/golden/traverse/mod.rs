@@ -6,7 +6,7 @@ mod scenes;
 
 use reliefrtl::config::{Design, LevelUp, ModeConfig, TraverseConfig, Trim};
 use reliefrtl::format::FloatFormat;
-use reliefrtl::golden::{Decision, Pyramid, RayHit, RayInput, Watertight, float};
+use reliefrtl::golden::{Datapath, Decision, Pyramid, RayHit, RayInput, Watertight, float};
 use reliefrtl::oracle::{ExactMap, ExactRay};
 use scenes::{Kind, Rays, env, map};
 
@@ -42,7 +42,7 @@ fn disagreements(base: Design, kind: usize, count: u64, seed: u64) -> (u64, u64,
     let texels = map(kind, n, h, seed);
     let pyramid = Pyramid::build(n, h, &texels).unwrap();
     let tracers: Vec<Watertight> =
-        modes(base.format).into_iter().map(|mode| Watertight::new(&Design { mode, ..base }).unwrap()).collect();
+        modes(base.format).into_iter().map(|mode| Watertight::prepare(&Design { mode, ..base }).unwrap()).collect();
     let mut rays = Rays::new(base.format, n, base.traverse.tile_bits, seed);
     let (mut total, mut wrong, mut witness) = (0, 0, String::new());
     for number in 0..count {
@@ -132,7 +132,7 @@ fn the_hit_is_the_exact_one() {
                 let d = design(FloatFormat::FP24, n, h, 4);
                 let texels = map(scene, n, h, seed);
                 let pyramid = Pyramid::build(n, h, &texels).unwrap();
-                let golden = Watertight::new(&d).unwrap();
+                let golden = Watertight::prepare(&d).unwrap();
                 let mut rays = Rays::new(d.format, n, 4, seed + 1000 * scene as u64);
                 for _ in 0..count / 18 {
                     let ray = rays.next(kind);
@@ -169,7 +169,7 @@ fn invalid_rays_leave_at_once() {
     let d = design(FloatFormat::FP24, 4, 8, 4);
     let fmt = d.format;
     let pyramid = Pyramid::build(4, 8, &map(0, 4, 8, 1)).unwrap();
-    let golden = Watertight::new(&d).unwrap();
+    let golden = Watertight::prepare(&d).unwrap();
     let good = RayInput::from_f64(fmt, 0.25, 0.75, 0.5, -0.5);
     let nothing = RayHit { limit: true, ..RayHit::default() };
     let code = |x| float::from_f64(fmt, x);
@@ -200,18 +200,18 @@ fn the_step_limit_ends_a_ray() {
     let pyramid = Pyramid::build(6, 8, &map(3, 6, 8, 1)).unwrap();
     let ray = RayInput::from_f64(d.format, 0.1, 0.2, 7.3, 5.9);
     let mut full = Vec::new();
-    let whole = Watertight::new(&d).unwrap().trace_with(&pyramid, &ray, |it| full.push(*it));
+    let whole = Watertight::prepare(&d).unwrap().trace_with(&pyramid, &ray, Some(&mut |it| full.push(*it)));
     assert_eq!(whole.steps as usize, full.len());
     assert!(full.len() > 5 && full.last().unwrap().decision == Decision::Hit);
     assert!(full.windows(2).all(|w| (w[0].next_x, w[0].next_y, w[0].next_t) == (w[1].x, w[1].y, w[1].t)));
     for limit in 1..whole.steps {
         d.traverse.step_limit = limit;
-        let hit = Watertight::new(&d).unwrap().trace(&pyramid, &ray);
+        let hit = Watertight::prepare(&d).unwrap().trace(&pyramid, &ray);
         let last = &full[limit as usize - 1];
         assert!(hit.limit && !hit.wall);
         assert_eq!((hit.steps, hit.t), (limit, last.next_t));
         assert_eq!((i64::from(hit.i), i64::from(hit.j)), (last.next_x.rem_euclid(64), last.next_y.rem_euclid(64)));
     }
     d.traverse.step_limit = whole.steps;
-    assert_eq!(Watertight::new(&d).unwrap().trace(&pyramid, &ray), whole);
+    assert_eq!(Watertight::prepare(&d).unwrap().trace(&pyramid, &ray), whole);
 }

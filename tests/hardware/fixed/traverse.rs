@@ -2,7 +2,7 @@
 use super::{FORMATS, design, hard};
 use reliefrtl::catalogue::design_at;
 use reliefrtl::config::{Design, LevelUp, ModeConfig, Trim};
-use reliefrtl::golden::{Pyramid, RayHit, RayInput, Tracer};
+use reliefrtl::golden::{Pyramid, RayHit, RayInput, prepare};
 use reliefrtl::interp::Traffic;
 use reliefrtl::ir::Binding;
 use reliefrtl::trace::{Pipeline, diagnose, hit};
@@ -18,7 +18,7 @@ fn every_mode_equals_golden_and_hits_alike() {
         for levels_down in 1..=4 {
             for start_level in [false, true] {
                 d.mode = ModeConfig { start_level, levels_down, level_up, ..ModeConfig::default() };
-                let g = Tracer::new(&d).unwrap();
+                let g = prepare(&d).unwrap();
                 let p = Pipeline::new(&d, &Binding::new()).unwrap();
                 let run = p.run(&pyramid, &rays, 8, Traffic { gaps: 60, stalls: 90, resets: 2, seed: runs }).unwrap();
                 let hits: Vec<RayHit> = run.results.iter().map(|r| hit(r)).collect();
@@ -55,7 +55,7 @@ fn every_trim_equals_golden_and_hits_alike() {
             for levels_down in 1..=4 {
                 for start_level in [false, true] {
                     d.mode = ModeConfig { start_level, levels_down, level_up, trim, lod: true, bilinear: false };
-                    let g = Tracer::new(&d).unwrap();
+                    let g = prepare(&d).unwrap();
                     let p = Pipeline::new(&d, &Binding::new()).unwrap();
                     let run =
                         p.run(&pyramid, &rays, 8, Traffic { gaps: 60, stalls: 90, resets: 2, seed: runs }).unwrap();
@@ -106,7 +106,7 @@ fn other_parameters_equal_golden() {
                 ([Trim::None, Trim::Always, Trim::Descent][levels as usize % 3], levels > 4);
             let d = design_at(&base, &over);
             let (pyramid, rays) = detailed(&d, 120, u64::from(levels));
-            let g = Tracer::new(&d).unwrap();
+            let g = prepare(&d).unwrap();
             let run = Pipeline::new(&base, &over).unwrap().run(&pyramid, &rays, 16, Traffic::default()).unwrap();
             for (k, (h, r)) in run.results.iter().zip(&rays).enumerate() {
                 assert_eq!(hit(h), g.trace(&pyramid, r), "ray {k} at {over:?}");
@@ -125,7 +125,7 @@ fn other_latencies_and_full_load() {
         d.mode.trim = [Trim::Always, Trim::None, Trim::Descent][l as usize % 3];
         (d.latency.add, d.latency.mul, d.latency.div, d.latency.decision) = (l, l, 2 * l, 1 + l / 3);
         let (pyramid, rays) = hard(&d, 250, 8);
-        let g = Tracer::new(&d).unwrap();
+        let g = prepare(&d).unwrap();
         let p = Pipeline::new(&d, &Binding::new()).unwrap();
         let run = p.run(&pyramid, &rays, 1, Traffic::default()).unwrap();
         assert!(run.results.iter().zip(&rays).all(|(h, r)| hit(h) == g.trace(&pyramid, r)));

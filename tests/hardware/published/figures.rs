@@ -1,7 +1,7 @@
 //! How wrong the published datapath is, and how many rays it never ends: with its nudge and without, on procedural maps.
 use super::scenes::{design, hard};
 use reliefrtl::config::{Config, DatapathKind, LevelUp, MapKind, ModeConfig, View};
-use reliefrtl::golden::{Decision, Pyramid, RayInput, Tracer};
+use reliefrtl::golden::{Decision, Pyramid, RayInput, prepare};
 use reliefrtl::interp::{FlatOp, Kind, Traffic};
 use reliefrtl::ir::Binding;
 use reliefrtl::measure::accuracy;
@@ -60,7 +60,7 @@ fn a_ray_that_never_ends() {
     for (nudge, ends) in [(0, false), (7, true)] {
         d.datapath.nudge_bits = nudge;
         let mut seen = Vec::new();
-        let hit = Tracer::new(&d).unwrap().trace_with(&pyramid, &ray, |i| seen.push(*i));
+        let hit = prepare(&d).unwrap().trace_with(&pyramid, &ray, Some(&mut |i| seen.push(*i)));
         assert_eq!(hit.limit, !ends, "nudge_bits {nudge}: {hit:?}");
         if ends {
             assert_eq!((hit.i, hit.j, hit.wall), (2, 0, true));
@@ -77,7 +77,7 @@ fn a_ray_that_never_ends() {
 fn faults_are_diagnosed() {
     let d = design(4);
     let (pyramid, rays) = hard(&d, 64, 5);
-    let g = Tracer::new(&d).unwrap();
+    let g = prepare(&d).unwrap();
     let sound = Pipeline::new(&d, &Binding::new()).unwrap();
     assert!(rays.iter().all(|r| diagnose_in(&sound, &d, &pyramid, r).unwrap().is_none()), "no fault, no divergence");
     let (mut wrong, mut stages) = (0, std::collections::BTreeSet::new());

@@ -3,7 +3,7 @@ use super::scenes::{design, hard, modes};
 use reliefrtl::catalogue::{bindings, check_interp, units, vector_set};
 use reliefrtl::config::{Design, LevelUp, ModeConfig};
 use reliefrtl::format::FloatFormat;
-use reliefrtl::golden::Tracer;
+use reliefrtl::golden::prepare;
 use reliefrtl::interp::Traffic;
 use reliefrtl::ir::Binding;
 use reliefrtl::trace::{Pipeline, hit};
@@ -53,7 +53,7 @@ fn units_equal_their_models_in_every_mode_and_at_every_latency() {
 /// Traces `count` rays in golden model and interpreter under traffic; the number of rays.
 fn equal(d: &Design, count: usize, traffic: Traffic) -> usize {
     let (pyramid, rays) = hard(d, count, 3);
-    let g = Tracer::new(d).unwrap();
+    let g = prepare(d).unwrap();
     let p = Pipeline::new(d, &Binding::new()).unwrap();
     let run = p.run(&pyramid, &rays, 8, traffic).unwrap();
     for (k, (r, ray)) in run.results.iter().zip(&rays).enumerate() {
@@ -98,7 +98,7 @@ fn other_latencies_and_full_load() {
         (d.latency.add, d.latency.mul, d.latency.div, d.latency.decision) = (l, l / 2, 2 * l, 1 + l / 3);
         (d.latency.compare, d.latency.from_int, d.latency.to_int) = (l, l, l);
         let (pyramid, rays) = hard(&d, 240, 8);
-        let g = Tracer::new(&d).unwrap();
+        let g = prepare(&d).unwrap();
         let p = Pipeline::new(&d, &Binding::new()).unwrap();
         let run = p.run(&pyramid, &rays, 1, Traffic::default()).unwrap();
         assert!(run.results.iter().zip(&rays).all(|(h, r)| hit(h) == g.trace(&pyramid, r)));

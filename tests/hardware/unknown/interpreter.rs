@@ -2,7 +2,7 @@
 use super::{LEVELS, config, scene, unknown_bits};
 use rayon::prelude::*;
 use reliefrtl::config::{Config, Design, ModeConfig, Profile};
-use reliefrtl::golden::{RayHit, Tracer};
+use reliefrtl::golden::{RayHit, prepare};
 use reliefrtl::interp::Tracked;
 use reliefrtl::ir::Binding;
 use reliefrtl::measure::endure::modes;
@@ -20,7 +20,7 @@ enum Loaded {
 fn run(c: &Config, loaded: Loaded, rays: usize) -> (usize, usize) {
     let d = c.design();
     let (pyramid, list) = scene(c, rays);
-    let hits: Vec<RayHit> = list.iter().map(|r| Tracer::new(&d).unwrap().trace(&pyramid, r)).collect();
+    let hits: Vec<RayHit> = list.iter().map(|r| prepare(&d).unwrap().trace(&pyramid, r)).collect();
     let p = Pipeline::new(&d, &Binding::new()).unwrap();
     let mut sim = Tracked::new(&p.net);
     if loaded != Loaded::Nothing {

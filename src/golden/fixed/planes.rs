@@ -1,72 +1,11 @@
-//! The traversal in fixed point: what the walk from node to node computes with.
-use super::super::pyramid::Pyramid;
-use super::super::record::{Iteration, RayHit};
-use super::super::setup::{RayInput, Setup};
-use super::super::walk::{PlaneArithmetic, walk};
-use super::{FixedAxis, GUARD, illegal, time_fraction};
+//! What the walk from node to node computes with, in fixed point.
+use super::model::Fixed;
+use super::setup::FixedAxis;
 use crate::config::Design;
-use crate::error::{Error, Result};
-
-/// A tracer for one design, with the design's constants at hand.
-#[derive(Clone, Debug)]
-pub struct Fixed {
-    pub(super) design: Design,
-    /// FRACTION_W: fraction bits of positions, in tiles.
-    pub(super) fraction: u32,
-    /// RECIP_W: significant bits of the reciprocal.
-    pub(super) reciprocal: u32,
-    /// FRACTION_W + TILE_W: bits of a travel's magnitude.
-    pub(super) reach: u32,
-    /// M = 2^HEIGHT_W - 1: the ray parameter at the bottom plane.
-    pub(super) bottom: u64,
-    /// G: fraction bits of the ray parameter.
-    pub(super) time_fraction: u32,
-    /// The largest ray parameter; no height is met there.
-    pub(super) never: u64,
-}
+use crate::golden::planes::{PlaneArithmetic, Setup};
+use crate::golden::record::RayInput;
 
 impl Fixed {
-    /// A tracer for `design`.
-    ///
-    /// # Errors
-    /// [`Error::Input`] if the sizes are outside of the ranges of `docs/fixed.md`.
-    pub fn new(design: &Design) -> Result<Self> {
-        if let Some(rule) = illegal(design) {
-            return Err(Error::input(format!("no fixed-point datapath of these sizes: {rule} (`docs/fixed.md`)")));
-        }
-        let (t, path) = (&design.traverse, &design.datapath);
-        Ok(Self {
-            design: *design,
-            fraction: path.fraction_bits,
-            reciprocal: path.reciprocal_bits,
-            reach: path.fraction_bits + t.tile_bits,
-            bottom: (1 << t.height_bits) - 1,
-            time_fraction: time_fraction(design),
-            never: (1 << (path.fraction_bits + GUARD)) - 1,
-        })
-    }
-
-    /// The design this tracer is for.
-    pub fn design(&self) -> &Design {
-        &self.design
-    }
-
-    /// Traces a ray.
-    ///
-    /// # Panics
-    /// If the pyramid has other levels or height bits than the design.
-    pub fn trace(&self, pyramid: &Pyramid, ray: &RayInput) -> RayHit {
-        walk::<false, _>(self, pyramid, ray, &mut |_| ())
-    }
-
-    /// Traces a ray and shows every iteration to `see`.
-    ///
-    /// # Panics
-    /// As [`Fixed::trace`].
-    pub fn trace_with(&self, pyramid: &Pyramid, ray: &RayInput, mut see: impl FnMut(&Iteration)) -> RayHit {
-        walk::<true, _>(self, pyramid, ray, &mut see)
-    }
-
     /// t_v of a height code: its depth, as the parameter counts height codes, without any rounding.
     pub fn height_time(&self, height: u64) -> u64 {
         (self.bottom - height) << self.time_fraction

@@ -1,8 +1,8 @@
 //! What is computed once per ray: scaling before the loop, and the start level on the first trip round it.
-use super::Published;
-use crate::golden::float::{self, Value};
+use super::model::Published;
+use crate::golden::float::{self, Value, power_of_two};
 use crate::golden::level::start_level;
-use crate::golden::setup::{RayInput, power_of_two};
+use crate::golden::record::RayInput;
 
 /// One axis of a ray; `p` and `d` are encoded texels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -40,6 +40,24 @@ impl Published {
         }
         let end = |axis| self.texel(self.position(axis, self.one));
         start_level(n, self.idx_w, route.u.x, route.v.x, end(&route.u), end(&route.v))
+    }
+
+    /// P + D * t along one axis, in texels.
+    pub fn position(&self, axis: &Travel, t: u64) -> u64 {
+        let fmt = self.design.format;
+        float::add(fmt, axis.p, float::mul(fmt, axis.d, t))
+    }
+
+    /// Address conversion: the texel of a position.
+    pub fn texel(&self, position: u64) -> i64 {
+        float::to_int(self.design.format, position, self.idx_w)
+    }
+
+    /// Fraction bits of the position at `t`.
+    pub fn fraction(&self, axis: &Travel, t: u64) -> u32 {
+        let frac = self.design.traverse.frac_bits;
+        let at = float::to_fixed(self.design.format, self.position(axis, t), self.idx_w + frac, frac);
+        at.rem_euclid(1 << frac) as u32
     }
 
     fn travel(&self, p: u64, d: u64) -> Option<Travel> {

@@ -1,32 +1,8 @@
 //! What is computed once per ray, before the first iteration.
-use super::float::{self, Value};
-use super::traverse::Watertight;
-use super::walk::{AxisView, both};
-use crate::format::FloatFormat;
-
-/// A ray as it enters the unit; every field is an encoded number.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct RayInput {
-    /// Entry point on the top plane along u, in tiles; [0, 1).
-    pub u: u64,
-    /// Entry point along v, in tiles; [0, 1).
-    pub v: u64,
-    /// Tiles travelled along u while the height falls from 1 to 0; less than 2^TILE_W either way.
-    pub du: u64,
-    /// As `du`, along v.
-    pub dv: u64,
-    /// The finest level at which the ray may end, in as many bits as LEVELS needs; above LEVELS it means LEVELS. Read only where the design's
-    /// `mode.lod` is set.
-    pub lod: u32,
-}
-
-impl RayInput {
-    /// The ray whose fields are nearest to the given ones, at full detail.
-    pub fn from_f64(fmt: FloatFormat, u: f64, v: f64, du: f64, dv: f64) -> Self {
-        let [u, v, du, dv] = [u, v, du, dv].map(|x| float::from_f64(fmt, x));
-        Self { u, v, du, dv, lod: 0 }
-    }
-}
+use super::model::Watertight;
+use crate::golden::float::{self, Value, power_of_two};
+use crate::golden::planes::{AxisView, Setup, both};
+use crate::golden::record::RayInput;
 
 /// One axis of a ray after setup. All but flags and `x` are encoded numbers; lengths are in texels, parameters in height codes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -76,24 +52,9 @@ impl AxisView for Axis {
     }
 }
 
-/// All that setup computes for a ray. Of an invalid ray only `valid` means anything; the rest is 0.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Setup<A = Axis> {
-    /// The ray may be traced.
-    pub valid: bool,
-    /// Along u.
-    pub u: A,
-    /// Along v.
-    pub v: A,
-    /// The level to start on.
-    pub level: u32,
-    /// The finest level at which the ray may end; 0 where the design has no such choice.
-    pub lod: u32,
-}
-
 impl Watertight {
     /// Setup of one ray.
-    pub fn setup(&self, ray: &RayInput) -> Setup {
+    pub fn setup(&self, ray: &RayInput) -> Setup<Axis> {
         if !(self.entry_ok(ray.u) && self.entry_ok(ray.v) && self.travel_ok(ray.du) && self.travel_ok(ray.dv)) {
             return Setup::default();
         }
@@ -148,9 +109,14 @@ impl Watertight {
         };
         power_of_two(fmt, k - fmt.man as i32 - 1)
     }
-}
 
-/// 2^e, encoded.
-pub(super) fn power_of_two(fmt: FloatFormat, e: i32) -> u64 {
-    float::from_f64(fmt, 2f64.powi(e))
+    /// Pf and Le of an axis: entry point moved forward by `bias`, and a texel that the ray does not get beyond.
+    fn ahead(&self, p: u64, dn: u64, dt: u64, bias: u64) -> (u64, i64) {
+        let fmt = self.design.format;
+        let zero = |x: u64| matches!(float::decode(fmt, x), Value::Zero(_));
+        let start = if zero(dn) { p } else { float::add(fmt, p, bias) };
+        let end = float::add(fmt, start, dn);
+        // A travel per height code that is no number any more says nothing about the way: then the whole way is assumed.
+        (if zero(dt) { end } else { start }, float::to_int(fmt, end, self.idx_w))
+    }
 }

@@ -2,12 +2,13 @@
 //! texel behind the hit.
 //!
 //! Each part stands alone, at any format, so that the unit that computes it can be held to it.
-use super::float::{self, Value};
-use super::pyramid::Pyramid;
-use super::record::{BilinearHit, Patch, RayHit};
-use super::setup::{RayInput, Setup};
-use super::traverse::Watertight;
+use super::model::Watertight;
+use super::setup::Axis;
 use crate::format::FloatFormat;
+use crate::golden::float::{self, Value};
+use crate::golden::planes::Setup;
+use crate::golden::pyramid::Pyramid;
+use crate::golden::record::{BilinearHit, Patch, RayHit, RayInput};
 
 /// A refined hit. Where the surface was not hit, texel, fractions and parameter are those of the block hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -63,14 +64,14 @@ impl Watertight {
     }
 
     /// Texel, wrapped, and fraction along both axes at `t`.
-    fn places(&self, setup: &Setup, t: u64) -> [(u32, u32); 2] {
+    fn places(&self, setup: &Setup<Axis>, t: u64) -> [(u32, u32); 2] {
         let size = &self.design.traverse;
         [&setup.u, &setup.v]
             .map(|a| place(self.design.format, size.levels, [self.idx_w, size.frac_bits], [a.p, a.dt, t]))
     }
 
     /// The ray's height over the interpolated surface at `t`: positive above it.
-    fn gap(&self, pyramid: &Pyramid, setup: &Setup, t: u64) -> u64 {
+    fn gap(&self, pyramid: &Pyramid, setup: &Setup<Axis>, t: u64) -> u64 {
         let size = &self.design.traverse;
         let [(i, fx), (j, fy)] = self.places(setup, t).map(|at| corner(size.levels, size.frac_bits, at));
         let code = |di: u32, dj: u32| {

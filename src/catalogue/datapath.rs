@@ -1,0 +1,30 @@
+//! What the catalogue has of each datapath: the entries that are its own, and how its rays are sampled.
+use super::ray_stimulus::{RaySample, fixed, published, watertight};
+use super::unit::{UNIT, Unit};
+use crate::config::{DatapathKind, Design};
+use crate::golden::Datapath;
+use rand_chacha::ChaCha8Rng;
+
+/// An entry of the watertight datapath.
+pub const WATERTIGHT: Unit = Unit { datapath: Some(DatapathKind::Watertight), ..UNIT };
+/// An entry of the published datapath.
+pub const PUBLISHED: Unit = Unit { datapath: Some(DatapathKind::Published), ..UNIT };
+/// An entry of the fixed-point datapath.
+pub const FIXED: Unit = Unit { datapath: Some(DatapathKind::Fixed), ..UNIT };
+
+/// Samples a ray at some iteration; texel indices are words of so many bits.
+pub type Sampler = Box<dyn Fn(u32, &mut ChaCha8Rng) -> RaySample>;
+
+/// Samples rays for a design; `None` if it has no datapath.
+pub fn sampler(d: &Design) -> Option<Sampler> {
+    match d.datapath.kind {
+        DatapathKind::Watertight => of(d, watertight::sample),
+        DatapathKind::Published => of(d, published::sample),
+        DatapathKind::Fixed => of(d, fixed::sample),
+    }
+}
+
+fn of<D: Datapath + 'static>(d: &Design, sample: fn(&D, u32, &mut ChaCha8Rng) -> RaySample) -> Option<Sampler> {
+    let model = D::prepare(d).ok()?;
+    Some(Box::new(move |idx_w, rng| sample(&model, idx_w, rng)))
+}

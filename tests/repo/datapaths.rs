@@ -1,0 +1,32 @@
+//! A datapath is named in one table a layer, and the modes are listed in one place: what differs is asked there.
+use crate::source::files;
+use std::path::{Path, PathBuf};
+
+/// Files of `src` that name a kind of datapath, at most: the tables of `config`, `golden`, `units` and `catalogue`, and one to spare.
+const MOST: usize = 5;
+
+/// The files with `word` in their code; comments don't count.
+fn naming(word: &str, files: &[(PathBuf, String)]) -> Vec<PathBuf> {
+    let code = |text: &str| text.lines().any(|l| l.split("//").next().is_some_and(|code| code.contains(word)));
+    files.iter().filter(|(_, text)| code(text)).map(|(file, _)| file.clone()).collect()
+}
+
+#[test]
+fn few_files_name_a_kind_of_datapath() {
+    let found = naming("DatapathKind::", &files());
+    let list: Vec<_> = found.iter().map(|f| format!("src/{}", f.display())).collect();
+    println!("{} files name a kind of datapath: {}", list.len(), list.join(", "));
+    assert!(!found.is_empty() && found.len() <= MOST, "{} files, at most {MOST}:\n{}", list.len(), list.join("\n"));
+}
+
+#[test]
+fn modes_are_listed_in_one_file() {
+    assert_eq!(naming("LevelUp::ALL", &files()), [Path::new("config/modes.rs")]);
+}
+
+#[test]
+fn a_comment_names_nothing() {
+    let file = |name: &str, text: &str| (PathBuf::from(name), text.to_owned());
+    let all = [file("a.rs", "// A::B\nfn f() {}\n"), file("b.rs", "let x = A::B; // why\n"), file("c.rs", "A::C")];
+    assert_eq!(naming("A::B", &all), [Path::new("b.rs")]);
+}
