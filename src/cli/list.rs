@@ -6,7 +6,7 @@ use crate::config::Design;
 use crate::error::Result;
 use crate::ir::Module;
 use crate::units;
-use crate::units::traversal::{PUBLISHED, Traverse, difference, loop_resources, traverse};
+use crate::units::traversal::{Datapath, PUBLISHED, Traverse, loop_resources, traverse};
 use serde_json::json;
 use std::sync::Arc;
 
@@ -86,7 +86,7 @@ fn more(d: &Design) -> Vec<Arc<Module>> {
 fn in_loop(d: &Design, t: &Traverse) -> Vec<serde_json::Value> {
     let rows = loop_resources(d, t).rows().into_iter().zip(PUBLISHED.rows());
     rows.map(|((what, here), (_, published))| {
-        let why = if here == published { "" } else { difference(d, what) };
+        let why = if here == published { "" } else { (Datapath::of(d).difference)(what) };
         json!({"what": what, "here": here, "published": published, "why": why})
     })
     .collect()

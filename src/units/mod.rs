@@ -54,15 +54,14 @@ fn chosen(d: &Design, units: ExtraUnits) -> Vec<Arc<Module>> {
 pub fn all(d: &Design) -> Vec<Arc<Module>> {
     let t = &d.traverse;
     let path = traversal::Datapath::of(d);
-    let parity = matches!(d.mode.level_up, crate::config::LevelUp::Tevs | crate::config::LevelUp::Selective);
+    let parity = traversal::reads_parity(d);
     let mut list = arithmetic_in_registers(d);
     let trims = d.mode.trim != crate::config::Trim::None;
     list.extend((d.mode.start_level || trims).then(|| traversal::start_level(t)));
     if d.mode.lod {
         list.extend([traversal::finest_level(t), traversal::node_hit(t)]);
     }
-    // Where positions are moved, no index is stepped: such a datapath has units of its own for that.
-    let indices = d.datapath.kind.facts().steps_indices;
+    let indices = path.level_decision.is_some();
     list.push(traversal::height_address(t));
     list.extend(indices.then(|| traversal::node_planes(d, parity)));
     list.extend((path.steps)(d));
@@ -71,8 +70,8 @@ pub fn all(d: &Design) -> Vec<Arc<Module>> {
         list.extend((d.mode.level_up != crate::config::LevelUp::None).then(|| traversal::trim_return(d)));
     }
     list.extend(indices.then(|| traversal::multi_level_down(d)));
-    list.extend(traversal::level_up(d));
-    list.extend(indices.then(|| traversal::level_decision(d)));
+    list.extend(traversal::level_up(d, (path.level_up_clocks)(d)));
+    list.extend(path.level_decision.map(|unit| unit(d)));
     list.extend([(path.setup)(d), (path.hit)(d), traversal::memory(d)]);
     if d.mode.bilinear {
         list.extend(traversal::bilinear::units(d));

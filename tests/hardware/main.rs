@@ -8,6 +8,7 @@ mod exit_status;
 mod fixed;
 mod hard_rtl;
 mod harness;
+mod height_source;
 mod lanes;
 mod module_rules;
 mod one_op;

@@ -1,11 +1,9 @@
 //! What a datapath puts into `traverse`: its numbers, a ray's constants, setup, iteration and hit position.
 //!
-//! The loop itself (admission, tags, back-pressure, leaving) is the same for all of them: `traverse.rs`.
-use super::loop_state::{Field, Numbers, Ray, Sizes};
-use super::published;
-use super::traverse::Load;
-use super::{fixed, watertight};
-use crate::config::{DatapathKind, Design};
+//! The loop itself (accept, tags, back-pressure, retire) is the same for all of them: `traverse.rs`.
+use super::height_source::{HeightPort, HeightSource};
+use super::loop_state::{Field, Numbers, Ray, Sizes, fields};
+use crate::config::Design;
 use crate::ir::{Builder, Expr, Module, Sig};
 use crate::units::float::FormatParams;
 use std::sync::Arc;
@@ -27,7 +25,11 @@ pub struct Datapath {
     /// Clocks through setup, at least 1.
     pub setup_clocks: fn(&Design) -> u32,
     /// One iteration.
-    pub iteration: for<'b> fn(&'b Builder, &Sizes, &Design, &Ray<'b>, &Load<'b>) -> Ray<'b>,
+    pub iteration: for<'b> fn(&'b Builder, &Sizes, &Design, &Ray<'b>, &mut dyn HeightPort<'b>) -> Ray<'b>,
+    /// Hit, descend or cross, where an iteration steps indices; where it moves positions, the datapath has units of its own for that.
+    pub level_decision: Option<fn(&Design) -> Arc<Module>>,
+    /// Clocks through `level_up`.
+    pub level_up_clocks: fn(&Design) -> u32,
     /// Position of a hit inside its texel along one axis; with a level of detail, the texel (wrapped) after it.
     pub hit: fn(&Design) -> Arc<Module>,
     /// Clocks through `hit`, at least 1.
@@ -39,12 +41,17 @@ pub struct Datapath {
 }
 
 impl Datapath {
-    /// The datapath of a design.
-    pub fn of(d: &Design) -> &'static Self {
-        match d.datapath.kind {
-            DatapathKind::Watertight => &watertight::DATAPATH,
-            DatapathKind::Published => &published::DATAPATH,
-            DatapathKind::Fixed => &fixed::DATAPATH,
-        }
+    /// Declares the parameters of `traverse`, with what they may be.
+    pub fn sizes(&self, b: &Builder, d: &Design) -> Sizes {
+        // The format's parameters come first.
+        let declared = (self.declare)(b, d);
+        Sizes::declare(b, d, |levels, height, tile| (self.numbers)(b, d, declared, levels, height, tile))
+    }
+
+    /// All that a ray carries: the datapath's constants of the ray, the state that every datapath has, and what the source adds.
+    pub fn fields(&self, s: &Sizes, d: &Design, source: &dyn HeightSource) -> Vec<Field> {
+        let mut list = fields(s, d, (self.constants)(s, d));
+        list.extend(source.fields(s));
+        list
     }
 }

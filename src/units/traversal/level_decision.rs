@@ -1,19 +1,22 @@
 //! `level_decision`: hit, descend or cross; the node, level and parameter of the next iteration (PIDM-HW section 4.2).
 use super::params::{LevelParams, bindings, index_width};
 use crate::config::{Design, Trim};
-use crate::format::Words;
-use crate::ir::{Builder, Module};
-use crate::units::float::FormatParams;
+use crate::ir::{Binding, Builder, Expr, Module};
 use std::sync::Arc;
 
+/// A datapath's ray parameter, as `level_decision` passes it on.
+pub struct TimeWord {
+    /// Declares what its width follows from; returns width and unit.
+    pub declare: fn(&Builder, &Design) -> (Expr, &'static str),
+    /// Parameter values at which the module is verified besides those of every datapath.
+    pub bindings: fn() -> Vec<Binding>,
+}
+
 /// Builds `level_decision`, combinational.
-pub fn level_decision(d: &Design) -> Arc<Module> {
+pub fn level_decision(d: &Design, time: &TimeWord) -> Arc<Module> {
     let t = &d.traverse;
     let b = Builder::new("level_decision", file!(), "hit, descend or cross: the next node, level and parameter");
-    let (time_w, time_unit) = match d.words() {
-        Words::Fixed { .. } => super::fixed::time(&b, d),
-        Words::Float(format) => (FormatParams::declare(&b, format).width, "float, height codes"),
-    };
+    let (time_w, time_unit) = (time.declare)(&b, d);
     let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
     let idx = index_width(&b, t, Some(&levels));
     let inside = b.input("is_inside", 1, "bit", "the node's height is met before the ray leaves");
@@ -63,8 +66,6 @@ pub fn level_decision(d: &Design) -> Arc<Module> {
     b.drive(o_y, y, None);
     b.drive(o_t, inside.mux(m, t_next), None);
     let mut at = bindings();
-    if d.words().float().is_some() {
-        at.extend(crate::units::float::bindings());
-    }
+    at.extend((time.bindings)());
     b.finish(Some(0), &at)
 }

@@ -4,20 +4,24 @@ use crate::config::{Design, LevelUp};
 use crate::ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
-/// Clocks through `level_up`: the distance of two nodes, and what it says, are long one behind the other.
+/// Whether the rule asks if the crossed plane bounds the parent node too: whether its index is even.
+pub fn reads_parity(d: &Design) -> bool {
+    matches!(d.mode.level_up, LevelUp::Tevs | LevelUp::Selective)
+}
+
+/// Clocks through `level_up` where planes are compared: the distance of two nodes, and what it says, are long in series.
 pub fn latency(d: &Design) -> u32 {
-    let alone = !d.datapath.kind.facts().steps_indices || d.mode.level_up != LevelUp::Selective;
     match d.latency.decision {
-        _ if alone => 0,
+        _ if d.mode.level_up != LevelUp::Selective => 0,
         0..=2 => 0,
         3..=4 => 1,
         _ => 2,
     }
 }
 
-/// Builds `level_up` for the design's rule, combinational up to a `latency.decision` of 2; `None` for the rule that never ascends.
-pub fn level_up(d: &Design) -> Option<Arc<Module>> {
-    let (t, rule, clocks) = (&d.traverse, d.mode.level_up, latency(d));
+/// Builds `level_up` of the design's rule in `clocks`, of which the selective rule alone takes up to 2; `None` for the rule that never ascends.
+pub fn level_up(d: &Design, clocks: u32) -> Option<Arc<Module>> {
+    let (t, rule) = (&d.traverse, d.mode.level_up);
     let text = match rule {
         LevelUp::None => return None,
         LevelUp::Tevs => "level-up test: the crossing leaves the parent node",

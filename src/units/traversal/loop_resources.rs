@@ -59,8 +59,3 @@ pub fn loop_resources(d: &Design, t: &Traverse) -> LoopResources {
 fn count(m: &Module, name: &str) -> u32 {
     u32::from(m.name == name) + m.insts.iter().map(|i| count(&i.module, name)).sum::<u32>()
 }
-
-/// Why the `row` (of [`LoopResources::rows`]) of the design's datapath differs from the published one, where it does.
-pub fn difference(d: &Design, row: &str) -> &'static str {
-    (Datapath::of(d).difference)(row)
-}

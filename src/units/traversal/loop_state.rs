@@ -1,5 +1,4 @@
 //! The state of a ray in the loop.
-use super::datapath::Datapath;
 use crate::config::{Design, LevelUp, Trim};
 use crate::ir::{Builder, Expr, Sig};
 use crate::units::float::FormatParams;
@@ -39,11 +38,9 @@ pub struct Numbers {
 }
 
 impl Sizes {
-    /// Declares them, with what they may be.
-    pub fn declare(b: &Builder, d: &Design, path: &Datapath) -> Self {
+    /// Declares them, with what they may be; `numbers` says what the datapath's numbers are, of LEVELS, HEIGHT_W and TILE_W.
+    pub fn declare(b: &Builder, d: &Design, numbers: impl FnOnce(&Expr, &Expr, &Expr) -> Numbers) -> Self {
         let t = &d.traverse;
-        // The format's parameters come first.
-        let declared = (path.declare)(b, d);
         let levels = b.param("LEVELS", t.levels, "the map has 2^LEVELS x 2^LEVELS texels");
         let height = b.param("HEIGHT_W", t.height_bits, "bits of a height code");
         let tile = b.param("TILE_W", t.tile_bits, "a ray travels less than 2^TILE_W tiles along each axis");
@@ -52,7 +49,7 @@ impl Sizes {
         let step_limit = b.param("STEP_LIMIT", t.step_limit, "iterations after which a ray is given up");
         b.require(2, &levels);
         b.require(&levels, 12);
-        let numbers = (path.numbers)(b, d, declared, &levels, &height, &tile);
+        let numbers = numbers(&levels, &height, &tile);
         b.require(1, &frac);
         b.require(&frac, 16);
         b.require(1, &tag);
@@ -102,12 +99,12 @@ impl Field {
     }
 }
 
-/// All that a ray carries: the datapath's constants of the ray, then the state that every datapath has.
-pub fn fields(s: &Sizes, d: &Design, path: &Datapath) -> Vec<Field> {
+/// Tag, the datapath's constants of the ray, then the state that every datapath has.
+pub fn fields(s: &Sizes, d: &Design, constants: Vec<Field>) -> Vec<Field> {
     let bit = Expr::from(1);
     let counter = Expr::from(16);
     let mut list = vec![Field::new("tag", &s.tag, Start::Tag)];
-    list.extend((path.constants)(s, d));
+    list.extend(constants);
     list.extend([
         Field::new("level", &s.level_w, Start::Setup("level")),
         Field::new("x", &s.idx, Start::Setup("first_x")),
@@ -199,6 +196,34 @@ impl<'b> Ray<'b> {
     pub fn or_new(&self, fields: &[Field], accept: Sig<'b>, new: &Self, valid: Sig<'b>) -> Self {
         let pick = |f: &Field| (f.name, accept.mux(new.get(f.name), self.get(f.name)).named(f.net));
         Ray { valid: valid.named("valid").valid(), words: fields.iter().map(pick).collect() }
+    }
+
+    /// The words with their names.
+    pub fn words(&self) -> impl Iterator<Item = (&'static str, Sig<'b>)> {
+        self.words.iter().copied()
+    }
+
+    /// `other` where `take`, else this one: the ray that enters the slot.
+    pub fn or_else(&self, take: Sig<'b>, other: &Self) -> Self {
+        let pick =
+            |w: &(&'static str, Sig<'b>)| (w.0, take.mux(other.get(w.0), w.1).named(&format!("entering_{}", w.0)));
+        Ray { valid: self.valid, words: self.words.iter().map(pick).collect() }
+    }
+
+    /// The stage in which the last of the words is known.
+    pub fn last_stage(&self) -> u32 {
+        self.words.iter().filter_map(|w| w.1.stage()).max().unwrap_or(0)
+    }
+
+    /// The same ray, delayed to `stage`; a word that gets its first register there is named after `prefix`.
+    pub fn delayed(&self, stage: u32, prefix: &str) -> Self {
+        let last = self.last_stage();
+        let word = |w: &(&'static str, Sig<'b>)| {
+            let is_new = stage > last && w.1.stage() == Some(last);
+            let v = if is_new { w.1.named(&format!("{prefix}_{}", w.0)) } else { w.1 };
+            (w.0, v.at(stage))
+        };
+        Ray { valid: self.valid, words: self.words.iter().map(word).collect() }
     }
 
     /// The same ray, registered.

@@ -1,36 +1,15 @@
 //! One iteration of a datapath that compares plane parameters: from the slot's ray to the ray that goes back.
+use super::height_source::{HeightPort, Heights};
+use super::level_up::{latency as level_up_clocks, level_up, reads_parity};
 use super::loop_state::{Ray, Sizes};
-use super::traverse::Load;
-use super::*;
+use super::multi_level_down::multi_level_down;
+use super::node_address::node_address;
+use super::node_planes::node_planes;
+use super::plane_units::PlaneUnits;
+use super::trim;
+use super::trim_return::trim_return;
 use crate::config::{Design, LevelUp, Trim};
-use crate::ir::{Builder, Module, Sig};
-use std::sync::Arc;
-
-/// Two signals, of u or least first.
-pub type Pair<'b> = [Sig<'b>; 2];
-
-/// What such a datapath puts into an iteration. The constants of a ray that a unit reads per axis are named by its port and by the word
-/// that the ray carries, without `_x` or `_y`.
-pub struct PlaneUnits {
-    /// The parameter of a plane; the plane comes beside these constants.
-    pub plane_time: fn(&Design) -> Arc<Module>,
-    /// Constants that `plane_time` reads.
-    pub plane_inputs: &'static [(&'static str, &'static str)],
-    /// The larger of the ray's parameter and that of a height.
-    pub height_test: fn(&Design) -> Arc<Module>,
-    /// The texel reached at a parameter, which comes beside these constants.
-    pub predicted_hit: fn(&Design) -> Arc<Module>,
-    /// Constants that `predicted_hit` reads.
-    pub predicted_inputs: &'static [(&'static str, &'static str)],
-    /// Where the design trims: the texel reached at the parameter of the other axis' exit plane, which comes beside these constants.
-    pub chord_end: fn(&Design) -> Arc<Module>,
-    /// Constants that `chord_end` reads.
-    pub chord_inputs: &'static [(&'static str, &'static str)],
-    /// Whether the ray leaves by the plane of v, given the parameters of both exit planes.
-    pub leaves_y: for<'b> fn(&'b Builder, &Design, Pair<'b>) -> Sig<'b>,
-    /// Hit or exit.
-    pub node_crossing: fn(&Design) -> Arc<Module>,
-}
+use crate::ir::{Builder, Sig};
 
 /// Builds the iteration; operands meet at the stage at which the latest of them is known.
 pub fn plane_iteration<'b>(
@@ -38,7 +17,7 @@ pub fn plane_iteration<'b>(
     s: &Sizes,
     d: &Design,
     ray: &Ray<'b>,
-    load: &Load<'b>,
+    source: &mut dyn HeightPort<'b>,
     units: &PlaneUnits,
 ) -> Ray<'b> {
     let idx = || [("IDX_W", s.idx.clone())];
@@ -47,7 +26,7 @@ pub fn plane_iteration<'b>(
     let ray = &chosen;
 
     b.section("node", "Extent and exit planes of the node, and its place in memory.");
-    let parity = matches!(d.mode.level_up, LevelUp::Tevs | LevelUp::Selective);
+    let parity = reads_parity(d);
     let planes = |axis: &str, x: Sig<'b>, neg: Sig<'b>| {
         let ins = [("level", ray.get("level")), ("x", x), ("neg", neg)];
         let o = b.inst(&node_planes(d, parity), &format!("u_planes_{axis}"), &idx(), &ins);
@@ -65,18 +44,18 @@ pub fn plane_iteration<'b>(
         };
         [b.sig(when("x", px[2])), b.sig(when("y", py[2]))].map(|t| t.id())
     };
-    let (height, [t_x, t_y], read) = if d.mode.trim == Trim::None {
-        let height = read_height(b, s, d, ray, load, ray.get("level"));
-        (height, plane_times().map(|t| b.sig(t)), ray.get("level"))
+    let (heights, [t_x, t_y], read) = if d.mode.trim == Trim::None {
+        let heights = read_heights(b, s, d, ray, source, ray.get("level"));
+        (heights, plane_times().map(|t| b.sig(t)), ray.get("level"))
     } else {
         let times = plane_times().map(|t| b.sig(t));
         let read = trim::trim(b, s, d, ray, units, [[px[0], px[1]], [py[0], py[1]]], times);
         b.section("address", "");
-        (read_height(b, s, d, ray, load, read), times, read)
+        (read_heights(b, s, d, ray, source, read), times, read)
     };
 
     b.section("height test", "");
-    let o = b.inst(&(units.height_test)(d), "u_height_test", &[], &[("height", height), ("t", ray.get("t"))]);
+    let o = b.inst(&(units.height_test)(d), "u_height_test", &[], &[("height", heights.single()), ("t", ray.get("t"))]);
     let (m, below) = (o[0].named("m"), o[1].named("below"));
 
     b.section("predicted hit", "");
@@ -102,7 +81,7 @@ pub fn plane_iteration<'b>(
     let (level_down, x_down, y_down) = (o[0].named("level_down"), o[1].named("x_down"), o[2].named("y_down"));
 
     b.section("level up", "");
-    let up = match level_up(d) {
+    let up = match level_up(d, level_up_clocks(d)) {
         None => b.zeros(1),
         Some(unit) => {
             let even = || x_first.mux(px[4], py[4]).named("even");
@@ -145,7 +124,7 @@ pub fn plane_iteration<'b>(
     ins.extend([("level", late(read)), ("level_down", late(level_down)), ("m", late(m)), ("t_next", late(t_next))]);
     ins.extend([("x_at", late(ray.get("x"))), ("x_down", late(x_down)), ("x_beyond", late(px[3]))]);
     ins.extend([("y_at", late(ray.get("y"))), ("y_down", late(y_down)), ("y_beyond", late(py[3]))]);
-    let o = b.inst(&level_decision(d), "u_decision", &idx(), &ins);
+    let o = b.inst(&(units.level_decision)(d), "u_decision", &idx(), &ins);
     // The last of the clocks stands between the decision and what is written back.
     let done = |v: Sig<'b>| if d.latency.decision > 3 { v.reg() } else { v };
     let (hit, crosses) = (done(o[0].named("hit")), o[1].named("crosses"));
@@ -156,22 +135,32 @@ pub fn plane_iteration<'b>(
         "step limit",
         "A ray that is done takes no more steps. One that ends without a hit is given up: also in a simulation that does not know if it is one.",
     );
-    let moves = (!ray.get("done")).named("moves");
+    // Nor does one whose height is not there yet.
+    let waits = heights.missed;
+    let stays = waits.map_or(ray.get("done"), |missed| (ray.get("done") | missed).named("stays"));
+    let moves = (!stays).named("moves");
     let steps = (ray.get("steps") + moves.zext(16)).named("steps_next");
     let steps_before = b.konst(&s.step_limit - 1, 16).named("steps_before_last");
     let last_step = ray.get("steps").eq(steps_before).named("last_step");
-    let ends_now = (hit | last_step).named("ends_now");
+    let ends_now = hit | last_step;
+    let ends_now = waits.map_or(ends_now, |_| ends_now & moves).named("ends_now");
     let given_up = (ends_now & !hit & moves).named("given_up");
     let crossed_now = (crosses & moves).named("crossed_now");
     let up_now = done((grown & crossed_now).named("up_now"));
     let crossed_now = done(crossed_now);
     b.section("write back", "A ray that is done goes round unchanged.");
-    let keep = |new: Sig<'b>, old: &str| (ray.get("done").mux(ray.get(old), new)).id();
+    let keep = |new: Sig<'b>, old: &str| stays.mux(ray.get(old), new).id();
     let [level, x, y, t] =
         [(n[0], "level"), (n[1], "x"), (n[2], "y"), (n[3], "t")].map(|(new, old)| b.sig(keep(new, old)));
     let has_crossed = ray.find("crossed").map_or(crossed_now, |c| c | crossed_now);
     // Of a ray that ends here it does not matter whether it descended.
     let descended = if ray.find("descended").is_some() { (!crossed_now).named("descended_now") } else { crossed_now };
+    // What the iteration before was, a ray that waits still says of the one before that.
+    let held = |new: Sig<'b>, old: &str| match (waits, ray.find(old)) {
+        (Some(missed), Some(old)) => missed.mux(old, new).id(),
+        _ => new.id(),
+    };
+    let (prev, descended) = (b.sig(held(crossed_now, "prev")), b.sig(held(descended, "descended")));
     ray.with(&[
         ("level", level),
         ("x", x),
@@ -184,19 +173,21 @@ pub fn plane_iteration<'b>(
         ("crossings", ray.get("crossings") + crossed_now.zext(16)),
         ("ups", ray.get("ups") + up_now.zext(16)),
         ("crossed", has_crossed),
-        ("prev", crossed_now),
+        ("prev", prev),
         ("descended", descended),
     ])
 }
 
-/// The height of the ray's node of a level.
-fn read_height<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>, load: &Load<'b>, level: Sig<'b>) -> Sig<'b> {
-    let t = &d.traverse;
-    let place = |axis: &str| level.stage().map_or(ray.get(axis), |k| ray.get(axis).at(k)).slice(0, &s.levels).id();
-    let (i, j) = (b.sig(place("x")), b.sig(place("y")));
-    let address =
-        b.inst(&height_address(t), "u_address", &[], &[("level", level), ("i", i), ("j", j)])[0].named("address");
-
+/// The words of the ray's node of a level.
+fn read_heights<'b>(
+    b: &'b Builder,
+    s: &Sizes,
+    d: &Design,
+    ray: &Ray<'b>,
+    source: &mut dyn HeightPort<'b>,
+    level: Sig<'b>,
+) -> Heights<'b> {
+    let address = node_address(b, s, d, "u_address", ray, level).named("address");
     b.section("height", "");
-    height_read::read(b, s, d, load, address)
+    source.read(ray, address)
 }

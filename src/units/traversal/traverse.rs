@@ -8,9 +8,11 @@ use super::credit_fifo::SLOTS;
 use super::datapath::Datapath;
 use super::elastic_boundary::{Decoupling, ElasticBoundary};
 use super::height_memory::MEM_INIT;
-use super::loop_state::{Ray, Sizes, fields};
+use super::height_source::{HeightSource, Load, Place, Slot};
+use super::loop_state::{Ray, Sizes};
+use super::on_chip::OnChip;
 use super::stream_delay::{stream_delay, valid_delay, word_delay};
-use crate::config::Design;
+use crate::config::{Design, Trim};
 use crate::ir::{Binding, Builder, Module, Sig};
 use crate::units::delay_line::in_lines;
 use std::sync::Arc;
@@ -30,14 +32,23 @@ pub struct Traverse {
     pub finish: u32,
 }
 
-/// Builds `traverse`.
+/// Builds `traverse`, with the pyramid on chip.
 pub fn traverse(d: &Design) -> Traverse {
-    let t = in_registers(d);
+    traverse_from(d, &OnChip)
+}
+
+/// Builds `traverse` with another source of heights.
+///
+/// # Panics
+/// If the source may miss and the design trims: the node that a trim reads is not known at the end of the loop.
+pub fn traverse_from(d: &Design, source: &dyn HeightSource) -> Traverse {
+    assert!(!source.misses() || d.mode.trim == Trim::None, "a height source that misses has no chord trim");
+    let t = in_registers(d, source);
     let module = in_lines(vec![t.module], d.latency.delay_line).pop().expect("one came in");
     Traverse { module, ..t }
 }
 
-fn in_registers(d: &Design) -> Traverse {
+fn in_registers(d: &Design, source: &dyn HeightSource) -> Traverse {
     let b = Builder::new(NAME, file!(), "traces rays against a height field: a looping pipeline, one node a clock");
     // The proof of the handshake follows each ray by its tag.
     b.visible("tag");
@@ -46,7 +57,7 @@ fn in_registers(d: &Design) -> Traverse {
     b.choice("levels_down", d.mode.levels_down);
     b.choice("level_up", d.mode.level_up.word());
     let path = Datapath::of(d);
-    let s = Sizes::declare(&b, d, path);
+    let s = path.sizes(&b, d);
     let more =
         if d.mode.bilinear { "; with .0 to .3 after its name, files of every fourth word of level 0" } else { "" };
     b.file_param(
@@ -82,7 +93,8 @@ fn in_registers(d: &Design) -> Traverse {
     let o_idle = b.output("idle", 1, "bit", "no ray in flight: none in setup, in the loop or waiting at the output");
 
     // Loop state, read in stage 0 and written by the last stage.
-    let fields = fields(&s, d, path);
+    let fields = path.fields(&s, d, source);
+    let mut heights = source.open(Place { b: &b, s: &s, d, load });
     let held = Ray::registers(&b, &fields);
     let (clocks_setup, clocks_hit) = ((path.setup_clocks)(d), (path.hit_clocks)(d));
     let finish = if d.mode.bilinear { bilinear_clocks(&d.latency) } else { clocks_hit };
@@ -102,7 +114,12 @@ fn in_registers(d: &Design) -> Traverse {
     let registered =
         Decoupling::retire_is_registered(d.latency.handshake).then(|| b.loop_decision("retire", true, true));
     let retire = registered.unwrap_or_else(|| (held.valid & held.get("done") & hit_ready).named("retire"));
-    let slot_free = (!held.valid | retire).named("slot_free");
+    let exchange = heights.exchange(&Slot { held: &held, retire });
+    let gives_up = exchange.as_ref().map_or(retire, |e| (retire | e.parks).named("gives_up_slot"));
+    let slot_free = (!held.valid | gives_up).named("slot_free");
+    // A parked ray takes the slot before a new one.
+    let returns = exchange.as_ref().map(|e| (slot_free & e.returns).named("returns"));
+    let slot_ready = returns.map_or(slot_free, |returns| (slot_free & !returns).named("slot_ready"));
 
     b.section(
         "setup",
@@ -110,7 +127,7 @@ fn in_registers(d: &Design) -> Traverse {
     );
     let setup_valid = b.wire("setup_valid", 1);
     let setup_ready =
-        if elastic { b.wire("setup_ready", 1) } else { (!setup_valid | slot_free).unstaged().named("setup_ce") };
+        if elastic { b.wire("setup_ready", 1) } else { (!setup_valid | slot_ready).unstaged().named("setup_ce") };
     let setup_ce = if credits { b.lit(1, 1) } else { setup_ready };
     let issue = if credits { (in_valid & setup_ready).named("issue") } else { in_valid };
     let module = (path.setup)(d);
@@ -131,7 +148,7 @@ fn in_registers(d: &Design) -> Traverse {
         let words: Vec<Sig<'_>> = outs.iter().copied().chain([new_tag.named("set_tag")]).collect();
         let valid = is_set.named("is_set");
         let issue = credits.then_some(issue);
-        let boundary = ElasticBoundary { name: "setup", valid, ready: setup_ready, out_ready: slot_free, issue };
+        let boundary = ElasticBoundary { name: "setup", valid, ready: setup_ready, out_ready: slot_ready, issue };
         let new: Vec<String> = names.iter().map(|n| format!("new_{n}")).chain(["new_tag".into()]).collect();
         (is_set, outs) = boundary.pass(&b, &words, &new);
         new_tag = outs.pop().expect("the tag was put in last");
@@ -143,20 +160,26 @@ fn in_registers(d: &Design) -> Traverse {
     b.connect(setup_valid, is_set);
     let new_tag = new_tag.named("new_tag");
     b.drive(o_in_ready, setup_ready, None);
-    let accept = (setup_valid & slot_free).named("accept");
+    let accept = (setup_valid & slot_ready).named("accept");
 
     b.section("slot", "Stage 0 holds the new ray, or the one that recirculates.");
-    let new = Ray::fresh(&b, &fields, setup, new_tag);
-    let slot_busy = ((held.valid & !retire) | accept).named("slot_busy");
+    let new = heights.first(Ray::fresh(&b, &fields, setup, new_tag), accept);
+    let (enters, entering) = match exchange.as_ref().zip(returns) {
+        Some((e, returns)) => ((accept | returns).named("enters"), new.or_else(returns, &e.ray)),
+        None => (accept, new),
+    };
+    let slot_busy = ((held.valid & !gives_up) | enters).named("slot_busy");
     b.drive(o_busy, slot_busy, None);
     let ray = if d.latency.node > 1 {
         // The select is registered before the multiplexer: it fans out to every bit of a ray.
-        held.reg_words().or_new(&fields, accept.reg(), &new.reg_words(), slot_busy.valid().reg())
+        held.reg_words().or_new(&fields, enters.reg(), &entering.reg_words(), slot_busy.valid().reg())
     } else {
-        held.or_new(&fields, accept, &new, slot_busy)
+        held.or_new(&fields, enters, &entering, slot_busy)
     };
 
-    let next = (path.iteration)(&b, &s, d, &ray, &load);
+    let next = (path.iteration)(&b, &s, d, &ray, heights.as_mut());
+    let next = heights.look_up(next);
+    drop(heights);
     let mut loops = held.pairs(&next);
     // A credit FIFO counts the ray that retires now one clock late.
     let retiring = registered.map(|r| {
@@ -167,12 +190,13 @@ fn in_registers(d: &Design) -> Traverse {
         } else {
             hit_ready & !hit_valid
         };
-        (r, (next.valid & next.get("done").named("is_done") & hit_free).named("retire_next"))
+        let is_done = next.get("done").named("is_done").at(next.last_stage());
+        (r, (next.valid & is_done & hit_free).named("retire_next"))
     });
     loops.extend(retiring);
     let slots = b.close(&loops);
-    // Rays in flight, at most: all pipeline stages and both FIFOs are full.
-    let most = clocks_setup + slots + finish + 2 * SLOTS;
+    // Rays in flight, at most: all pipeline stages, both FIFOs and the places of the height source are full.
+    let most = clocks_setup + slots + finish + 2 * SLOTS + source.places();
     b.drive(
         o_idle,
         idle(&b, (in_valid & setup_ready).named("in_transfer"), (hit_valid & out_ready).named("out_transfer"), most),
@@ -305,16 +329,6 @@ const RESULT: [&str; 17] = [
     "bfv",
     "bt",
 ];
-
-/// The load port of the pyramid.
-pub struct Load<'b> {
-    /// Write enable.
-    pub en: Sig<'b>,
-    /// Address, in words.
-    pub addr: Sig<'b>,
-    /// Height code.
-    pub data: Sig<'b>,
-}
 
 /// Output ports of a result.
 struct Outputs {

@@ -1,7 +1,7 @@
 //! The stages between plane parameters and height memory that a chord trim adds to an iteration.
-use super::chord_trim;
+use super::chord_trim::chord_trim;
 use super::loop_state::{Ray, Sizes};
-use super::plane_iteration::{Pair, PlaneUnits};
+use super::plane_units::{Pair, PlaneUnits};
 use crate::config::Design;
 use crate::ir::{Builder, Sig};
 

@@ -24,7 +24,7 @@ pub fn bilinear_hit(d: &Design) -> Arc<Module> {
     let h = b.param("HEIGHT_W", t.height_bits, "bits of a height code");
     let idx = index_width(&b, t, Some(&levels));
     let frac = b.param("FRAC_W", t.frac_bits, "fraction bits of the position");
-    super::preloaded(&b);
+    super::common::preloaded(&b);
     b.require(2, &h);
     b.require(&h, 16);
     b.require(&h, &f.man + 1);

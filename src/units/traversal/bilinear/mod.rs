@@ -2,6 +2,7 @@
 mod bank_address;
 mod bilinear_hit;
 mod bilinear_window;
+mod common;
 mod patch_corner;
 mod patch_memory;
 mod ray_place;
@@ -18,7 +19,7 @@ pub use secant_step::secant_step;
 pub use surface_gap::surface_gap;
 
 use crate::config::Design;
-use crate::ir::{Builder, Module, Sig};
+use crate::ir::Module;
 use std::sync::Arc;
 
 /// All of them, leaves first.
@@ -33,15 +34,4 @@ pub fn units(d: &Design) -> Vec<Arc<Module>> {
         secant_step(d),
         bilinear_hit(d),
     ]
-}
-
-/// Declares the file of the map's words; each of the four memories of a copy has one of its own.
-fn preloaded(b: &Builder) {
-    let doc = "with .0 to .3 after it, files for $readmemh with every fourth word of level 0; \"\": none";
-    b.file_param(super::height_memory::MEM_INIT, doc);
-}
-
-/// A float with the other sign.
-fn negated<'b>(b: &'b Builder, x: Sig<'b>, name: &str) -> Sig<'b> {
-    b.cat(&[!x.msb(), x.slice(0, x.width() - 1)]).named(name)
 }

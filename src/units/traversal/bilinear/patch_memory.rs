@@ -18,7 +18,7 @@ pub fn patch_memory(t: &TraverseConfig) -> Arc<Module> {
     );
     let levels = LevelParams::declare(&b, t).levels;
     let height = b.param("HEIGHT_W", t.height_bits, "bits of a height code");
-    super::preloaded(&b);
+    super::common::preloaded(&b);
     b.require(2, &height);
     b.require(&height, 16);
     b.clock();

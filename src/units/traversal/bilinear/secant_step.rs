@@ -1,5 +1,5 @@
 //! `secant_step`: where the chord between the gaps at a window's two ends meets zero.
-use super::negated;
+use super::common::negated;
 use crate::config::{Design, LatencyConfig};
 use crate::ir::{Builder, Module};
 use crate::units::float::{Fields, FormatParams, bindings, fp_add, fp_div, fp_lt, fp_mul};

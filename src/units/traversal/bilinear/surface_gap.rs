@@ -1,5 +1,5 @@
 //! `surface_gap`: how high a ray is over the surface interpolated between the centres of four texels.
-use super::negated;
+use super::common::negated;
 use crate::config::{Design, LatencyConfig};
 use crate::ir::{Binding, Builder, Module, Sig};
 use crate::units::float::{FormatParams, fp_add, fp_from_fixed};

@@ -19,8 +19,11 @@ pub use ray_setup::ray_setup;
 pub use reciprocal::reciprocal;
 
 use super::datapath::Datapath;
+use super::level_decision::{TimeWord, level_decision};
+use super::level_up::latency as level_up_clocks;
 use super::loop_state::{Field, Numbers, Sizes, Start};
-use super::plane_iteration::{PlaneUnits, plane_iteration};
+use super::plane_iteration::plane_iteration;
+use super::plane_units::PlaneUnits;
 use crate::config::{Design, Trim};
 use crate::ir::{Builder, Expr};
 use crate::units::div_rows::div_rows_module;
@@ -46,7 +49,9 @@ pub(super) static DATAPATH: Datapath = Datapath {
     constants,
     setup: ray_setup,
     setup_clocks: ray_setup::latency,
-    iteration: |b, s, d, ray, load| plane_iteration(b, s, d, ray, load, &UNITS),
+    iteration: |b, s, d, ray, source| plane_iteration(b, s, d, ray, source, &UNITS),
+    level_decision: Some(UNITS.level_decision),
+    level_up_clocks,
     hit: hit_position,
     hit_clocks: |d| hit_position::latency(&d.latency),
     hit_inputs: |ray, axis| {
@@ -73,12 +78,11 @@ const UNITS: PlaneUnits = PlaneUnits {
     // One comparison beside a multiplication.
     leaves_y: |_, _, [t_x, t_y]| t_y.lt(t_x),
     node_crossing,
+    level_decision: |d| level_decision(d, &TIME_WORD),
 };
 
-/// Declares what the width of a ray parameter follows from; returns width and unit.
-pub(super) fn time(b: &Builder, d: &Design) -> (Expr, &'static str) {
-    (time_width(&Params { b, d }.fraction()), TIME)
-}
+const TIME_WORD: TimeWord =
+    TimeWord { declare: |b, d| (time_width(&Params { b, d }.fraction()), TIME), bindings: Vec::new };
 
 fn numbers(
     b: &Builder,

@@ -1,13 +1,24 @@
 //! One iteration of `traverse`, stage by stage as PIDM-HW figure 7 has it: 15 stages at the published latencies.
-use super::*;
-use crate::ir::Sig;
+use super::{
+    boundary_time, crossing_test, descent_level, exit_plane, level_choice, nearer_plane, ray_point, surface_time,
+};
+use crate::config::{Design, LevelUp};
+use crate::ir::{Builder, Sig};
 use crate::units::float::{fp_from_int, fp_to_int};
-use crate::units::traversal::loop_state::Ray;
-use crate::units::traversal::traverse::Load;
-use crate::units::traversal::{height_address, height_read, level_up, start_level};
+use crate::units::traversal::height_source::HeightPort;
+use crate::units::traversal::level_up::{level_up, reads_parity};
+use crate::units::traversal::loop_state::{Ray, Sizes};
+use crate::units::traversal::node_address::node_address;
+use crate::units::traversal::start_level::start_level;
 
 /// Builds the iteration; operands meet at the stage at which the latest of them is known.
-pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>, load: &Load<'b>) -> Ray<'b> {
+pub(super) fn iteration<'b>(
+    b: &'b Builder,
+    s: &Sizes,
+    d: &Design,
+    ray: &Ray<'b>,
+    source: &mut dyn HeightPort<'b>,
+) -> Ray<'b> {
     let (t, l) = (&d.traverse, &d.latency);
     let idx = || [("IDX_W", s.idx.clone())];
     let int = [("INT_W", s.idx.clone())];
@@ -19,16 +30,14 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
     let mut evens = Vec::new();
     for (axis, neg) in ["x", "y"].into_iter().zip(neg) {
         let ins = [("level", ray.get("level")), ("x", ray.get(axis)), ("neg", neg)];
-        let o = b.inst(&exit_plane(t, parity(d)), &format!("u_plane_{axis}"), &idx(), &ins);
+        let o = b.inst(&exit_plane(t, reads_parity(d)), &format!("u_plane_{axis}"), &idx(), &ins);
         planes.push(o[0].named(&format!("{axis}_plane")));
         evens.extend(o.get(1).map(|e| e.named(&format!("{axis}_even"))));
     }
-    let (i, j) = (ray.get("x").slice(0, &s.levels), ray.get("y").slice(0, &s.levels));
-    let address = b.inst(&height_address(t), "u_address", &[], &[("level", ray.get("level")), ("i", i), ("j", j)])[0]
-        .named("address");
+    let address = node_address(b, s, d, "u_address", ray, ray.get("level")).named("address");
 
     b.section("height read", "");
-    let height = height_read::read(b, s, d, load, address.reg());
+    let heights = source.read(ray, address.reg());
 
     b.section("boundaries", "The two dividers of the loop.");
     let when = |axis: &str, plane: Sig<'b>, neg: Sig<'b>| {
@@ -40,13 +49,13 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
     let t_y = b.sig(when("y", planes[1], neg[1]));
 
     b.section("surface", "Mode 1 asks for the ray's end instead.");
-    let mut ins = vec![("height", height), ("t", ray.get("t"))];
+    let mut ins = vec![("height", heights.single()), ("t", ray.get("t"))];
     ins.extend(first.map(|f| ("first", f)));
     let o = b.inst(&surface_time(d), "u_surface", &[], &ins);
     let (m, below) = (o[0].named("m"), o[1].named("below"));
 
     b.section("nearer plane", "");
-    let o = b.inst(&nearer_plane(d, parity(d)), "u_nearer", &[], &[("t_x", t_x), ("t_y", t_y)]);
+    let o = b.inst(&nearer_plane(d, reads_parity(d)), "u_nearer", &[], &[("t_x", t_x), ("t_y", t_y)]);
     let (t_exit, x_first) = (o[0].named("t_exit"), o.get(1).map(|x| x.named("x_first")));
 
     b.section("positions", "Hit position and node-crossing position, both before it is known which one counts.");
@@ -77,7 +86,7 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
         let to = fp_to_int(d.format, t.idx_bits(), l.to_int);
         b.inst(&to, &format!("u_{what}_texel_{axis}"), &int, &[("a", at)])[0].named(&format!("{axis}_{what}")).id()
     };
-    let up = match level_up(d) {
+    let up = match level_up(d, 0) {
         None => b.zeros(1),
         Some(unit) => {
             let mut ins = vec![("level", ray.get("level"))];
@@ -110,8 +119,10 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
     b.section("end", "A ray that is done goes round unchanged; mode 1 changes the level alone.");
     let end = x.stage().unwrap_or(0);
     let [hit, crosses, level_next, t_after] = [hit, crosses, level_next, t_after].map(|v| v.at(end));
-    let done = ray.get("done");
-    let stays = first.map_or(done, |f| (done | f).named("stays"));
+    // A ray whose height is not there yet recirculates unchanged too, in mode 1 as well.
+    let (waits, done) = (heights.missed, ray.get("done"));
+    let keeps = waits.map_or(done, |missed| (done | missed).named("keeps"));
+    let stays = first.map_or(keeps, |f| (keeps | f).named("stays"));
     let moves = (!stays).named("moves");
     let level = match first {
         None => level_next,
@@ -130,19 +141,21 @@ pub(super) fn iteration<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>
     let up_now = (up & crossed_now).named("up_now");
     let has_crossed = ray.find("crossed").map_or(crossed_now, |c| c | crossed_now);
     let mut next = vec![
-        ("level", done.mux(ray.get("level"), level)),
+        ("level", keeps.mux(ray.get("level"), level)),
         ("x", stays.mux(ray.get("x"), x)),
         ("y", stays.mux(ray.get("y"), y)),
         ("t", stays.mux(ray.get("t"), t_after)),
         ("done", done | ends_now),
-        ("wall", done.mux(ray.get("wall"), hit & below)),
+        ("wall", keeps.mux(ray.get("wall"), hit & below)),
         ("limit", ray.get("limit") | given_up),
         ("steps", steps),
         ("crossings", ray.get("crossings") + crossed_now.zext(16)),
         ("ups", ray.get("ups") + up_now.zext(16)),
         ("crossed", has_crossed),
-        ("prev", crossed_now),
     ];
-    next.extend(first.map(|_| ("first", b.zeros(1))));
+    let prev = waits.zip(ray.find("prev")).map_or(crossed_now, |(missed, prev)| missed.mux(prev, crossed_now));
+    next.push(("prev", prev));
+    let still_first = |f: Sig<'b>| waits.map_or_else(|| b.zeros(1), |missed| (f & missed).named("still_first"));
+    next.extend(first.map(|f| ("first", still_first(f))));
     ray.with(&next)
 }

@@ -24,10 +24,11 @@ pub use surface_time::surface_time;
 pub use texel_fraction::texel_fraction;
 
 use super::datapath::Datapath;
+use super::level_up::reads_parity;
 use super::loop_state::{Field, Numbers, Sizes, Start};
 use super::params::float_sizes;
-use crate::config::{Design, LevelUp};
-use crate::ir::{Builder, Expr, Module};
+use crate::config::Design;
+use crate::ir::{Expr, Module};
 use crate::units::divider::divider_core;
 use crate::units::float::{self, FormatParams};
 use std::sync::Arc;
@@ -36,10 +37,10 @@ pub(super) static DATAPATH: Datapath = Datapath {
     arithmetic,
     steps: |d| {
         vec![
-            exit_plane(&d.traverse, parity(d)),
+            exit_plane(&d.traverse, reads_parity(d)),
             boundary_time(d),
             surface_time(d),
-            nearer_plane(d, parity(d)),
+            nearer_plane(d, reads_parity(d)),
             ray_point(d),
             crossing_test(d),
             descent_level(&d.traverse, &d.mode),
@@ -67,6 +68,8 @@ pub(super) static DATAPATH: Datapath = Datapath {
     setup: ray_scale,
     setup_clocks: |d| ray_scale::latency(&d.latency),
     iteration: iteration::iteration,
+    level_decision: None,
+    level_up_clocks: |_| 0,
     hit: texel_fraction,
     hit_clocks: |d| texel_fraction::latency(&d.latency),
     hit_inputs: |ray, axis| {
@@ -86,11 +89,6 @@ fn constants(s: &Sizes, d: &Design) -> Vec<Field> {
         ["p_x", "d_x", "p_y", "d_y"].map(|name| Field::new(name, &float, Start::Setup(name))).into();
     list.extend(d.mode.start_level.then(|| Field::new("first", &Expr::from(1), Start::One)));
     list
-}
-
-/// Whether the level-up rule looks at the crossed plane's index.
-fn parity(d: &Design) -> bool {
-    matches!(d.mode.level_up, LevelUp::Tevs | LevelUp::Selective)
 }
 
 fn arithmetic(d: &Design) -> Vec<Arc<Module>> {

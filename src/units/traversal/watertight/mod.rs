@@ -16,9 +16,12 @@ pub use predicted_hit::predicted_hit;
 pub use ray_setup::ray_setup;
 
 use super::datapath::Datapath;
+use super::level_decision::{TimeWord, level_decision};
+use super::level_up::latency as level_up_clocks;
 use super::loop_state::{Field, Numbers, Sizes, Start};
 use super::params::ray_conditions;
-use super::plane_iteration::{PlaneUnits, plane_iteration};
+use super::plane_iteration::plane_iteration;
+use super::plane_units::PlaneUnits;
 use crate::config::{Design, Trim};
 use crate::ir::{Expr, Module};
 use crate::units::divider::divider_core;
@@ -47,7 +50,9 @@ pub(super) static DATAPATH: Datapath = Datapath {
     constants,
     setup: ray_setup,
     setup_clocks: ray_setup::latency,
-    iteration: |b, s, d, ray, load| plane_iteration(b, s, d, ray, load, &UNITS),
+    iteration: |b, s, d, ray, source| plane_iteration(b, s, d, ray, source, &UNITS),
+    level_decision: Some(UNITS.level_decision),
+    level_up_clocks,
     hit: hit_position,
     hit_clocks: |d| hit_position::latency(&d.latency),
     hit_inputs: |ray, axis| {
@@ -78,6 +83,12 @@ const UNITS: PlaneUnits = PlaneUnits {
         b.inst(&lt, "u_exit_order", &[], &[("a", t_y), ("b", t_x)])[0]
     },
     node_crossing,
+    level_decision: |d| level_decision(d, &TIME),
+};
+
+const TIME: TimeWord = TimeWord {
+    declare: |b, d| (FormatParams::declare(b, d.format).width, "float, height codes"),
+    bindings: float::bindings,
 };
 
 /// Per axis: entry point, the same biased backwards, direction, reciprocal, and how it runs.

@@ -1,0 +1,52 @@
+//! The pyramid on chip: a height source that never misses. One to four clocks a read, as `latency.memory` says.
+use super::height_banks::{bank_bits, height_banks};
+use super::height_memory::{height_memory, pyramid_words};
+use super::height_source::{HeightPort, HeightSource, Heights, Place};
+use super::loop_state::Ray;
+use crate::config::Design;
+use crate::ir::{Module, Sig};
+use std::sync::Arc;
+
+/// The whole pyramid in memory on chip, of one node a word.
+pub struct OnChip;
+
+impl HeightSource for OnChip {
+    fn misses(&self) -> bool {
+        false
+    }
+    fn open<'b>(&self, place: Place<'b>) -> Box<dyn HeightPort<'b> + 'b> {
+        Box::new(Port(place))
+    }
+}
+
+struct Port<'b>(Place<'b>);
+
+impl<'b> HeightPort<'b> for Port<'b> {
+    fn read(&mut self, _: &Ray<'b>, address: Sig<'b>) -> Heights<'b> {
+        Heights { words: vec![read(self.0, address)], missed: None }
+    }
+}
+
+/// The memory of a design: from two clocks on, banks with a register after each.
+pub fn memory(d: &Design) -> Arc<Module> {
+    let n = d.traverse.levels;
+    let (addr, depth) = (2 * n + 1, ((1 << (2 * n + 2)) - 1) / 3);
+    if d.latency.memory > 1 {
+        height_banks(addr, d.traverse.height_bits, depth)
+    } else {
+        height_memory(addr, d.traverse.height_bits, depth)
+    }
+}
+
+/// The height at `address`. A third clock stands after the selection of the bank, a fourth before the memory.
+fn read<'b>(place: Place<'b>, address: Sig<'b>) -> Sig<'b> {
+    let Place { b, s, d, load } = place;
+    let clocks = d.latency.memory;
+    let mut params =
+        vec![("ADDR_W", s.levels.clone() * 2 + 1), ("DATA_W", s.height.clone()), ("DEPTH", pyramid_words(&s.levels))];
+    params.extend((clocks > 1).then(|| ("BANK_W", bank_bits())));
+    let address = if clocks > 3 { address.reg() } else { address };
+    let ins = [("write_en", load.en), ("write_addr", load.addr), ("write_data", load.data), ("read_addr", address)];
+    let height = b.inst(&memory(d), "u_heights", &params, &ins)[0].named("height");
+    if clocks > 2 { height.reg() } else { height }
+}

@@ -1,0 +1,15 @@
+//! The hardware datapaths, by their kind: the one place that knows all of them.
+use super::datapath::Datapath;
+use super::{fixed, published, watertight};
+use crate::config::{DatapathKind, Design};
+
+impl Datapath {
+    /// The datapath of a design.
+    pub fn of(d: &Design) -> &'static Self {
+        match d.datapath.kind {
+            DatapathKind::Watertight => &watertight::DATAPATH,
+            DatapathKind::Published => &published::DATAPATH,
+            DatapathKind::Fixed => &fixed::DATAPATH,
+        }
+    }
+}
