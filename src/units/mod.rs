@@ -9,7 +9,7 @@ pub mod recip_table;
 pub mod sqrt_rows;
 pub mod traversal;
 
-use crate::config::{Design, Divider, ExtraUnit, ExtraUnits};
+use crate::config::{Design, ExtraUnits};
 use crate::ir::Module;
 use std::sync::Arc;
 
@@ -31,23 +31,7 @@ pub fn available(d: &Design) -> Vec<Arc<Module>> {
 }
 
 fn chosen(d: &Design, units: ExtraUnits) -> Vec<Arc<Module>> {
-    let (f, l) = (d.format, &d.latency);
-    let mut list = Vec::new();
-    for unit in units.iter() {
-        match unit {
-            ExtraUnit::Sqrt => {
-                list.extend([sqrt_rows::sqrt_rows_module(f.man + 2, f.man + 1), float::fp_sqrt(f, l.sqrt)]);
-            }
-            ExtraUnit::Recip => {
-                // Where the divider has a table, nothing else has brought the rows.
-                list.extend((l.divider == Divider::Table).then(|| div_rows::div_rows_module(f.man + 1, f.man + 2)));
-                list.push(float::fp_recip(f, l.div));
-            }
-            ExtraUnit::Compare => list.push(float::fp_compare(f, l.compare)),
-            ExtraUnit::Add3 => list.push(float::fp_add3(f, l.add3)),
-        }
-    }
-    list
+    units.iter().flat_map(|unit| float::extra(d, unit)).collect()
 }
 
 /// Every unit of a design, leaves first, `traverse` last. What datapath and modes don't need is left out.

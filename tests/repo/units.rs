@@ -2,7 +2,8 @@
 //! else but where its hardware is built.
 use reliefrtl::catalogue::{RaySample, UNITS, Unit, entry, unit_entries};
 use reliefrtl::config::{
-    Config, DatapathConfig, DatapathKind, Design, Divider, ExtraUnits, LatencyConfig, LevelUp, ModeConfig, Trim,
+    Config, DatapathConfig, DatapathKind, Design, Divider, ExtraUnit, ExtraUnits, LatencyConfig, LevelUp, ModeConfig,
+    Trim,
 };
 use reliefrtl::ir::Module;
 use reliefrtl::units::{all, arithmetic, available};
@@ -105,7 +106,6 @@ const OTHERS: &[(&str, &[&str], &str)] = &[
     ("src/project/same.rs", &["traverse"], "a table of the configuration"),
     ("src/cli/synth/jobs.rs", &["traverse"], "a table of the configuration"),
     ("src/cli/fit.rs", &["traverse"], "a table of the configuration"),
-    ("src/config/extra.rs", &["fp_sqrt", "fp_recip", "fp_compare", "fp_add3"], "values of the key emit.units"),
     (
         "src/config/clock.rs",
         &[
@@ -195,6 +195,10 @@ fn no_unit_is_named_outside_of_its_entry_and_its_builder() {
     for file in &files {
         let path = file.strip_prefix(root).unwrap().to_string_lossy().replace('\\', "/");
         for (line, name) in strangers(&path, &std::fs::read_to_string(file).unwrap(), &names) {
+            // Values of the key emit.units.
+            if path == "src/config/extra.rs" && ExtraUnit::WORDS.contains(&name) {
+                continue;
+            }
             match OTHERS.iter().find(|o| o.0 == path && o.1.contains(&name)) {
                 Some(o) => drop(used.insert((o.0, name))),
                 None => problems.push(format!("{path}:{line}: {name}")),

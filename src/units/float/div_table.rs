@@ -2,7 +2,7 @@
 //!
 //! A line of the table, followed to the divisor, gives its reciprocal; times the dividend the quotient, to less than half a unit
 //! of its last place. So the rounded quotient is what is left of the estimate when it is cut, or one more, and the remainder at
-//! the half-way point between the two says which: `docs/arithmetic.md` proves the bound, `tests/arithmetic/div_table.rs` checks it for
+//! the half-way point between the two says which: `docs/arithmetic.md` proves the bound, `tests/golden/arithmetic/div_table.rs` checks it for
 //! every divisor.
 use super::fields::FormatParams;
 use super::quotient::Quotient;

@@ -1,6 +1,6 @@
 //! Fields of a floating-point operand, and the classes that the format's policy knows.
 use crate::format::{FloatFormat, Rounding};
-use crate::ir::{Builder, Expr, Sig};
+use crate::ir::{Binding, Builder, Expr, Sig};
 
 /// The format parameters of a module and its derived widths.
 #[derive(Clone)]
@@ -115,4 +115,10 @@ impl<'b> Fields<'b> {
         let frac = self.frac & (!self.is_zero).rep(self.frac.width());
         b.cat(&[!self.is_zero, frac]).named(name)
     }
+}
+
+/// Parameter values at which every floating-point module is verified besides its defaults.
+pub fn bindings() -> Vec<Binding> {
+    let at = |e: i64, m: i64| Binding::from([("EXP_W".into(), e), ("MAN_W".into(), m)]);
+    vec![at(7, 16), at(5, 10), at(8, 23), at(4, 3), at(3, 2), at(2, 2), at(11, 28)]
 }

@@ -9,6 +9,7 @@ mod from_fixed;
 pub mod general;
 mod lt;
 mod mul;
+pub mod names;
 mod quotient;
 mod recip;
 mod round;
@@ -20,7 +21,7 @@ pub use add::fp_add;
 pub use add3::fp_add3;
 pub use compare::fp_compare;
 pub use div::fp_div;
-pub use fields::{Fields, FormatParams};
+pub use fields::{Fields, FormatParams, bindings};
 pub use from_fixed::{fp_from_fixed, fp_from_int};
 pub use lt::fp_lt;
 pub use mul::fp_mul;
@@ -28,22 +29,22 @@ pub use recip::fp_recip;
 pub use sqrt::fp_sqrt;
 pub use to_fixed::{fp_to_fixed, fp_to_int};
 
-use crate::ir::Binding;
+use super::{div_rows, sqrt_rows};
+use crate::config::{Design, Divider, ExtraUnit};
+use crate::ir::Module;
+use std::sync::Arc;
 
-/// Names of the units that more than one builder makes, or that somebody counts.
-pub mod names {
-    /// Sum of two.
-    pub const ADD: &str = "fp_add";
-    /// Product.
-    pub const MUL: &str = "fp_mul";
-    /// Quotient.
-    pub const DIV: &str = "fp_div";
-    /// Order of two.
-    pub const LT: &str = "fp_lt";
-}
-
-/// Parameter values at which every floating-point module is verified besides its defaults.
-pub fn bindings() -> Vec<Binding> {
-    let at = |e: i64, m: i64| Binding::from([("EXP_W".into(), e), ("MAN_W".into(), m)]);
-    vec![at(7, 16), at(5, 10), at(8, 23), at(4, 3), at(3, 2), at(2, 2), at(11, 28)]
+/// A unit that no traversal needs, and what it alone brings with it, leaves first.
+pub fn extra(d: &Design, unit: ExtraUnit) -> Vec<Arc<Module>> {
+    let (f, l) = (d.format, &d.latency);
+    match unit {
+        ExtraUnit::Sqrt => vec![sqrt_rows::sqrt_rows_module(f.man + 2, f.man + 1), fp_sqrt(f, l.sqrt)],
+        // Where the divider has a table, nothing else has brought the rows.
+        ExtraUnit::Recip if l.divider == Divider::Table => {
+            vec![div_rows::div_rows_module(f.man + 1, f.man + 2), fp_recip(f, l.div)]
+        }
+        ExtraUnit::Recip => vec![fp_recip(f, l.div)],
+        ExtraUnit::Compare => vec![fp_compare(f, l.compare)],
+        ExtraUnit::Add3 => vec![fp_add3(f, l.add3)],
+    }
 }

@@ -1,6 +1,6 @@
 //! Rounding and packing at the default choices (nearest even, subnormals flushed, IEEE specials), with fewer levels of logic than the general
 //! rounding. `fp_add` and `fp_div` by a table round in code of their own. Each is proved equal to `general` for every operand, but for the division by a table,
-//! which is held against the golden model (`tests/proofs/roundings.rs`, `tests/arithmetic/div_table.rs`).
+//! which is held against the golden model (`tests/proofs/roundings.rs`, `tests/golden/arithmetic/div_table.rs`).
 use super::fields::FormatParams;
 use crate::ir::{Builder, Expr, Sig};
 
