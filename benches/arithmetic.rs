@@ -2,7 +2,7 @@
 //!
 //! `cargo bench --bench arithmetic -- [ROWS]`: nearest even, subnormal numbers, infinities and NaN, as SoftFloat has them. Icarus, the slowest,
 //! takes the first 20000 rows. Before that, all five roundings of the golden model are compared with SoftFloat's.
-#[path = "../tests/arithmetic/softfloat/peer.rs"]
+#[path = "../tests/golden/arithmetic/softfloat/peer.rs"]
 mod peer;
 
 use peer::{OPERATIONS, Operation, ROUNDINGS, differing, format, set_rounding};

@@ -76,10 +76,10 @@ python_packages() {
 
 # The programs of the tests: those that take longest first, then whatever else stands in tests/.
 programs() {
-    echo hardware lint proofs arithmetic report cli
+    echo hardware lint proofs golden report cli
     for main in tests/*/main.rs; do
         name=$(basename "$(dirname "$main")")
-        case $name in hardware | lint | proofs | arithmetic | report | cli) ;; *) echo "$name" ;; esac
+        case $name in hardware | lint | proofs | golden | report | cli) ;; *) echo "$name" ;; esac
     done
 }
 

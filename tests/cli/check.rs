@@ -1,5 +1,6 @@
 //! `check`: what a mismatch, an edited tree and a changed row are told as.
 use super::{SMALL, run, said};
+use crate::simulators::skip;
 
 /// A unit that another configuration has is no misspelt one.
 #[test]
@@ -136,7 +137,7 @@ fn exports_that_differ_from_the_hex_files_are_refused() {
 /// The interpreter knows its own iterations; a simulator's come from the bench, whatever was done to the text.
 #[test]
 fn a_simulator_names_the_first_wrong_iteration() {
-    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
+    if skip() {
         return;
     }
     let dir = tempfile::tempdir().unwrap();
@@ -165,7 +166,7 @@ fn a_simulator_names_the_first_wrong_iteration() {
 
 #[test]
 fn a_simulators_mismatch_is_told_as_the_interpreters() {
-    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
+    if skip() {
         return;
     }
     let dir = tempfile::tempdir().unwrap();

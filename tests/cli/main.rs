@@ -17,12 +17,14 @@ mod trace;
 mod vectors;
 mod views;
 
-use std::path::Path;
-use std::process::{Command, Output};
+#[path = "../support/program.rs"]
+mod program;
+#[path = "../support/simulators.rs"]
+mod simulators;
 
-fn run(dir: &Path, args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_reliefrtl")).args(args).current_dir(dir).output().unwrap()
-}
+use program::run;
+use simulators::skip;
+use std::path::Path;
 
 const SMALL: [&str; 8] = [
     "--set",
@@ -44,7 +46,7 @@ fn said(dir: &Path, args: &[&str]) -> (Option<i32>, String) {
 /// The engines that are there.
 fn engines() -> Vec<&'static str> {
     let mut engines = vec!["golden", "interp"];
-    if !std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
+    if !skip() {
         engines.extend(["icarus", "verilator"]);
     }
     engines

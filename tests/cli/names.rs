@@ -1,6 +1,7 @@
 //! Directories of any name: what a user calls them reaches no shell and no script, and nothing breaks by it.
 #![cfg(unix)]
 use super::run;
+use crate::simulators::skip;
 use std::ffi::OsStr;
 use std::os::unix::ffi::OsStrExt;
 use std::path::{Path, PathBuf};
@@ -114,8 +115,7 @@ fn what_a_simulator_reads_and_writes_has_any_name() {
 /// The tree, the working directory and the place for temporary files.
 #[test]
 fn proofs_and_synthesis_go_through_under_any_name() {
-    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
-        println!("skipped: RELIEFRTL_NO_SIMULATORS=1");
+    if skip() {
         return;
     }
     let plain = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/tools");

@@ -1,4 +1,5 @@
 //! Vector sets as files: everything reads back; what is broken is refused in one sentence.
+use crate::simulators::skip;
 use reliefrtl::catalogue::{units, vector_set};
 use reliefrtl::config::Design;
 use reliefrtl::ir::Binding;
@@ -121,7 +122,7 @@ fn units_at_other_parameters() {
     let gradual = ["--set", "format.subnormals=gradual"];
     let small = ["--param", "EXP_W=2", "--param", "MAN_W=3", "--param", "INT_W=4", "--param", "FRAC_W=4"];
     let mut engines = vec!["interp"];
-    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
+    if skip() {
         println!("skipped in Icarus: RELIEFRTL_NO_SIMULATORS=1");
     } else {
         engines.push("icarus");

@@ -1,12 +1,11 @@
 //! `map.border`: what lies behind the map's border, against maps that were continued by hand.
+use crate::run;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use reliefrtl::config::{Border, Config, DatapathKind};
 use reliefrtl::golden::{Pyramid, RayHit, encode_ray};
 use reliefrtl::scene::border::{entered, own_place, own_texel, prepared};
 use reliefrtl::trace::{saw_border, trace_golden};
-use std::path::Path;
-use std::process::Command;
 
 /// The map's own levels.
 const OWN: u32 = 4;
@@ -87,12 +86,6 @@ fn borders_equal_maps_continued_by_hand() {
         println!("{border}: {over} of 3000 rays end behind the border, {beyond} further than was prepared");
         assert!(over > 500 && (beyond > 20) == (border == Border::Clamp), "{over} {beyond}");
     }
-}
-
-fn run(dir: &Path, args: &[&str]) -> (i32, String, String) {
-    let out = Command::new(env!("CARGO_BIN_EXE_reliefrtl")).args(args).current_dir(dir).output().unwrap();
-    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-    (out.status.code().unwrap(), text(&out.stdout), text(&out.stderr))
 }
 
 #[test]

@@ -1,13 +1,13 @@
 //! The hard cases: no ray is given up, no mode finds something else, and a wrong texel is a matter of the last places.
 //!
 //! `RELIEFRTL_RAYS` sets the rays a case; `RELIEFRTL_SEED` their seed.
+use crate::run;
 use reliefrtl::config::{Config, DatapathKind, Design, Trim};
 use reliefrtl::golden::float;
 use reliefrtl::measure::hard::{HardFigures, modes};
 use reliefrtl::scene::hard::Case;
 use std::collections::BTreeSet;
 use std::path::Path;
-use std::process::{Command, Output};
 
 fn env(name: &str, default: u64) -> u64 {
     std::env::var(name).map_or(default, |v| v.parse().unwrap_or_else(|_| panic!("{name}={v} is not a number")))
@@ -125,12 +125,6 @@ fn names_are_unique_and_scenes_repeat() {
             assert_ne!(a.rays, other.rays, "{}", case.name);
         }
     }
-}
-
-fn run(dir: &Path, args: &[&str]) -> (i32, String, String) {
-    let out: Output = Command::new(env!("CARGO_BIN_EXE_reliefrtl")).args(args).current_dir(dir).output().unwrap();
-    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-    (out.status.code().unwrap(), text(&out.stdout), text(&out.stderr))
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! Faults put into the hardware, not into the vectors: a wrapper around the emitted unit loses, repeats, marks or spoils a result, and
 //! the emitted bench must end with the code of just that fault.
+use crate::files::write;
+use crate::simulators::skip;
 use reliefrtl::bench::{Simulator, run_bench};
 use reliefrtl::catalogue::{design_at, find, ray_set, vector_set};
 use reliefrtl::config::Config;
@@ -9,10 +11,6 @@ use reliefrtl::project::{Scene, project};
 use reliefrtl::vectors::{Plan, set_files};
 use std::fmt::Write;
 use std::path::Path;
-
-fn skip() -> bool {
-    std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1")
-}
 
 /// Puts a wrapper in the place of `m`: `body` drives what `taken` takes away from the real unit (its ports are then `inner_<port>`).
 fn wrap(dir: &Path, m: &Module, taken: &[&str], body: &str) {
@@ -133,11 +131,7 @@ fn faults_of_the_stream_are_told_apart() {
             let dir = tempfile::tempdir().unwrap();
             let vectors = set_files(&set.set).into_iter().map(|(n, t)| (format!("v/{n}"), t));
             let hardware = files.iter().filter(|(p, _)| !p.starts_with("golden/")).map(|(p, t)| (p.clone(), t.clone()));
-            for (path, text) in hardware.chain(vectors).chain([("v/memory.hex".to_string(), set.memory.clone())]) {
-                let place = dir.path().join(path);
-                std::fs::create_dir_all(place.parent().unwrap()).unwrap();
-                std::fs::write(place, text).unwrap();
-            }
+            write(dir.path(), hardware.chain(vectors).chain([("v/memory.hex".to_string(), set.memory.clone())]));
             if !body.is_empty() {
                 wrap(dir.path(), &m, taken, &format!("{COUNT}\n{body}"));
             }
@@ -182,11 +176,7 @@ fn faults_of_a_pipeline_are_mismatches() {
     for (fault, taken, body, code) in faults {
         let dir = tempfile::tempdir().unwrap();
         let vectors = set_files(&set).into_iter().map(|(n, t)| (format!("golden/fp_add/{n}"), t));
-        for (path, text) in rtl.clone().into_iter().chain(benches.clone()).chain(vectors) {
-            let place = dir.path().join(path);
-            std::fs::create_dir_all(place.parent().unwrap()).unwrap();
-            std::fs::write(place, text).unwrap();
-        }
+        write(dir.path(), rtl.clone().into_iter().chain(benches.clone()).chain(vectors));
         if !body.is_empty() {
             wrap(dir.path(), &m, taken, body);
         }
@@ -264,11 +254,7 @@ fn a_bench_that_does_not_say_what_it_compared_is_named() {
     let mut c = Config::default();
     (c.traverse.levels, c.vectors.planned, c.vectors.arithmetic, c.vectors.rays) = (4, false, 20, 2);
     let dir = tempfile::tempdir().unwrap();
-    for (path, text) in project(&c, &Scene::new(&c, None, false).unwrap()).unwrap().files {
-        let place = dir.path().join(path);
-        std::fs::create_dir_all(place.parent().unwrap()).unwrap();
-        std::fs::write(place, text).unwrap();
-    }
+    write(dir.path(), project(&c, &Scene::new(&c, None, false).unwrap()).unwrap().files);
     let run = || run_bench(Simulator::Icarus, dir.path(), "fp_lt", &Binding::new(), &[]);
     run().unwrap();
     let bench = dir.path().join("testbench/relief_tb_fp_lt.v");

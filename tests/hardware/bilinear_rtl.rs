@@ -1,5 +1,7 @@
 //! The bilinear refinement in the emitted hardware (`docs/bilinear.md`): the interpreter, Icarus and Verilator against the golden model.
 //! A missing simulator fails these tests (`tools/test.sh` installs them) unless RELIEFRTL_NO_SIMULATORS=1.
+use crate::files::write;
+use crate::simulators::skip;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use reliefrtl::bench::{Simulator, run_bench};
@@ -152,20 +154,12 @@ fn simulated(sim: Simulator, sizes: &[((u32, u32), u32, u32)], plusargs: &[&str]
         files.extend(set_files(&set.set).into_iter().map(|(n, text)| (format!("golden/traverse/{n}"), text)));
         files.insert("golden/traverse/memory.hex".into(), set.memory);
         let dir = tempfile::tempdir().unwrap();
-        for (path, text) in &files {
-            let place = dir.path().join(path);
-            std::fs::create_dir_all(place.parent().unwrap()).unwrap();
-            std::fs::write(place, text).unwrap();
-        }
+        write(dir.path(), &files);
         let args: Vec<String> = plusargs.iter().map(|s| s.to_string()).collect();
         let o = run_bench(sim, dir.path(), "traverse", &Binding::new(), &args)
             .unwrap_or_else(|e| panic!("{format:?}, {levels} levels: {e}"));
         assert_eq!(o.checked, rays.len());
     }
-}
-
-fn skip() -> bool {
-    std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1")
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! Every unit at the corners of its parameters: the least, the next and the greatest value of each that `manifest.json` allows, crossed with
 //! those of the others, against the golden model.
+use crate::files::write;
+use crate::simulators::skip;
 use rayon::prelude::*;
 use reliefrtl::bench::{Simulator, bench_files, run_bench};
 use reliefrtl::catalogue::{check_interp, find, units, vector_set};
@@ -176,8 +178,7 @@ fn floats_of_33_bits_are_right_in_the_interpreter() {
 /// The emitted text of some, given the values by a simulator.
 #[test]
 fn corners_are_right_in_icarus() {
-    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
-        println!("skipped: RELIEFRTL_NO_SIMULATORS=1");
+    if skip() {
         return;
     }
     let mut c = Config::default();
@@ -204,11 +205,7 @@ fn corners_are_right_in_icarus() {
         files.extend(bench_files(std::slice::from_ref(&m), None, ""));
         let set = vector_set(&d, &m, &over, Plan { rows: 300, seed: 4 });
         files.extend(set_files(&set).into_iter().map(|(n, t)| (format!("golden/{name}/{n}"), t)));
-        for (path, text) in &files {
-            let place = dir.path().join(path);
-            std::fs::create_dir_all(place.parent().unwrap()).unwrap();
-            std::fs::write(place, text).unwrap();
-        }
+        write(dir.path(), &files);
         let o =
             run_bench(Simulator::Icarus, dir.path(), name, &over, &[]).unwrap_or_else(|e| panic!("{e} (at {over:?})"));
         assert_eq!(o.checked, set.expected.len());

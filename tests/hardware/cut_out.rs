@@ -1,5 +1,7 @@
 //! Functions cut out of the emitted text of `traverse`, and texels altered in its memory image: the shipped vectors have to notice.
 //! A missing simulator fails these tests (`tools/test.sh` installs them) unless RELIEFRTL_NO_SIMULATORS=1.
+use crate::files::write;
+use crate::simulators::skip;
 use rayon::prelude::*;
 use reliefrtl::bench::Simulator;
 use reliefrtl::catalogue::planned_rays;
@@ -10,10 +12,6 @@ use reliefrtl::ir::Binding;
 use reliefrtl::project::{Scene, check_tree, project, ray_sets};
 use reliefrtl::trace::{Pipeline, images, row};
 use std::path::Path;
-
-fn skip() -> bool {
-    std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1")
-}
 
 /// A map of 16 x 16 and a short pipeline.
 fn small(handshake: u32) -> Config {
@@ -29,11 +27,7 @@ fn short() -> LatencyConfig {
 
 fn tree(c: &Config) -> tempfile::TempDir {
     let dir = tempfile::tempdir().unwrap();
-    for (path, text) in project(c, &Scene::new(c, None, false).unwrap()).unwrap().files {
-        let place = dir.path().join(path);
-        std::fs::create_dir_all(place.parent().unwrap()).unwrap();
-        std::fs::write(place, text).unwrap();
-    }
+    write(dir.path(), project(c, &Scene::new(c, None, false).unwrap()).unwrap().files);
     dir
 }
 

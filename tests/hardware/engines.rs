@@ -1,29 +1,18 @@
 //! The emitted Verilog in Icarus and Verilator, at its defaults and at other parameter values; traffic; canaries.
 //! A missing simulator fails these tests (`tools/test.sh` installs them) unless RELIEFRTL_NO_SIMULATORS=1.
+use crate::files::write;
+use crate::simulators::skip;
 use rand::{Rng, SeedableRng};
 use reliefrtl::bench::{Simulator, run_bench};
 use reliefrtl::catalogue::{bindings, design_at, find, ray_set, vector_set};
 use reliefrtl::config::Config;
-use reliefrtl::emit::Files;
 use reliefrtl::engine::EngineName;
 use reliefrtl::golden::{Pyramid, RayInput};
 use reliefrtl::ir::Binding;
 use reliefrtl::project::{Canary, Scene, check_tree, project};
 use reliefrtl::vectors::{Plan, set_files};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use tempfile::TempDir;
-
-fn skip() -> bool {
-    std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1")
-}
-
-fn write(dir: &Path, files: &Files) {
-    for (path, text) in files {
-        let place = dir.join(path);
-        std::fs::create_dir_all(place.parent().unwrap()).unwrap();
-        std::fs::write(place, text).unwrap();
-    }
-}
 
 /// The default design over a map of 64 x 64, whose words Icarus loads in a second; or over one of 16 x 16, with the rays of the views alone.
 fn tree(planned: bool) -> (Config, TempDir) {

@@ -1,4 +1,5 @@
 //! What a bench found reaches whoever started it: one wrong nibble in an expected row, and the status is not 0; with the right row it is.
+use crate::simulators::skip;
 use reliefrtl::config::Config;
 use reliefrtl::project::{Scene, project};
 use std::path::Path;
@@ -38,14 +39,6 @@ fn tree(dir: &Path) -> String {
         put(&format!("bad/{name}"), &(lines.join("\n") + "\n"));
     }
     prefix
-}
-
-fn skip() -> bool {
-    let skip = std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1");
-    if skip {
-        println!("skipped: RELIEFRTL_NO_SIMULATORS=1");
-    }
-    skip
 }
 
 /// Statuses of a program with the good vectors and with the bad ones.

@@ -1,4 +1,6 @@
 //! The hardware on the hard cases: in every mode it equals the golden model, and all modes hit alike.
+use crate::files::write;
+use crate::simulators::skip;
 use rayon::prelude::*;
 use reliefrtl::bench::{Simulator, bench_files, run_bench};
 use reliefrtl::catalogue::ray_set;
@@ -140,7 +142,7 @@ fn every_ray_in_every_mode() {
 
 /// The emitted text, one build, on the maps of one size.
 fn in_simulator(sim: Simulator, sets: &[&str]) {
-    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
+    if skip() {
         return;
     }
     let c = config(&[&["traverse.levels=6"][..], sets].concat());
@@ -159,11 +161,7 @@ fn in_simulator(sim: Simulator, sets: &[&str]) {
             let set = ray_set(&g.design, &g.pyramid, &g.rays, SEED).unwrap();
             let vectors = set_files(&set.set).into_iter().map(|(n, t)| (format!("golden/traverse/{n}"), t));
             let image = ("golden/traverse/memory.hex".to_string(), set.memory);
-            for (path, text) in files.clone().into_iter().chain(vectors).chain([image]) {
-                let place = dir.path().join(path);
-                std::fs::create_dir_all(place.parent().unwrap()).unwrap();
-                std::fs::write(place, text).unwrap();
-            }
+            write(dir.path(), files.clone().into_iter().chain(vectors).chain([image]));
             let o = run_bench(sim, dir.path(), "traverse", &Binding::new(), &[]);
             o.unwrap_or_else(|e| panic!("{}: {e}", g.name)).checked
         })

@@ -1,4 +1,5 @@
 //! The harness that `bench` compares with: every output of every ray is held against what is expected.
+use crate::simulators::skip;
 use reliefrtl::bench::{Harness, Load};
 use reliefrtl::config::{Config, View};
 use reliefrtl::golden::{RayInput, prepare};
@@ -8,8 +9,7 @@ use reliefrtl::trace::{Pipeline, hit_row};
 
 #[test]
 fn one_wrong_bit_of_one_output_ends_the_harness_with_a_mismatch() {
-    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
-        println!("skipped: RELIEFRTL_NO_SIMULATORS=1");
+    if skip() {
         return;
     }
     let mut c = Config::default();

@@ -20,3 +20,8 @@ mod tracked;
 mod traverse_interp;
 mod units_interp;
 mod unknown;
+
+#[path = "../support/files.rs"]
+mod files;
+#[path = "../support/simulators.rs"]
+mod simulators;

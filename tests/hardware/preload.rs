@@ -1,4 +1,5 @@
 //! The map at power-up: `MEM_INIT` names what `vectors` wrote, nothing goes through the load port, and the hits are the same.
+use crate::simulators::skip;
 use reliefrtl::config::Config;
 use reliefrtl::project::{Scene, project};
 use std::path::Path;
@@ -32,8 +33,7 @@ fn run(dir: &Path, program: &str, args: &[&str]) -> (Option<i32>, String) {
 
 #[test]
 fn a_preloaded_map_is_the_loaded_one() {
-    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
-        println!("skipped: RELIEFRTL_NO_SIMULATORS=1");
+    if skip() {
         return;
     }
     for sets in [
@@ -75,8 +75,7 @@ fn a_preloaded_map_is_the_loaded_one() {
 
 #[test]
 fn a_preloaded_map_is_the_loaded_one_in_verilator() {
-    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
-        println!("skipped: RELIEFRTL_NO_SIMULATORS=1");
+    if skip() {
         return;
     }
     let dir = tempfile::tempdir().unwrap();

@@ -1,4 +1,5 @@
 //! Latencies by name and for a clock: the same hits, in all engines, whatever stands between the units.
+use crate::simulators::skip;
 use std::path::Path;
 use std::process::{Command, Output};
 
@@ -42,8 +43,7 @@ fn each_profile_traces_the_same_rays_on_each_datapath() {
 /// Banks of memory, registers around every choice, and handshakes through registers, in the simulators; with gaps, stalls and flood.
 #[test]
 fn the_deepest_pipeline_is_the_same_in_the_simulators() {
-    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
-        println!("skipped: RELIEFRTL_NO_SIMULATORS=1");
+    if skip() {
         return;
     }
     let dir = tempfile::tempdir().unwrap();
@@ -69,8 +69,7 @@ fn the_deepest_pipeline_is_the_same_in_the_simulators() {
 /// What a bench says of iterations does not depend on where the pipeline has its registers.
 #[test]
 fn a_bench_sees_the_iterations_of_each_profile() {
-    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
-        println!("skipped: RELIEFRTL_NO_SIMULATORS=1");
+    if skip() {
         return;
     }
     let dir = tempfile::tempdir().unwrap();

@@ -11,6 +11,11 @@ mod style;
 mod tools;
 mod trees;
 
+#[path = "../support/files.rs"]
+mod files;
+#[path = "../support/simulators.rs"]
+mod simulators;
+
 /// Fails with the first problems of a long list, all of them counted.
 pub fn no_problems(problems: &[String]) {
     let shown: Vec<&str> = problems.iter().take(12).map(String::as_str).collect();

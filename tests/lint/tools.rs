@@ -1,4 +1,5 @@
 //! Where the tools are and how they are run.
+use crate::simulators::skip;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -63,7 +64,7 @@ impl Tool {
     /// # Panics
     /// If the tool is not installed: a check that can't run is no check.
     pub fn command(self) -> Option<Command> {
-        if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
+        if skip() {
             println!("skipped: RELIEFRTL_NO_SIMULATORS=1");
             return None;
         }

@@ -1,5 +1,6 @@
 //! What the default configuration emits: the same bytes twice, and the bytes that are committed.
 //! `RELIEFRTL_REFRESH=1 cargo test --release --test repo emission` writes them anew.
+use crate::files::write;
 use reliefrtl::config::Config;
 use reliefrtl::project::{Scene, project};
 use std::collections::BTreeSet;
@@ -41,11 +42,7 @@ fn committed_files_are_what_is_emitted() {
         for dir in ["rtl", "testbench", "golden", "flow"] {
             let _ = std::fs::remove_dir_all(root().join(dir));
         }
-        for (path, text) in &files {
-            let place = root().join(path);
-            std::fs::create_dir_all(place.parent().unwrap()).unwrap();
-            std::fs::write(place, text).unwrap();
-        }
+        write(&root(), &files);
         return;
     }
     let mut found = BTreeSet::new();

@@ -1,4 +1,5 @@
 //! What README and `docs/traverse.md` promise: README is one screen, its links lead somewhere and its instance elaborates; of the guide, its bench prints what it says, its table lists the ports, its ray hits there.
+use crate::simulators::skip;
 use reliefrtl::config::Config;
 use reliefrtl::units::traversal::traverse;
 use std::path::Path;
@@ -42,8 +43,7 @@ fn the_readme_is_one_screen_and_its_links_lead_somewhere() {
 
 #[test]
 fn the_instance_of_the_readme_elaborates() {
-    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
-        println!("skipped: RELIEFRTL_NO_SIMULATORS=1");
+    if skip() {
         return;
     }
     let readme = std::fs::read_to_string(root().join("README.md")).expect("text");
@@ -74,8 +74,7 @@ fn the_instance_of_the_readme_elaborates() {
 
 #[test]
 fn the_bench_prints_what_the_guide_says() {
-    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
-        println!("skipped: RELIEFRTL_NO_SIMULATORS=1");
+    if skip() {
         return;
     }
     let dir = tempfile::tempdir().expect("a temporary directory");

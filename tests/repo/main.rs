@@ -8,3 +8,8 @@ mod source;
 mod structure;
 mod unit_table;
 mod units;
+
+#[path = "../support/files.rs"]
+mod files;
+#[path = "../support/simulators.rs"]
+mod simulators;

@@ -1,10 +1,6 @@
 //! `fit` finds designs that keep their budget on rays that it has not seen, and says what it left out.
+use crate::program::run;
 use std::path::Path;
-use std::process::{Command, Output};
-
-fn run(dir: &Path, args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_reliefrtl")).args(args).current_dir(dir).output().unwrap()
-}
 
 fn fitted(dir: &Path, args: &[&str]) -> serde_json::Value {
     let out = run(dir, &[&["fit", "--json"], args].concat());

@@ -1,5 +1,7 @@
 //! The emitted scripts of a flow: what they say of the clock, of what does not fit, and what memories cost.
-use super::synth::{reliefrtl, tools, without_tools};
+use super::synth::{reliefrtl, tools};
+use crate::files::write;
+use crate::simulators::skip;
 use reliefrtl::config::Config;
 use reliefrtl::ir::Module;
 use std::path::{Path, PathBuf};
@@ -31,11 +33,7 @@ fn tree(dir: &Path, top: &Arc<Module>) {
     let tops = [top.clone()];
     let mut files = reliefrtl::emit::rtl(&c, &reliefrtl::emit::modules(&tops).unwrap());
     files.extend(reliefrtl::emit::flow(&c, &tops, &files));
-    for (path, text) in files {
-        let place = dir.join(path);
-        std::fs::create_dir_all(place.parent().unwrap()).unwrap();
-        std::fs::write(place, text).unwrap();
-    }
+    write(dir, files);
 }
 
 /// The one netlist that a script wrote, of a module whose emitted name ends with `unit`.
@@ -60,7 +58,7 @@ fn placer(dir: &Path, mhz: &str) -> PathBuf {
 
 #[test]
 fn a_missed_clock_is_an_error() {
-    if without_tools() {
+    if skip() {
         return;
     }
     let dir = tempfile::tempdir().unwrap();
@@ -88,7 +86,7 @@ fn a_missed_clock_is_an_error() {
 /// Vivado's script, with procedures of the same names instead of Vivado, in the Tcl that is part of Yosys.
 #[test]
 fn vivados_script_judges_the_clock() {
-    if without_tools() {
+    if skip() {
         return;
     }
     let dir = tempfile::tempdir().unwrap();
@@ -118,7 +116,7 @@ fn vivados_script_judges_the_clock() {
 /// read while they are written.
 #[test]
 fn memories_fit_or_are_named_and_need_no_registers_beside_them() {
-    if without_tools() {
+    if skip() {
         return;
     }
     for program in yosyses() {
@@ -141,7 +139,7 @@ fn memories_fit_or_are_named_and_need_no_registers_beside_them() {
 
 #[test]
 fn synth_says_what_does_not_fit() {
-    if without_tools() {
+    if skip() {
         return;
     }
     let dir = tempfile::tempdir().unwrap();

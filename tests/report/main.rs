@@ -7,3 +7,10 @@ mod page;
 mod rates;
 mod synth;
 mod tables;
+
+#[path = "../support/files.rs"]
+mod files;
+#[path = "../support/program.rs"]
+mod program;
+#[path = "../support/simulators.rs"]
+mod simulators;

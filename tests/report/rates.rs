@@ -1,10 +1,10 @@
 //! `accuracy --scenes`: rates over the published scenes, here over maps of the same names.
+use crate::program;
 use image::{GrayImage, Luma};
 use std::path::Path;
-use std::process::Command;
 
 fn run(dir: &Path, args: &[&str]) -> (i32, String, String) {
-    let out = Command::new(env!("CARGO_BIN_EXE_reliefrtl")).args(args).current_dir(dir).output().unwrap();
+    let out = program::run(dir, args);
     let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
     (out.status.code().unwrap(), text(&out.stdout), text(&out.stderr))
 }

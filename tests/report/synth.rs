@@ -1,4 +1,5 @@
 //! Areas and clocks by the real tools: every target, and the scripts that are emitted for a flow. Figures are asked for, not compared.
+use crate::simulators::skip;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -10,14 +11,6 @@ const LIBRARY: &str = r#"library(demo) {
   cell(DFF) { area: 18; ff(IQ, IQN) { clocked_on: C; next_state: D; } pin(C) { direction: input; clock: true; } pin(D) { direction: input; } pin(Q) { direction: output; function: "IQ"; } }
 }
 "#;
-
-pub fn without_tools() -> bool {
-    let without = std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1");
-    if without {
-        println!("skipped: RELIEFRTL_NO_SIMULATORS=1");
-    }
-    without
-}
 
 pub fn tools() -> PathBuf {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -42,7 +35,7 @@ fn figures(line: &[&str]) -> Vec<serde_json::Value> {
 
 #[test]
 fn ecp5_has_a_clock_at_each_seed_and_a_path_in_our_names() {
-    if without_tools() {
+    if skip() {
         return;
     }
     let f = &figures(&["--unit", "fp_lt", "--latency", "1", "--seeds", "1,2"])[0];
@@ -72,7 +65,7 @@ fn ecp5_has_a_clock_at_each_seed_and_a_path_in_our_names() {
 
 #[test]
 fn foreign_verilog_stands_beside_ours() {
-    if without_tools() {
+    if skip() {
         return;
     }
     let dir = tempfile::tempdir().unwrap();
@@ -101,7 +94,7 @@ fn foreign_verilog_stands_beside_ours() {
 
 #[test]
 fn the_other_targets_have_area_and_depth() {
-    if without_tools() {
+    if skip() {
         return;
     }
     for target in ["ice40", "xilinx"] {
@@ -120,7 +113,7 @@ fn the_other_targets_have_area_and_depth() {
 
 #[test]
 fn what_is_asked_for_wrongly_is_one_sentence() {
-    if without_tools() {
+    if skip() {
         return;
     }
     let dir = tempfile::tempdir().unwrap();
@@ -148,7 +141,7 @@ fn what_is_asked_for_wrongly_is_one_sentence() {
 /// No two copies compute the same, so none of their gates is one: as many as of one alone, so many times.
 #[test]
 fn copies_share_nothing() {
-    if without_tools() {
+    if skip() {
         return;
     }
     let of = |copies: &str| {
@@ -174,7 +167,7 @@ fn the_environment_names_the_programs() {
 /// The scripts run as they stand, from another directory too.
 #[test]
 fn the_emitted_scripts_place_and_route() {
-    if without_tools() {
+    if skip() {
         return;
     }
     let dir = tempfile::tempdir().unwrap();

@@ -1,27 +1,15 @@
 //! The emitted Verilog in Icarus and Verilator, at its defaults and at other parameter values.
 //! A missing simulator fails these tests (`tools/test.sh` installs them) unless RELIEFRTL_NO_SIMULATORS=1.
 use super::{FORMATS, design, hard};
+use crate::files::write;
+use crate::simulators::skip;
 use reliefrtl::bench::{Simulator, run_bench};
 use reliefrtl::catalogue::{design_at, ray_set};
 use reliefrtl::config::{Config, LevelUp, ModeConfig, Trim};
-use reliefrtl::emit::Files;
 use reliefrtl::ir::Binding;
 use reliefrtl::project::{Scene, check_tree, project};
 use reliefrtl::vectors::set_files;
-use std::path::Path;
 use tempfile::TempDir;
-
-fn skip() -> bool {
-    std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1")
-}
-
-fn write(dir: &Path, files: &Files) {
-    for (path, text) in files {
-        let place = dir.join(path);
-        std::fs::create_dir_all(place.parent().unwrap()).unwrap();
-        std::fs::write(place, text).unwrap();
-    }
-}
 
 /// With the planned rays of `traverse` over a map of 64 x 64, or with those of the views alone over one of 16 x 16.
 fn tree(f: u32, w: u32, mode: ModeConfig, planned: bool) -> (Config, TempDir) {

@@ -1,28 +1,16 @@
 //! The emitted Verilog of the published datapath in Icarus and Verilator, and `trace` by all four engines.
 //! A missing simulator fails these tests (`tools/test.sh` installs them) unless RELIEFRTL_NO_SIMULATORS=1.
 use super::scenes::{hard, modes};
+use crate::files::write;
+use crate::simulators::skip;
 use reliefrtl::bench::{Simulator, bench_files, run_bench};
 use reliefrtl::catalogue::{bindings, design_at, find, ray_set, vector_set};
 use reliefrtl::config::{Config, DatapathKind, ModeConfig, Profile};
-use reliefrtl::emit::Files;
 use reliefrtl::engine::EngineName;
 use reliefrtl::ir::Binding;
 use reliefrtl::project::{Scene, check_tree, hardware, project};
 use reliefrtl::vectors::{Plan, set_files};
-use std::path::Path;
 use tempfile::TempDir;
-
-fn skip() -> bool {
-    std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1")
-}
-
-fn write(dir: &Path, files: &Files) {
-    for (path, text) in files {
-        let place = dir.join(path);
-        std::fs::create_dir_all(place.parent().unwrap()).unwrap();
-        std::fs::write(place, text).unwrap();
-    }
-}
 
 fn config(sets: &[&str]) -> Config {
     let mut c = Config::default();

@@ -6,7 +6,7 @@ mod cells;
 mod replay;
 mod stored;
 
-use super::synth::without_tools;
+use crate::simulators::skip;
 use rayon::prelude::*;
 use replay::{Job, TARGETS, UNITS, replay};
 use std::sync::Mutex;
@@ -35,7 +35,7 @@ fn plan() -> Vec<Job> {
 /// Arithmetic by the first Yosys, with multipliers and without.
 #[test]
 fn small_netlists_replay_the_vectors() {
-    if without_tools() {
+    if skip() {
         return;
     }
     let quick: Vec<Job> = plan().into_iter().filter(|j| !j.newest && j.unit != "traverse").collect();
@@ -51,7 +51,7 @@ fn small_netlists_replay_the_vectors() {
 #[test]
 #[ignore = "half an hour of synthesis and simulation; part of sh tools/test.sh --full"]
 fn netlists_replay_as_the_stored_results_say() {
-    if without_tools() {
+    if skip() {
         return;
     }
     let refresh = std::env::var("RELIEFRTL_REFRESH").is_ok_and(|v| v == "1");

@@ -3,7 +3,7 @@
 mod memory;
 mod vendors;
 
-use super::super::synth::without_tools;
+use crate::simulators::skip;
 use memory::{CLOCKS, bench};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore, SeedableRng};
@@ -100,7 +100,7 @@ fn benches() -> Vec<Bench> {
 
 #[test]
 fn models_do_what_the_vendors_publish() {
-    if without_tools() {
+    if skip() {
         return;
     }
     for (name, bench, files, set) in benches() {
@@ -111,7 +111,7 @@ fn models_do_what_the_vendors_publish() {
 /// What has no model ends the simulation, and says so.
 #[test]
 fn other_settings_of_a_memory_end_the_simulation() {
-    if without_tools() {
+    if skip() {
         return;
     }
     let mut seen = std::collections::BTreeSet::new();
@@ -161,7 +161,7 @@ const SPOILED: [(&str, &str, &str); 25] = [
 
 #[test]
 fn each_spoiled_model_fails_a_bench() {
-    if without_tools() {
+    if skip() {
         return;
     }
     let benches = benches();

@@ -1,6 +1,7 @@
 //! Tables of corners crossed whole: what they reach, that parts make a whole, and the units in the interpreter on them.
 //!
 //! `RELIEFRTL_LEVEL=2` takes the large tables at five formats (default: the small ones, and the large ones at 7/16).
+use crate::float_units::FLOAT_UNITS;
 use rayon::prelude::*;
 use reliefrtl::catalogue::{campaign_set, check_interp, count_events, find};
 use reliefrtl::config::Design;
@@ -9,21 +10,6 @@ use reliefrtl::golden::float::{self, Events, events};
 use reliefrtl::ir::Binding;
 use reliefrtl::vectors::{Campaign, Level, Plan, Shard, VectorSet};
 use std::collections::BTreeMap;
-
-const UNITS: [&str; 12] = [
-    "fp_add",
-    "fp_mul",
-    "fp_div",
-    "fp_lt",
-    "fp_sqrt",
-    "fp_recip",
-    "fp_compare",
-    "fp_add3",
-    "fp_from_int",
-    "fp_to_int",
-    "fp_from_fixed",
-    "fp_to_fixed",
-];
 
 fn set(format: FloatFormat, unit: &str, level: Level, shard: Shard) -> VectorSet {
     let d = Design { format, ..Design::default() };
@@ -188,7 +174,7 @@ fn units_equal_their_models_on_crossed_corners() {
     let all = std::env::var("RELIEFRTL_LEVEL").is_ok_and(|v| v == "2");
     let mut cases = Vec::new();
     for (exp, man) in [(7, 16), (5, 10), (8, 23), (6, 9), (4, 12)] {
-        for unit in UNITS {
+        for &unit in FLOAT_UNITS.iter() {
             let level = if all || (exp, man) == (7, 16) { Level::Two } else { Level::One };
             cases.push((FloatFormat::new(exp, man), unit, level));
         }

@@ -2,27 +2,13 @@
 //! small formats with every operand, others with corners and weighted random rows.
 //!
 //! `RELIEFRTL_ROWS` sets the rows of a unit at 7/16 and the formats around it (default 1500).
+use crate::float_units::FLOAT_UNITS;
 use rayon::prelude::*;
 use reliefrtl::catalogue::{Context, Modelled, check_interp, find, vector_set};
 use reliefrtl::config::{Design, LatencyConfig};
 use reliefrtl::format::{FloatFormat, Rounding, Specials, Subnormals};
 use reliefrtl::ir::Binding;
 use reliefrtl::vectors::{Counts, Plan};
-
-const UNITS: [&str; 12] = [
-    "fp_add",
-    "fp_mul",
-    "fp_div",
-    "fp_lt",
-    "fp_sqrt",
-    "fp_recip",
-    "fp_compare",
-    "fp_add3",
-    "fp_from_int",
-    "fp_to_int",
-    "fp_from_fixed",
-    "fp_to_fixed",
-];
 
 fn choices(exp: u32, man: u32) -> Vec<FloatFormat> {
     let mut all = Vec::new();
@@ -70,7 +56,7 @@ fn every_operand_of_small_formats() {
     let mut all = Vec::new();
     for (exp, man) in [(4, 3), (3, 2)] {
         for (k, format) in choices(exp, man).into_iter().enumerate() {
-            all.extend(UNITS.iter().enumerate().map(|(u, name)| (*name, format, latencies[(k + u) % 9])));
+            all.extend(FLOAT_UNITS.iter().enumerate().map(|(u, name)| (*name, format, latencies[(k + u) % 9])));
         }
     }
     let done: Vec<_> = all.par_iter().map(|(name, format, l)| check(name, *format, *l, 1500)).collect();
@@ -107,7 +93,7 @@ fn larger_formats() {
     let mut all = Vec::new();
     for (k, (exp, man)) in [(7, 16), (5, 10), (8, 23), (2, 6), (11, 27)].into_iter().enumerate() {
         for (c, format) in choices(exp, man).into_iter().enumerate() {
-            let names = UNITS.iter().enumerate();
+            let names = FLOAT_UNITS.iter().enumerate();
             all.extend(names.map(|(u, name)| (*name, format, [2, 4, 7, 1, 12, 26][(k + c + u) % 6])));
         }
     }

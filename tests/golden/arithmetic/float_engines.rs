@@ -3,6 +3,9 @@
 //! `RELIEFRTL_LEVEL=2` crosses the large tables of corners of every unit at five formats (default: the small ones at 7/16, in Verilator of the
 //! units that no traversal needs).
 //! A missing simulator fails these tests (`tools/test.sh` installs them) unless RELIEFRTL_NO_SIMULATORS=1.
+use crate::files::write;
+use crate::float_units::FLOAT_UNITS;
+use crate::simulators::skip;
 use rayon::prelude::*;
 use reliefrtl::bench::{Simulator, run_bench};
 use reliefrtl::catalogue::{campaign_set, vector_set};
@@ -11,25 +14,6 @@ use reliefrtl::format::{Rounding, Specials, Subnormals};
 use reliefrtl::ir::Binding;
 use reliefrtl::project::{alone, alone_files};
 use reliefrtl::vectors::{Campaign, Level, Plan, Shard, set_files};
-
-const UNITS: [&str; 12] = [
-    "fp_add",
-    "fp_mul",
-    "fp_div",
-    "fp_lt",
-    "fp_sqrt",
-    "fp_recip",
-    "fp_compare",
-    "fp_add3",
-    "fp_from_int",
-    "fp_to_int",
-    "fp_from_fixed",
-    "fp_to_fixed",
-];
-
-fn skip() -> bool {
-    std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1")
-}
 
 fn at(exp: i64, man: i64) -> Binding {
     Binding::from([("EXP_W".into(), exp), ("MAN_W".into(), man)])
@@ -65,11 +49,7 @@ fn replay(sim: Simulator, c: &Config, unit: &str, over: &Binding, rows: Rows) ->
     let mut files = alone_files(c, std::slice::from_ref(&m), None).unwrap();
     files.extend(set_files(&set).into_iter().map(|(n, t)| (format!("here/{n}"), t)));
     let dir = tempfile::tempdir().unwrap();
-    for (path, text) in &files {
-        let place = dir.path().join(path);
-        std::fs::create_dir_all(place.parent().unwrap()).unwrap();
-        std::fs::write(place, text).unwrap();
-    }
+    write(dir.path(), &files);
     let vectors = [format!("vectors={}", dir.path().join("here").display())];
     let done = run_bench(sim, dir.path(), unit, &set.params, &vectors)
         .unwrap_or_else(|e| panic!("{}, {unit} at {over:?}: {e}", c.format.float()));
@@ -111,7 +91,7 @@ fn extra_units_in_verilator() {
 fn crossed(sim: Simulator, units: &[&str]) {
     let all = std::env::var("RELIEFRTL_LEVEL").is_ok_and(|v| v == "2");
     let (units, formats, level) = match all {
-        true => (&UNITS[..], vec![(7, 16), (5, 10), (8, 23), (6, 9), (4, 12)], Level::Two),
+        true => (&FLOAT_UNITS[..], vec![(7, 16), (5, 10), (8, 23), (6, 9), (4, 12)], Level::Two),
         false => (units, vec![(7, 16)], Level::One),
     };
     let cases: Vec<(&str, (u32, u32))> = formats.iter().flat_map(|f| units.iter().map(move |u| (*u, *f))).collect();
@@ -131,7 +111,7 @@ fn crossed(sim: Simulator, units: &[&str]) {
 #[test]
 fn crossed_corners_in_icarus() {
     if !skip() {
-        crossed(Simulator::Icarus, &UNITS);
+        crossed(Simulator::Icarus, &FLOAT_UNITS);
     }
 }
 
@@ -173,12 +153,13 @@ fn every_choice_in_icarus() {
         return;
     }
     let choices = choices();
-    let cases: Vec<(&Vec<String>, &str)> = choices.iter().flat_map(|c| UNITS.iter().map(move |u| (c, *u))).collect();
+    let cases: Vec<(&Vec<String>, &str)> =
+        choices.iter().flat_map(|c| FLOAT_UNITS.iter().map(move |u| (c, *u))).collect();
     let checked: usize = cases
         .par_iter()
         .map(|(sets, u)| replay(Simulator::Icarus, &config(sets), u, &Binding::new(), Rows::Chosen(300)))
         .sum();
-    println!("icarus: {} units at {} choices, 0 of {checked} mismatched", UNITS.len(), choices.len());
+    println!("icarus: {} units at {} choices, 0 of {checked} mismatched", FLOAT_UNITS.len(), choices.len());
     assert!(checked > 300 * 200, "{checked}");
 }
 
@@ -190,7 +171,7 @@ fn a_sample_of_choices_in_verilator() {
     }
     let choices = choices();
     let cases: Vec<(&Vec<String>, &str)> =
-        UNITS.iter().enumerate().map(|(k, u)| (&choices[(7 * k + 2) % 20], *u)).collect();
+        FLOAT_UNITS.iter().enumerate().map(|(k, u)| (&choices[(7 * k + 2) % 20], *u)).collect();
     for word in Rounding::WORDS.iter().chain(Subnormals::WORDS).chain(Specials::WORDS) {
         assert!(cases.iter().any(|(sets, _)| sets.iter().any(|s| s.ends_with(&format!("={word}")))), "{word}");
     }
@@ -198,6 +179,6 @@ fn a_sample_of_choices_in_verilator() {
         .par_iter()
         .map(|(sets, u)| replay(Simulator::Verilator, &config(sets), u, &Binding::new(), Rows::Chosen(2000)))
         .sum();
-    println!("verilator: {} units, 0 of {checked} mismatched", UNITS.len());
-    assert!(checked > 64 * UNITS.len(), "{checked}");
+    println!("verilator: {} units, 0 of {checked} mismatched", FLOAT_UNITS.len());
+    assert!(checked > 64 * FLOAT_UNITS.len(), "{checked}");
 }

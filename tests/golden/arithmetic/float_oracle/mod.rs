@@ -2,7 +2,7 @@
 //! rustc_apfloat, exact fractions rounded once, and, for the widest format, the machine.
 //!
 //! `RELIEFRTL_PAIRS` sets the random operand pairs per operation, `RELIEFRTL_SEED` their seed:
-//! `RELIEFRTL_PAIRS=5000000 cargo test --release --test arithmetic float_oracle -- --nocapture`
+//! `RELIEFRTL_PAIRS=5000000 cargo test --release --test golden float_oracle -- --nocapture`
 mod apfloat;
 mod arithmetic;
 mod choices;

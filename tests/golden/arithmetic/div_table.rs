@@ -1,6 +1,8 @@
 //! The divider by table: its words, the bound of its estimate for every divisor, and the unit at every fraction width that it has,
 //! in the interpreter and both simulators.
 //! A missing simulator fails these tests (`tools/test.sh` installs them) unless RELIEFRTL_NO_SIMULATORS=1.
+use crate::files::write;
+use crate::simulators::skip;
 use rayon::prelude::*;
 use reliefrtl::bench::{Simulator, run_bench};
 use reliefrtl::catalogue::{Context, Modelled, campaign_set, check_interp, find, vector_set};
@@ -26,10 +28,6 @@ fn config(clocks: u32) -> Config {
 fn divider(clocks: u32) -> (Design, Arc<Module>) {
     let d = config(clocks).design();
     (d, find(&d, "fp_div").unwrap())
-}
-
-fn no_tools() -> bool {
-    std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1")
 }
 
 fn at(exp: i64, man: i64) -> Binding {
@@ -123,7 +121,7 @@ fn every_divisor_rounds_right() {
 /// that family takes 24 x 17 without a sign.
 #[test]
 fn the_table_is_one_block_memory() {
-    if no_tools() {
+    if skip() {
         return;
     }
     for clocks in [2, 4, 9] {
@@ -211,17 +209,13 @@ fn replay(
 ) -> usize {
     let m = alone(c, unit).expect("the unit stands alone");
     let set = rows(&c.design(), &m, over);
-    if no_tools() {
+    if skip() {
         return set.stimulus.len();
     }
     let mut files = alone_files(c, std::slice::from_ref(&m), None).unwrap();
     files.extend(set_files(&set).into_iter().map(|(n, t)| (format!("here/{n}"), t)));
     let dir = tempfile::tempdir().unwrap();
-    for (path, text) in &files {
-        let place = dir.path().join(path);
-        std::fs::create_dir_all(place.parent().unwrap()).unwrap();
-        std::fs::write(place, text).unwrap();
-    }
+    write(dir.path(), &files);
     let vectors = [format!("vectors={}", dir.path().join("here").display())];
     let done = run_bench(sim, dir.path(), unit, &set.params, &vectors)
         .unwrap_or_else(|e| panic!("{}, {unit} at {over:?}: {e}", sim.name()));
