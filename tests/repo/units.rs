@@ -107,7 +107,7 @@ const OTHERS: &[(&str, &[&str], &str)] = &[
     ("src/cli/synth/jobs.rs", &["traverse"], "a table of the configuration"),
     ("src/cli/fit.rs", &["traverse"], "a table of the configuration"),
     (
-        "src/config/clock.rs",
+        "src/config/clock/curves.rs",
         &[
             "fp_add",
             "fp_mul",
@@ -125,6 +125,7 @@ const OTHERS: &[(&str, &[&str], &str)] = &[
         ],
         "what data/figures.json calls what was measured; the configuration stands below the units",
     ),
+    ("src/config/clock/mod.rs", &["fp_add", "fp_div", "fp_from_int", "fp_add3"], "tests of what was measured"),
     ("src/cli/trace.rs", &["traverse"], "the program that is asked for a ray"),
     ("src/bench/coverage.rs", &["traverse"], "the bench of rays"),
     ("src/bench/text.rs", &["traverse"], "the bench of rays"),

@@ -2,65 +2,15 @@
 //!
 //! The clocks are those of units alone on an ECP5 (85k, speed grade 8) at 1/7/16: `data/figures.json`, each with the call that measures it
 //! ([`crate::measured`]). A traversal around them is slower: a share of the slowest unit's clock is counted on.
-use super::{DatapathConfig, DatapathKind, Design, Divider, LatencyConfig, Profile};
+mod curves;
+mod provenance;
+
+pub use curves::latency_key;
+
+use super::{Design, LatencyConfig, Profile};
 use crate::error::{Error, Result};
-use crate::format::FloatFormat;
-use crate::measured::{Entry, all};
-use std::sync::LazyLock;
-
-/// Clocks of one unit.
-struct Curve {
-    unit: &'static str,
-    /// Its key in the table `latency`.
-    key: &'static str,
-    /// The fewest clocks first.
-    points: Vec<Point>,
-}
-
-/// A unit as it was measured at one latency.
-#[derive(Clone, Copy)]
-struct Point {
-    clocks: u32,
-    /// Whole MHz, rounded down.
-    mhz: u32,
-    entry: &'static Entry,
-}
-
-/// What all entries of units alone have in common.
-fn curve(unit: &'static str, key: &'static str, more: &[&str]) -> Curve {
-    let point = |entry: &'static Entry| {
-        let clock = entry.clock.as_ref().filter(|_| entry.target == "ecp5" && entry.is_alone(unit, more))?;
-        Some(Point { clocks: entry.latency?, mhz: clock.median as u32, entry })
-    };
-    let mut points: Vec<Point> = all().iter().filter_map(point).collect();
-    points.sort_by_key(|p| p.clocks);
-    Curve { unit, key, points }
-}
-
-/// Every unit of arithmetic and its key in the table `latency`.
-const UNITS: [(&str, &str); 12] = [
-    ("fp_add", "add"),
-    ("fp_mul", "mul"),
-    ("fp_div", "div"),
-    ("fp_lt", "compare"),
-    ("fp_from_int", "from_int"),
-    ("fp_to_int", "to_int"),
-    ("fp_to_fixed", "to_int"),
-    ("fp_from_fixed", "from_int"),
-    ("fp_recip", "div"),
-    ("fp_compare", "compare"),
-    ("fp_sqrt", "sqrt"),
-    ("fp_add3", "add3"),
-];
-
-/// Every unit of arithmetic, at the latencies that were measured.
-static CURVES: LazyLock<Vec<Curve>> = LazyLock::new(|| UNITS.iter().map(|(u, key)| curve(u, key, &[])).collect());
-
-/// `fp_div` by table.
-static BY_TABLE: LazyLock<Curve> = LazyLock::new(|| curve("fp_div", "div", &["--set", "latency.divider=table"]));
-
-/// Units of a watertight traversal whose clock its own depends on.
-const TRAVERSAL: [&str; 7] = ["fp_add", "fp_mul", "fp_div", "fp_lt", "fp_from_int", "fp_to_int", "fp_to_fixed"];
+use crate::measured::Entry;
+use curves::{BESIDE, CURVES, Curve, LATENCY_KEYS, PLACED, TRAVERSAL, curve_of, field};
 
 /// What stands between the units of a watertight traversal.
 #[derive(Clone, Copy)]
@@ -83,36 +33,6 @@ const TIERS: [Tier; 4] = [
     Tier { to: 105, profile: Some(Profile::Balanced), share: 78 },
     Tier { to: 130, profile: Some(Profile::Fast), share: 88 },
 ];
-
-/// A whole traversal of the default design, placed and routed at a profile's latencies.
-struct Placed {
-    kind: DatapathKind,
-    profile: Profile,
-    mhz: u32,
-    entry: &'static Entry,
-}
-
-/// Profiles that were placed as they stand (`docs/clocks.md`, "The whole traversal"), slowest first.
-static PLACED: LazyLock<Vec<Placed>> = LazyLock::new(|| {
-    let mut placed = Vec::new();
-    for entry in all().iter().filter(|e| e.unit == "traverse" && e.target == "ecp5") {
-        let Some(clock) = &entry.clock else { continue };
-        let words = entry.words();
-        let ["--unit", "traverse", "--profile", profile, rest @ ..] = words.as_slice() else { continue };
-        let Some(profile) = Profile::ALL.into_iter().find(|p| p.word() == *profile) else { continue };
-        // Where the call says nothing of it, it is the usual one.
-        let named = match rest {
-            ["--set", set, rest @ ..] => set.strip_prefix("datapath.kind=").and_then(|w| Some((w.parse().ok()?, rest))),
-            _ => None,
-        };
-        let (kind, rest) = named.unwrap_or((DatapathConfig::default().kind, rest));
-        if !rest.iter().any(|w| ["--set", "--copies", "--clock"].contains(w)) {
-            placed.push(Placed { kind, profile, mhz: clock.median as u32, entry });
-        }
-    }
-    placed.sort_by_key(|p| p.mhz);
-    placed
-});
 
 /// What a clock is asked of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -180,8 +100,8 @@ fn for_traversal(mhz: u32, d: &Design) -> Result<Choice> {
     for c in TRAVERSAL.iter().filter_map(|name| curve_of(name, &d.latency)) {
         pick(&mut latency, c, (mhz * 100).div_ceil(tier.share), mhz)?;
     }
-    // Units that no traversal has are emitted beside it only where they are named: they follow the same clock, as far as they can.
-    for c in CURVES.iter().filter(|c| ["fp_sqrt", "fp_add3"].contains(&c.unit)) {
+    // These follow the same clock, as far as they can.
+    for c in CURVES.iter().filter(|c| BESIDE.contains(&c.unit)) {
         let most = c.points.iter().map(|p| p.mhz).max().unwrap_or_default();
         pick(&mut latency, c, mhz.min(most), mhz)?;
     }
@@ -202,137 +122,10 @@ fn pick(latency: &mut LatencyConfig, c: &Curve, asked: u32, mhz: u32) -> Result<
     Ok(())
 }
 
-impl Choice {
-    /// One sentence about the latencies that a design ended up with, which `--set` may have changed since: what they were measured at, and what
-    /// is not known.
-    pub fn provenance(&self, mhz: u32, d: &Design, scope: Scope) -> String {
-        let how = |e: &Entry| format!("on an ECP5, speed grade 8, at 1/7/16, {}", seeds(e));
-        let mut said = match self.placed {
-            None if scope == Scope::Traversal && between(self.latency) != between(d.latency) => format!(
-                "latencies for {mhz} MHz: registers between the units were changed, and with the change nothing was placed and routed, so nothing is promised"
-            ),
-            Some((profile, ..)) if self.latency != d.latency => format!(
-                "latencies for {mhz} MHz: those of profile {}, and with the changes to them nothing was placed and routed, so nothing is promised",
-                profile.word()
-            ),
-            Some((profile, whole, entry)) => format!(
-                "latencies for {mhz} MHz: those of profile {}, which was placed and routed whole at {whole} MHz on an ECP5, speed grade 8, {}",
-                profile.word(),
-                seeds(entry)
-            ),
-            None => {
-                let names: Vec<&str> = match scope {
-                    Scope::Traversal => TRAVERSAL.to_vec(),
-                    Scope::Alone(units) => units.iter().map(String::as_str).collect(),
-                };
-                let alone = |name: &&str| {
-                    let c = curve_of(name, &d.latency)?;
-                    let clocks = *field(&mut d.latency.clone(), c.key);
-                    Some((c.unit, clocks, c.points.iter().find(|p| p.clocks == clocks)))
-                };
-                let all: Vec<_> = names.iter().filter_map(alone).collect();
-                match all.iter().min_by_key(|u| u.2.map(|p| p.mhz)) {
-                    None => format!("latencies for {mhz} MHz: nothing of this was measured, so nothing is promised"),
-                    Some((unit, clocks, None)) => format!(
-                        "latencies for {mhz} MHz: {unit} in {} was not measured, so nothing is promised",
-                        counted(*clocks)
-                    ),
-                    Some((unit, clocks, Some(Point { mhz: reached, entry, .. }))) => {
-                        let expected = reached * self.share / 100;
-                        let short = if expected < mhz { format!(", which is less than {mhz}") } else { String::new() };
-                        match scope {
-                            Scope::Alone(_) => format!(
-                                "latencies for {mhz} MHz: {unit} in {} alone reached {reached} MHz {}{short}",
-                                counted(*clocks),
-                                how(entry)
-                            ),
-                            Scope::Traversal => format!(
-                                "latencies for {mhz} MHz: the slowest unit alone, {unit} in {}, reached {reached} MHz {}; {} % of that are counted on for a whole traversal, {expected} MHz{short}",
-                                counted(*clocks),
-                                how(entry),
-                                self.share
-                            ),
-                        }
-                    }
-                }
-            }
-        };
-        said += "; other devices were not measured";
-        let default = Design::default();
-        let other = match scope {
-            // The widths of a conversion come from the traversal's.
-            Scope::Alone(units) => {
-                let converts = units.iter().any(|name| name.ends_with("int") || name.ends_with("fixed"));
-                d.format != FloatFormat::FP24 || (converts && d.traverse != default.traverse)
-            }
-            Scope::Traversal => {
-                let datapath = DatapathConfig { kind: d.datapath.kind, ..default.datapath };
-                (d.format, d.traverse, d.mode, d.datapath) != (default.format, default.traverse, default.mode, datapath)
-            }
-        };
-        if other {
-            let what = if scope == Scope::Traversal { "design" } else { "format or width" };
-            said += &format!(", nor was this {what}: place it (`reliefrtl synth`) before you rely on it");
-        }
-        said
-    }
-}
-
-/// How far a figure can be relied on.
-fn seeds(entry: &Entry) -> String {
-    let mhz: Vec<f64> = entry.clock.iter().flat_map(|c| &c.mhz).map(|m| m.1).collect();
-    let least = mhz.iter().copied().fold(f64::INFINITY, f64::min);
-    match mhz.len() {
-        _ if entry.digest.is_none() => "with an earlier text, and was not measured since".into(),
-        0 | 1 => "one seed of the placer".into(),
-        n => format!("median of {n} seeds, of which the slowest was at {}", least as u32),
-    }
-}
-
-/// Latencies of what is no unit of arithmetic.
-fn between(mut l: LatencyConfig) -> LatencyConfig {
-    LATENCY_KEYS.iter().for_each(|key| *field(&mut l, key) = 0);
-    l
-}
-
-fn counted(clocks: u32) -> String {
-    if clocks == 1 { "1 clock".into() } else { format!("{clocks} clocks") }
-}
-
-/// The curve of a unit, as it is built at these latencies.
-fn curve_of(name: &str, latency: &LatencyConfig) -> Option<&'static Curve> {
-    if name == BY_TABLE.unit && latency.divider == Divider::Table {
-        return Some(&BY_TABLE);
-    }
-    CURVES.iter().find(|c| c.unit == name)
-}
-
-/// Keys of the table `latency` that are units of arithmetic.
-const LATENCY_KEYS: [&str; 8] = ["add", "mul", "div", "compare", "from_int", "to_int", "sqrt", "add3"];
-
-/// The key of the table `latency` of a unit of arithmetic.
-pub fn latency_key(unit: &str) -> Option<&'static str> {
-    UNITS.iter().find(|u| u.0 == unit).map(|u| u.1)
-}
-
-/// The latency of a key of [`UNITS`].
-fn field<'a>(l: &'a mut LatencyConfig, key: &str) -> &'a mut u32 {
-    match key {
-        "add" => &mut l.add,
-        "mul" => &mut l.mul,
-        "div" => &mut l.div,
-        "compare" => &mut l.compare,
-        "from_int" => &mut l.from_int,
-        "to_int" => &mut l.to_int,
-        "sqrt" => &mut l.sqrt,
-        "add3" => &mut l.add3,
-        _ => unreachable!("no curve has the key {key}"),
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{BY_TABLE, CURVES, PLACED, Scope, TIERS, UNITS, for_clock};
+    use super::curves::{BY_TABLE, CURVES, PLACED, UNITS};
+    use super::{Scope, TIERS, for_clock};
     use crate::config::{DatapathConfig, Design};
     use std::collections::BTreeSet;
 
