@@ -135,7 +135,7 @@ fn endure(cli: &Cli, ground: &HardGround<'_>, tasks: &[HardTask<'_>], rays: usiz
             let long =
                 longest.map_or_else(Default::default, |l| [l.steps.to_string(), l.words.join(" "), l.mode.label()]);
             let counts = [format!("{} of {}", of.given_up, of.rays), of.refused.to_string()];
-            [&[of.case.clone()], &counts[..], &long[..]].concat()
+            [std::slice::from_ref(&of.case), &counts[..], &long[..]].concat()
         };
         let rows: Vec<Vec<String>> = sum.cases.iter().map(row).collect();
         print!("{}", table(&["case", "given up", "refused", "most steps", "u v du dv (hex)", "mode"], &rows));

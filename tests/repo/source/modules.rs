@@ -101,10 +101,10 @@ fn read_module(file: &Path, path: Vec<String>, tokens: &[Token], out: &mut Vec<M
                 continue;
             }
             "macro_rules" => drop(m.items.insert(next(2).to_owned())),
-            "fn" | "struct" | "enum" | "trait" | "const" | "static" | "type" | "union" if depth == 0 => {
-                if tokens.get(k + 1).is_some_and(Token::is_word) {
-                    m.items.insert(next(1).to_owned());
-                }
+            "fn" | "struct" | "enum" | "trait" | "const" | "static" | "type" | "union"
+                if depth == 0 && tokens.get(k + 1).is_some_and(Token::is_word) =>
+            {
+                m.items.insert(next(1).to_owned());
             }
             "{" | "(" | "[" => depth += 1,
             "}" | ")" | "]" => depth -= 1,
