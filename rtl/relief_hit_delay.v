@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_hit_delay: a word, delayed beside a pipeline
-// Source     src/units/traversal/stream_delay.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit hit_delay; do not edit
 // Latency    7 clocks
 // Throughput one result per clock
 `default_nettype none
@@ -25,59 +25,13 @@ module relief_hit_delay #(
     end
   endgenerate
 
-  // ---- stage 1: registers --------------------------------------------- stream_delay.rs
-  reg [W-1:0] s1_data;
+  // ---- stage 7: registers -------------------------------------------------------------
+  // Delay of 7 clocks: stage 0 to 7.
+  reg [W-1:0]   s7_data;
+  reg [6*W-1:0] s0_to_s7;
   always @(posedge clk) begin
     if (ce) begin
-      s1_data <= in_data;
-    end
-  end
-
-  // ---- stage 2: registers --------------------------------------------- stream_delay.rs
-  reg [W-1:0] s2_data;
-  always @(posedge clk) begin
-    if (ce) begin
-      s2_data <= s1_data;
-    end
-  end
-
-  // ---- stage 3: registers --------------------------------------------- stream_delay.rs
-  reg [W-1:0] s3_data;
-  always @(posedge clk) begin
-    if (ce) begin
-      s3_data <= s2_data;
-    end
-  end
-
-  // ---- stage 4: registers --------------------------------------------- stream_delay.rs
-  reg [W-1:0] s4_data;
-  always @(posedge clk) begin
-    if (ce) begin
-      s4_data <= s3_data;
-    end
-  end
-
-  // ---- stage 5: registers --------------------------------------------- stream_delay.rs
-  reg [W-1:0] s5_data;
-  always @(posedge clk) begin
-    if (ce) begin
-      s5_data <= s4_data;
-    end
-  end
-
-  // ---- stage 6: registers --------------------------------------------- stream_delay.rs
-  reg [W-1:0] s6_data;
-  always @(posedge clk) begin
-    if (ce) begin
-      s6_data <= s5_data;
-    end
-  end
-
-  // ---- stage 7: registers --------------------------------------------- stream_delay.rs
-  reg [W-1:0] s7_data;
-  always @(posedge clk) begin
-    if (ce) begin
-      s7_data <= s6_data;
+      {s7_data, s0_to_s7} <= {s0_to_s7, in_data};
     end
   end
 

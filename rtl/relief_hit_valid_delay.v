@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_hit_valid_delay: a valid bit, delayed beside a pipeline
-// Source     src/units/traversal/stream_delay.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit hit_valid_delay; do not edit
 // Latency    7 clocks
 // Throughput one result per clock
 `default_nettype none
@@ -24,73 +24,15 @@ module relief_hit_valid_delay #(
     end
   endgenerate
 
-  // ---- stage 1: registers --------------------------------------------- stream_delay.rs
-  reg s1_valid;
+  // ---- stage 7: registers -------------------------------------------------------------
+  // Delay of 7 clocks: stage 0 to 7.
+  reg       s7_valid;
+  reg [5:0] s0_to_s7_valid;
   always @(posedge clk) begin
     if (rst) begin
-      s1_valid <= 1'b0;
+      {s7_valid, s0_to_s7_valid} <= 7'd0;
     end else if (ce) begin
-      s1_valid <= in_valid;
-    end
-  end
-
-  // ---- stage 2: registers --------------------------------------------- stream_delay.rs
-  reg s2_valid;
-  always @(posedge clk) begin
-    if (rst) begin
-      s2_valid <= 1'b0;
-    end else if (ce) begin
-      s2_valid <= s1_valid;
-    end
-  end
-
-  // ---- stage 3: registers --------------------------------------------- stream_delay.rs
-  reg s3_valid;
-  always @(posedge clk) begin
-    if (rst) begin
-      s3_valid <= 1'b0;
-    end else if (ce) begin
-      s3_valid <= s2_valid;
-    end
-  end
-
-  // ---- stage 4: registers --------------------------------------------- stream_delay.rs
-  reg s4_valid;
-  always @(posedge clk) begin
-    if (rst) begin
-      s4_valid <= 1'b0;
-    end else if (ce) begin
-      s4_valid <= s3_valid;
-    end
-  end
-
-  // ---- stage 5: registers --------------------------------------------- stream_delay.rs
-  reg s5_valid;
-  always @(posedge clk) begin
-    if (rst) begin
-      s5_valid <= 1'b0;
-    end else if (ce) begin
-      s5_valid <= s4_valid;
-    end
-  end
-
-  // ---- stage 6: registers --------------------------------------------- stream_delay.rs
-  reg s6_valid;
-  always @(posedge clk) begin
-    if (rst) begin
-      s6_valid <= 1'b0;
-    end else if (ce) begin
-      s6_valid <= s5_valid;
-    end
-  end
-
-  // ---- stage 7: registers --------------------------------------------- stream_delay.rs
-  reg s7_valid;
-  always @(posedge clk) begin
-    if (rst) begin
-      s7_valid <= 1'b0;
-    end else if (ce) begin
-      s7_valid <= s6_valid;
+      {s7_valid, s0_to_s7_valid} <= {s0_to_s7_valid, in_valid};
     end
   end
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_spill_data: two slots of one word, controlled by a spill_register
-// Source     src/units/traversal/spill_register.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit spill_data; do not edit
 // Latency    varies; valid/ready on both sides
 // Throughput one result per clock
 `default_nettype none
@@ -25,8 +25,8 @@ module relief_spill_data #(
   endgenerate
 
   // ---- state that comes back from the last stage, and handshakes
-  reg [W-1:0] first;
-  reg [W-1:0] second;
+  reg [W-1:0] first;   // word of the slot [bits]
+  reg [W-1:0] second;  // word of the slot [bits]
 
   wire [W-1:0] first_next = load_first ? in_data : first;
   wire [W-1:0] second_next = load_second ? in_data : second;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_spill_register: control of a two-slot spill register: in_ready is registered
-// Source     src/units/traversal/spill_register.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit spill_register; do not edit
 // Latency    varies; valid/ready on both sides
 // Throughput one result per clock
 // Note       First in, first out, one word per clock. Not ready in the first clock after reset.
@@ -27,17 +27,17 @@ module relief_spill_register #(
   endgenerate
 
   // ---- state that comes back from the last stage, and handshakes
-  reg first_valid;
-  reg second_valid;
-  reg valid_q;
-  reg wr_sel_q;
-  reg rd_sel_q;
-  reg out_of_reset;
-  reg ready_q;
-  reg load_first_q;
-  reg load_second_q;
+  reg first_valid;    // the slot holds a word
+  reg second_valid;   // the slot holds a word
+  reg valid_q;        // either slot holds a word
+  reg wr_sel_q;       // write select: 0 the first slot, 1 the second
+  reg rd_sel_q;       // read select: 0 the first slot, 1 the second
+  reg out_of_reset;   // reset has ended
+  reg ready_q;        // a slot is free
+  reg load_first_q;   // the slot is free: it loads
+  reg load_second_q;  // the slot is free: it loads
 
-  // ---- handshake ---------------------------------------------------- spill_register.rs
+  // ---- handshake ----------------------------------------------------------------------
   // An empty slot loads whatever is at the input; it becomes valid if the write select points to
   // it.
   wire push = in_valid & out_of_reset & ~(first_valid & second_valid);
@@ -49,7 +49,7 @@ module relief_spill_register #(
   wire first_next = push_first | (first_valid & ~pop_first);
   wire second_next = push_second | (second_valid & ~pop_second);
 
-  // ---- registers ---------------------------------------------------- spill_register.rs
+  // ---- registers ----------------------------------------------------------------------
   // Every output has a register of its own beside the slots' valid bits.
   wire valid_next = first_next | second_next;
   wire wr_sel_next = wr_sel_q ^ push;
