@@ -34,7 +34,7 @@ module relief_height_banks #(
     end
   endgenerate
 
-  localparam integer WordW = (BANK_W < ADDR_W) ? BANK_W : ADDR_W - 1;
+  localparam integer WordW = (BANK_W < ADDR_W) ? BANK_W : (ADDR_W - 1);
   localparam integer BankCount = (DEPTH + (1 << WordW) - 1) >> WordW;
 
   genvar g;

@@ -191,7 +191,7 @@ const DELAY_LINE: &str = r#"
 "#;
 
 const BANKS: &str = r#"
-  localparam integer WordW = (BANK_W < ADDR_W) ? BANK_W : ADDR_W - 1;
+  localparam integer WordW = (BANK_W < ADDR_W) ? BANK_W : (ADDR_W - 1);
   localparam integer BankCount = (DEPTH + (1 << WordW) - 1) >> WordW;
 
   genvar g;
