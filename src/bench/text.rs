@@ -1,7 +1,7 @@
 //! Text of the emitted benches, one pair of files a unit, from templates.
 use crate::emit::{Files, file_list};
 use crate::ir::{Expr, Module};
-use crate::verilog::Style;
+use crate::verilog::{Style, delayed_net};
 use minijinja::{Environment, context};
 use serde::Serialize;
 use std::sync::Arc;
@@ -67,8 +67,11 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Arc<Module>, u32)>,
     let named = |names: &[&str]| ports(names.iter().map(|n| traverse.port(n).expect("traverse has its ports").1));
     // The stage at which a slot's ray is chosen: the first that has it whole.
     let chosen = traverse.nodes.iter().filter(|n| n.name.as_deref() == Some("done")).filter_map(|n| n.stage).min();
+    let enters = chosen.unwrap_or(0);
+    // Its valid bit may wait in a bundle from there on; the words have nets of their own, since the iteration reads them.
+    let valid = delayed_net(traverse, &traverse.default_binding(), "valid", enters, (0, 1));
     let value = context! {
-        enters => chosen.unwrap_or(0),
+        enters, valid => valid.unwrap_or_else(|| format!("s{enters}_valid")),
         prefix, unit => "traverse", dut => format!("{prefix}traverse"), params => params(traverse), terms => terms(traverse),
         files => files_of(traverse), warm_up,
         // The published datapath has rays that never end by themselves.

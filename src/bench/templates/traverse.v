@@ -574,7 +574,7 @@ module {{ prefix }}tb_traverse #(
     end
   end
   always @(posedge clk) begin
-    if (it_fd != 0 && !done && !rst && dut.s{{ enters }}_valid && !dut.s{{ enters }}_done)
+    if (it_fd != 0 && !done && !rst && dut.{{ valid }} && !dut.s{{ enters }}_done)
       $fwrite(it_fd, "%0d %h %h %h %h\n", tag_ray[dut.s{{ enters }}_tag[TagBits-1:0]],
               dut.s{{ enters }}_level, dut.s{{ enters }}_x, dut.s{{ enters }}_y, dut.s{{ enters }}_t);
   end
