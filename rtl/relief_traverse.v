@@ -19,7 +19,7 @@ module relief_traverse #(
   parameter integer FRAC_W     = 12,     // fraction bits of the hit position
   parameter integer TAG_W      = 8,      // bits of a ray's tag
   parameter integer STEP_LIMIT = 65535,  // iterations after which a ray is given up
-  parameter integer VARIANT    = 32'h01a82ccc,  // digest of what is no parameter
+  parameter integer VARIANT    = 32'h1a49658d,  // digest of what is no parameter
   // file for $readmemh with the words of the pyramid, level 0 first; "": none
   parameter MEM_INIT = ""
 ) (
@@ -104,8 +104,8 @@ module relief_traverse #(
     if (FRAC_W + LEVELS + MAN_W + TILE_W + 2 > 60) begin : gen_illegal_21
       FRAC_W_plus_LEVELS_plus_MAN_W_plus_TILE_W_plus_2_must_be_at_most_60 u_illegal ();
     end
-    if (VARIANT != 32'h01a82ccc) begin : gen_other_variant
-      relief_traverse_has_VARIANT_01a82ccc_watertight_selective_not_the_one_asked_for u_illegal ();
+    if (VARIANT != 32'h1a49658d) begin : gen_other_variant
+      relief_traverse_has_VARIANT_1a49658d_watertight_selective_not_the_one_asked_for u_illegal ();
     end
   endgenerate
 
@@ -139,10 +139,10 @@ module relief_traverse #(
   reg              s0_out_transfer_q;    // a result left in the clock before
   reg [6:0]        s0_in_flight;         // rays in flight, up to the clock before that [rays]
   reg              s0_any_in_flight;     // in_flight is not 0
-  wire hit_valid;    // a result is at the output
-  wire hit_ready;    // the output pipeline moves
-  wire setup_valid;  // a new ray waits for a free slot
-  wire setup_ready;  // the setup pipeline moves
+  wire hit_valid;    // a word is at the end of the hit pipeline
+  wire hit_ready;    // the hit pipeline takes a word
+  wire setup_valid;  // a word is at the end of the setup pipeline
+  wire setup_ready;  // the setup pipeline takes a word
 
   // ---- stage 0: retire ----------------------------------------------------------------
   // A finished ray retires when the output pipeline is ready; until then it recirculates unchanged.
@@ -178,121 +178,42 @@ module relief_traverse #(
     .p_y(s0_set_p_y), .pb_y(s0_set_pb_y), .d_y(s0_set_d_y), .r_y(s0_set_r_y),
     .never_y(s0_set_never_y), .neg_y(s0_set_neg_y), .first_y(s0_set_first_y)
   );
-  wire             s0_is_set;   // the delayed word counts
-  wire [TAG_W-1:0] s0_set_tag;  // the delayed word [bits]
+  wire             s0_setup_last_valid;  // the delayed word counts
+  wire [TAG_W-1:0] s0_set_tag;           // the delayed word [bits]
   relief_setup_delay #(.W(TAG_W), .LATENCY(21), .VARIANT(32'h306304c2)) u_setup_delay (
     .clk(clk), .ce(setup_ready), .rst(rst), .in_valid(in_valid), .in_data(in_tag),
-    .out_valid(s0_is_set), .out_data(s0_set_tag)
+    .out_valid(s0_setup_last_valid), .out_data(s0_set_tag)
   );
-  wire s0_setup_spill_load_first;   // load enable of the first slot
-  wire s0_setup_spill_load_second;  // load enable of the second slot
-  wire s0_setup_spill_rd_sel;       // read select: 0 the first slot, 1 the second
-  relief_spill_register #(.VARIANT(32'h7a7e1d0d)) u_setup_spill (
-    .clk(clk), .rst(rst), .in_valid(s0_is_set), .out_ready(s0_slot_free),
-    .in_ready(setup_ready), .out_valid(setup_valid), .load_first(s0_setup_spill_load_first),
-    .load_second(s0_setup_spill_load_second), .rd_sel(s0_setup_spill_rd_sel)
-  );
-  wire s0_new_ok;  // output word [bits]
-  relief_spill_data #(.W(1), .VARIANT(32'h299460a6)) u_setup_spill_new_ok (
-    .clk(clk), .load_first(s0_setup_spill_load_first), .load_second(s0_setup_spill_load_second),
-    .rd_sel(s0_setup_spill_rd_sel), .in_data(s0_set_ok),
-    .out_data(s0_new_ok)
-  );
-  wire [LevelW-1:0] s0_new_level;  // output word [bits]
-  relief_spill_data #(.W(LevelW), .VARIANT(32'h299460a6)) u_setup_spill_new_level (
-    .clk(clk), .load_first(s0_setup_spill_load_first), .load_second(s0_setup_spill_load_second),
-    .rd_sel(s0_setup_spill_rd_sel), .in_data(s0_set_level),
-    .out_data(s0_new_level)
-  );
-  wire [FloatW-1:0] s0_new_p_x;  // output word [bits]
-  relief_spill_data #(.W(FloatW), .VARIANT(32'h299460a6)) u_setup_spill_new_p_x (
-    .clk(clk), .load_first(s0_setup_spill_load_first), .load_second(s0_setup_spill_load_second),
-    .rd_sel(s0_setup_spill_rd_sel), .in_data(s0_set_p_x),
-    .out_data(s0_new_p_x)
-  );
-  wire [FloatW-1:0] s0_new_pb_x;  // output word [bits]
-  relief_spill_data #(.W(FloatW), .VARIANT(32'h299460a6)) u_setup_spill_new_pb_x (
-    .clk(clk), .load_first(s0_setup_spill_load_first), .load_second(s0_setup_spill_load_second),
-    .rd_sel(s0_setup_spill_rd_sel), .in_data(s0_set_pb_x),
-    .out_data(s0_new_pb_x)
-  );
-  wire [FloatW-1:0] s0_new_d_x;  // output word [bits]
-  relief_spill_data #(.W(FloatW), .VARIANT(32'h299460a6)) u_setup_spill_new_d_x (
-    .clk(clk), .load_first(s0_setup_spill_load_first), .load_second(s0_setup_spill_load_second),
-    .rd_sel(s0_setup_spill_rd_sel), .in_data(s0_set_d_x),
-    .out_data(s0_new_d_x)
-  );
-  wire [FloatW-1:0] s0_new_r_x;  // output word [bits]
-  relief_spill_data #(.W(FloatW), .VARIANT(32'h299460a6)) u_setup_spill_new_r_x (
-    .clk(clk), .load_first(s0_setup_spill_load_first), .load_second(s0_setup_spill_load_second),
-    .rd_sel(s0_setup_spill_rd_sel), .in_data(s0_set_r_x),
-    .out_data(s0_new_r_x)
-  );
-  wire s0_new_never_x;  // output word [bits]
-  relief_spill_data #(.W(1), .VARIANT(32'h299460a6)) u_setup_spill_new_never_x (
-    .clk(clk), .load_first(s0_setup_spill_load_first), .load_second(s0_setup_spill_load_second),
-    .rd_sel(s0_setup_spill_rd_sel), .in_data(s0_set_never_x),
-    .out_data(s0_new_never_x)
-  );
-  wire s0_new_neg_x;  // output word [bits]
-  relief_spill_data #(.W(1), .VARIANT(32'h299460a6)) u_setup_spill_new_neg_x (
-    .clk(clk), .load_first(s0_setup_spill_load_first), .load_second(s0_setup_spill_load_second),
-    .rd_sel(s0_setup_spill_rd_sel), .in_data(s0_set_neg_x),
-    .out_data(s0_new_neg_x)
-  );
-  wire [IdxW-1:0] s0_new_first_x;  // output word [bits]
-  relief_spill_data #(.W(IdxW), .VARIANT(32'h299460a6)) u_setup_spill_new_first_x (
-    .clk(clk), .load_first(s0_setup_spill_load_first), .load_second(s0_setup_spill_load_second),
-    .rd_sel(s0_setup_spill_rd_sel), .in_data(s0_set_first_x),
-    .out_data(s0_new_first_x)
-  );
-  wire [FloatW-1:0] s0_new_p_y;  // output word [bits]
-  relief_spill_data #(.W(FloatW), .VARIANT(32'h299460a6)) u_setup_spill_new_p_y (
-    .clk(clk), .load_first(s0_setup_spill_load_first), .load_second(s0_setup_spill_load_second),
-    .rd_sel(s0_setup_spill_rd_sel), .in_data(s0_set_p_y),
-    .out_data(s0_new_p_y)
-  );
-  wire [FloatW-1:0] s0_new_pb_y;  // output word [bits]
-  relief_spill_data #(.W(FloatW), .VARIANT(32'h299460a6)) u_setup_spill_new_pb_y (
-    .clk(clk), .load_first(s0_setup_spill_load_first), .load_second(s0_setup_spill_load_second),
-    .rd_sel(s0_setup_spill_rd_sel), .in_data(s0_set_pb_y),
-    .out_data(s0_new_pb_y)
-  );
-  wire [FloatW-1:0] s0_new_d_y;  // output word [bits]
-  relief_spill_data #(.W(FloatW), .VARIANT(32'h299460a6)) u_setup_spill_new_d_y (
-    .clk(clk), .load_first(s0_setup_spill_load_first), .load_second(s0_setup_spill_load_second),
-    .rd_sel(s0_setup_spill_rd_sel), .in_data(s0_set_d_y),
-    .out_data(s0_new_d_y)
-  );
-  wire [FloatW-1:0] s0_new_r_y;  // output word [bits]
-  relief_spill_data #(.W(FloatW), .VARIANT(32'h299460a6)) u_setup_spill_new_r_y (
-    .clk(clk), .load_first(s0_setup_spill_load_first), .load_second(s0_setup_spill_load_second),
-    .rd_sel(s0_setup_spill_rd_sel), .in_data(s0_set_r_y),
-    .out_data(s0_new_r_y)
-  );
-  wire s0_new_never_y;  // output word [bits]
-  relief_spill_data #(.W(1), .VARIANT(32'h299460a6)) u_setup_spill_new_never_y (
-    .clk(clk), .load_first(s0_setup_spill_load_first), .load_second(s0_setup_spill_load_second),
-    .rd_sel(s0_setup_spill_rd_sel), .in_data(s0_set_never_y),
-    .out_data(s0_new_never_y)
-  );
-  wire s0_new_neg_y;  // output word [bits]
-  relief_spill_data #(.W(1), .VARIANT(32'h299460a6)) u_setup_spill_new_neg_y (
-    .clk(clk), .load_first(s0_setup_spill_load_first), .load_second(s0_setup_spill_load_second),
-    .rd_sel(s0_setup_spill_rd_sel), .in_data(s0_set_neg_y),
-    .out_data(s0_new_neg_y)
-  );
-  wire [IdxW-1:0] s0_new_first_y;  // output word [bits]
-  relief_spill_data #(.W(IdxW), .VARIANT(32'h299460a6)) u_setup_spill_new_first_y (
-    .clk(clk), .load_first(s0_setup_spill_load_first), .load_second(s0_setup_spill_load_second),
-    .rd_sel(s0_setup_spill_rd_sel), .in_data(s0_set_first_y),
-    .out_data(s0_new_first_y)
-  );
-  wire [TAG_W-1:0] s0_new_tag;  // output word [bits]
-  relief_spill_data #(.W(TAG_W), .VARIANT(32'h299460a6)) u_setup_spill_new_tag (
-    .clk(clk), .load_first(s0_setup_spill_load_first), .load_second(s0_setup_spill_load_second),
-    .rd_sel(s0_setup_spill_rd_sel), .in_data(s0_set_tag),
-    .out_data(s0_new_tag)
+  wire              s0_new_ok;
+  wire [LevelW-1:0] s0_new_level;
+  wire [FloatW-1:0] s0_new_p_x;
+  wire [FloatW-1:0] s0_new_pb_x;
+  wire [FloatW-1:0] s0_new_d_x;
+  wire [FloatW-1:0] s0_new_r_x;
+  wire              s0_new_never_x;
+  wire              s0_new_neg_x;
+  wire [IdxW-1:0]   s0_new_first_x;
+  wire [FloatW-1:0] s0_new_p_y;
+  wire [FloatW-1:0] s0_new_pb_y;
+  wire [FloatW-1:0] s0_new_d_y;
+  wire [FloatW-1:0] s0_new_r_y;
+  wire              s0_new_never_y;
+  wire              s0_new_neg_y;
+  wire [IdxW-1:0]   s0_new_first_y;
+  wire [TAG_W-1:0]  s0_new_tag;
+  relief_spill_register #(
+    .W(8 * EXP_W + 2 * LEVELS + 8 * MAN_W + TAG_W + 2 * TILE_W + $clog2(LEVELS + 1) + 17),
+    .VARIANT(32'h4b082ec9)
+  ) u_setup_buffer (
+    .clk(clk), .rst(rst), .in_valid(s0_setup_last_valid),
+    .in_data({s0_set_ok, s0_set_level, s0_set_p_x, s0_set_pb_x, s0_set_d_x, s0_set_r_x,
+        s0_set_never_x, s0_set_neg_x, s0_set_first_x, s0_set_p_y, s0_set_pb_y, s0_set_d_y,
+        s0_set_r_y, s0_set_never_y, s0_set_neg_y, s0_set_first_y, s0_set_tag}),
+    .out_ready(s0_slot_free),
+    .in_ready(setup_ready), .out_valid(setup_valid),
+    .out_data({s0_new_ok, s0_new_level, s0_new_p_x, s0_new_pb_x, s0_new_d_x, s0_new_r_x,
+        s0_new_never_x, s0_new_neg_x, s0_new_first_x, s0_new_p_y, s0_new_pb_y, s0_new_d_y,
+        s0_new_r_y, s0_new_never_y, s0_new_neg_y, s0_new_first_y, s0_new_tag})
   );
   wire s0_accept = setup_valid & s0_slot_free;
 
@@ -316,148 +237,63 @@ module relief_traverse #(
 
   // ---- stage 0: result ----------------------------------------------------------------
   // The ray that retires, from the loop registers.
-  wire [FRAC_W-1:0] hit_fu;  // position inside the texel [1/2^FRAC_W texel]
+  wire [FRAC_W-1:0] s0_hit_fu;  // position inside the texel [1/2^FRAC_W texel]
   relief_hit_position #(
     .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .FRAC_W(FRAC_W), .LATENCY(7), .VARIANT(32'h066a94ea)
   ) u_hit_u (
     .clk(clk), .ce(hit_ready), .p(s0_loop_p_x_q), .d(s0_loop_d_x_q), .t(s0_loop_t_q),
     .x(s0_loop_x_q),
-    .fraction(hit_fu)
+    .fraction(s0_hit_fu)
   );
-  wire [FRAC_W-1:0] hit_fv;  // position inside the texel [1/2^FRAC_W texel]
+  wire [FRAC_W-1:0] s0_hit_fv;  // position inside the texel [1/2^FRAC_W texel]
   relief_hit_position #(
     .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .FRAC_W(FRAC_W), .LATENCY(7), .VARIANT(32'h066a94ea)
   ) u_hit_v (
     .clk(clk), .ce(hit_ready), .p(s0_loop_p_y_q), .d(s0_loop_d_y_q), .t(s0_loop_t_q),
     .x(s0_loop_y_q),
-    .fraction(hit_fv)
+    .fraction(s0_hit_fv)
   );
-  wire [TAG_W-1:0] hit_tag;  // the delayed word [bits]
-  relief_hit_delay #(.W(TAG_W), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_tag (
-    .clk(clk), .ce(hit_ready), .in_data(s0_loop_tag_q),
-    .out_data(hit_tag)
-  );
-  wire [LEVELS-1:0] hit_i;  // the delayed word [bits]
-  relief_hit_delay #(.W(LEVELS), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_i (
-    .clk(clk), .ce(hit_ready), .in_data(s0_loop_x_q[LEVELS-1:0]),
-    .out_data(hit_i)
-  );
-  wire [LEVELS-1:0] hit_j;  // the delayed word [bits]
-  relief_hit_delay #(.W(LEVELS), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_j (
-    .clk(clk), .ce(hit_ready), .in_data(s0_loop_y_q[LEVELS-1:0]),
-    .out_data(hit_j)
-  );
-  wire [FloatW-1:0] hit_t;  // the delayed word [bits]
-  relief_hit_delay #(.W(FloatW), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_t (
-    .clk(clk), .ce(hit_ready), .in_data(s0_loop_t_q),
-    .out_data(hit_t)
-  );
-  wire hit_wall;  // the delayed word [bits]
-  relief_hit_delay #(.W(1), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_wall (
-    .clk(clk), .ce(hit_ready), .in_data(s0_loop_wall_q),
-    .out_data(hit_wall)
-  );
-  wire hit_limit;  // the delayed word [bits]
-  relief_hit_delay #(.W(1), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_limit (
-    .clk(clk), .ce(hit_ready), .in_data(s0_loop_limit_q),
-    .out_data(hit_limit)
-  );
-  wire [15:0] hit_steps;  // the delayed word [bits]
-  relief_hit_delay #(.W(16), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_steps (
-    .clk(clk), .ce(hit_ready), .in_data(s0_loop_steps_q),
-    .out_data(hit_steps)
-  );
-  wire [15:0] hit_crossings;  // the delayed word [bits]
-  relief_hit_delay #(.W(16), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_crossings (
-    .clk(clk), .ce(hit_ready), .in_data(s0_loop_crossings_q),
-    .out_data(hit_crossings)
-  );
-  wire [15:0] hit_ups;  // the delayed word [bits]
-  relief_hit_delay #(.W(16), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_ups (
-    .clk(clk), .ce(hit_ready), .in_data(s0_loop_ups_q),
-    .out_data(hit_ups)
-  );
-  wire hit_found;  // the delayed word counts
-  relief_hit_valid_delay #(.LATENCY(7), .VARIANT(32'h6f836e41)) u_hit_valid (
+  wire              s0_hit_last_valid;  // the delayed word counts
+  wire [LEVELS-1:0] s0_hit_i;
+  wire [LEVELS-1:0] s0_hit_j;
+  wire [FloatW-1:0] s0_hit_t;
+  wire              s0_hit_wall;
+  wire              s0_hit_limit;
+  wire [15:0]       s0_hit_steps;
+  wire [15:0]       s0_hit_crossings;
+  wire [15:0]       s0_hit_ups;
+  wire [TAG_W-1:0]  s0_hit_tag;
+  relief_hit_delay #(
+    .W(2 * LEVELS + TAG_W + FloatW + 50), .LATENCY(7), .VARIANT(32'h0069384e)
+  ) u_hit_delay (
     .clk(clk), .ce(hit_ready), .rst(rst), .in_valid(s0_retire),
-    .out_valid(hit_found)
+    .in_data({s0_loop_x_q[LEVELS-1:0], s0_loop_y_q[LEVELS-1:0], s0_loop_t_q, s0_loop_wall_q,
+        s0_loop_limit_q, s0_loop_steps_q, s0_loop_crossings_q, s0_loop_ups_q, s0_loop_tag_q}),
+    .out_valid(s0_hit_last_valid),
+    .out_data({s0_hit_i, s0_hit_j, s0_hit_t, s0_hit_wall, s0_hit_limit, s0_hit_steps,
+        s0_hit_crossings, s0_hit_ups, s0_hit_tag})
   );
-
-  // ---- stage 0: output ----------------------------------------------------------------
-  // Results wait here until they transfer.
-  wire s0_hit_spill_load_first;   // load enable of the first slot
-  wire s0_hit_spill_load_second;  // load enable of the second slot
-  wire s0_hit_spill_rd_sel;       // read select: 0 the first slot, 1 the second
-  relief_spill_register #(.VARIANT(32'h7a7e1d0d)) u_hit_spill (
-    .clk(clk), .rst(rst), .in_valid(hit_found), .out_ready(out_ready),
-    .in_ready(hit_ready), .out_valid(hit_valid), .load_first(s0_hit_spill_load_first),
-    .load_second(s0_hit_spill_load_second), .rd_sel(s0_hit_spill_rd_sel)
-  );
-  wire [TAG_W-1:0] s0_result_tag;  // output word [bits]
-  relief_spill_data #(.W(TAG_W), .VARIANT(32'h299460a6)) u_hit_spill_result_tag (
-    .clk(clk), .load_first(s0_hit_spill_load_first), .load_second(s0_hit_spill_load_second),
-    .rd_sel(s0_hit_spill_rd_sel), .in_data(hit_tag),
-    .out_data(s0_result_tag)
-  );
-  wire [LEVELS-1:0] s0_result_i;  // output word [bits]
-  relief_spill_data #(.W(LEVELS), .VARIANT(32'h299460a6)) u_hit_spill_result_i (
-    .clk(clk), .load_first(s0_hit_spill_load_first), .load_second(s0_hit_spill_load_second),
-    .rd_sel(s0_hit_spill_rd_sel), .in_data(hit_i),
-    .out_data(s0_result_i)
-  );
-  wire [LEVELS-1:0] s0_result_j;  // output word [bits]
-  relief_spill_data #(.W(LEVELS), .VARIANT(32'h299460a6)) u_hit_spill_result_j (
-    .clk(clk), .load_first(s0_hit_spill_load_first), .load_second(s0_hit_spill_load_second),
-    .rd_sel(s0_hit_spill_rd_sel), .in_data(hit_j),
-    .out_data(s0_result_j)
-  );
-  wire [FloatW-1:0] s0_result_t;  // output word [bits]
-  relief_spill_data #(.W(FloatW), .VARIANT(32'h299460a6)) u_hit_spill_result_t (
-    .clk(clk), .load_first(s0_hit_spill_load_first), .load_second(s0_hit_spill_load_second),
-    .rd_sel(s0_hit_spill_rd_sel), .in_data(hit_t),
-    .out_data(s0_result_t)
-  );
-  wire s0_result_wall;  // output word [bits]
-  relief_spill_data #(.W(1), .VARIANT(32'h299460a6)) u_hit_spill_result_wall (
-    .clk(clk), .load_first(s0_hit_spill_load_first), .load_second(s0_hit_spill_load_second),
-    .rd_sel(s0_hit_spill_rd_sel), .in_data(hit_wall),
-    .out_data(s0_result_wall)
-  );
-  wire s0_result_limit;  // output word [bits]
-  relief_spill_data #(.W(1), .VARIANT(32'h299460a6)) u_hit_spill_result_limit (
-    .clk(clk), .load_first(s0_hit_spill_load_first), .load_second(s0_hit_spill_load_second),
-    .rd_sel(s0_hit_spill_rd_sel), .in_data(hit_limit),
-    .out_data(s0_result_limit)
-  );
-  wire [15:0] s0_result_steps;  // output word [bits]
-  relief_spill_data #(.W(16), .VARIANT(32'h299460a6)) u_hit_spill_result_steps (
-    .clk(clk), .load_first(s0_hit_spill_load_first), .load_second(s0_hit_spill_load_second),
-    .rd_sel(s0_hit_spill_rd_sel), .in_data(hit_steps),
-    .out_data(s0_result_steps)
-  );
-  wire [15:0] s0_result_crossings;  // output word [bits]
-  relief_spill_data #(.W(16), .VARIANT(32'h299460a6)) u_hit_spill_result_crossings (
-    .clk(clk), .load_first(s0_hit_spill_load_first), .load_second(s0_hit_spill_load_second),
-    .rd_sel(s0_hit_spill_rd_sel), .in_data(hit_crossings),
-    .out_data(s0_result_crossings)
-  );
-  wire [15:0] s0_result_ups;  // output word [bits]
-  relief_spill_data #(.W(16), .VARIANT(32'h299460a6)) u_hit_spill_result_ups (
-    .clk(clk), .load_first(s0_hit_spill_load_first), .load_second(s0_hit_spill_load_second),
-    .rd_sel(s0_hit_spill_rd_sel), .in_data(hit_ups),
-    .out_data(s0_result_ups)
-  );
-  wire [FRAC_W-1:0] s0_result_fu;  // output word [bits]
-  relief_spill_data #(.W(FRAC_W), .VARIANT(32'h299460a6)) u_hit_spill_result_fu (
-    .clk(clk), .load_first(s0_hit_spill_load_first), .load_second(s0_hit_spill_load_second),
-    .rd_sel(s0_hit_spill_rd_sel), .in_data(hit_fu),
-    .out_data(s0_result_fu)
-  );
-  wire [FRAC_W-1:0] s0_result_fv;  // output word [bits]
-  relief_spill_data #(.W(FRAC_W), .VARIANT(32'h299460a6)) u_hit_spill_result_fv (
-    .clk(clk), .load_first(s0_hit_spill_load_first), .load_second(s0_hit_spill_load_second),
-    .rd_sel(s0_hit_spill_rd_sel), .in_data(hit_fv),
-    .out_data(s0_result_fv)
+  wire [FRAC_W-1:0] s0_result_fu;
+  wire [FRAC_W-1:0] s0_result_fv;
+  wire [LEVELS-1:0] s0_result_i;
+  wire [LEVELS-1:0] s0_result_j;
+  wire [FloatW-1:0] s0_result_t;
+  wire              s0_result_wall;
+  wire              s0_result_limit;
+  wire [15:0]       s0_result_steps;
+  wire [15:0]       s0_result_crossings;
+  wire [15:0]       s0_result_ups;
+  wire [TAG_W-1:0]  s0_result_tag;
+  relief_spill_register #(
+    .W(2 * FRAC_W + 2 * LEVELS + TAG_W + FloatW + 50), .VARIANT(32'h4b082ec9)
+  ) u_hit_buffer (
+    .clk(clk), .rst(rst), .in_valid(s0_hit_last_valid),
+    .in_data({s0_hit_fu, s0_hit_fv, s0_hit_i, s0_hit_j, s0_hit_t, s0_hit_wall, s0_hit_limit,
+        s0_hit_steps, s0_hit_crossings, s0_hit_ups, s0_hit_tag}),
+    .out_ready(out_ready),
+    .in_ready(hit_ready), .out_valid(hit_valid),
+    .out_data({s0_result_fu, s0_result_fv, s0_result_i, s0_result_j, s0_result_t, s0_result_wall,
+        s0_result_limit, s0_result_steps, s0_result_crossings, s0_result_ups, s0_result_tag})
   );
 
   // ---- stage 1: registers -------------------------------------------------------------
@@ -1046,14 +882,14 @@ module relief_traverse #(
   assign out_tag = s0_result_tag;
   assign out_i = s0_result_i;
   assign out_j = s0_result_j;
+  assign out_fu = s0_result_fu;
+  assign out_fv = s0_result_fv;
   assign out_t = s0_result_t;
   assign out_wall = s0_result_wall;
   assign out_limit = s0_result_limit;
   assign out_steps = s0_result_steps;
   assign out_crossings = s0_result_crossings;
   assign out_ups = s0_result_ups;
-  assign out_fu = s0_result_fu;
-  assign out_fv = s0_result_fv;
 endmodule
 `ifndef YOSYS
 `default_nettype wire

@@ -119,6 +119,11 @@ impl Op {
             Self::InstOut(..) => "instance output",
         }
     }
+    /// Whether it moves words as they are, so that a bundle of more than 64 bits may pass.
+    pub fn carries(&self) -> bool {
+        use Op::*;
+        matches!(self, Input(_) | InstOut(..) | Wire | Reg { .. } | Concat | Slice { .. } | Mux)
+    }
     /// Constants have no stage.
     pub fn is_const(&self) -> bool {
         matches!(self, Self::Zeros | Self::Ones | Self::Lit(_) | Self::Konst(_))
@@ -341,6 +346,11 @@ impl Module {
     /// A port by name.
     pub fn port(&self, name: &str) -> Option<(usize, &Port)> {
         self.ports.iter().enumerate().find(|(_, p)| p.name == name)
+    }
+    /// Of a unit with a handshake, the output `x_valid` that says whether the word of the output `x_data` counts.
+    pub fn valid_of(&self, output: &str) -> Option<&Port> {
+        let valid = format!("{}_valid", output.strip_suffix("_data")?);
+        self.port(&valid).map(|p| p.1).filter(|p| p.dir == Dir::Out && self.latency.is_none())
     }
     /// The data inputs: all but clock, enable and reset.
     pub fn data_inputs(&self) -> impl Iterator<Item = (usize, &Port)> {

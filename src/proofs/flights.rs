@@ -1,6 +1,7 @@
 //! Where rays are inside of `traverse`, for the proofs that count them.
 use crate::ir::{Binding, Module};
-use crate::units::traversal::{Decoupling, Traverse};
+use crate::units::stream::Decoupling;
+use crate::units::traversal::Traverse;
 use crate::verilog::delayed_net;
 use std::fmt::Write;
 
@@ -33,12 +34,13 @@ impl Flights {
             let at: Binding = inst.params.iter().map(|(name, e)| (name.clone(), e.eval(&top))).collect();
             format!("{unit}.{}", net(&inst.module, &at, value, k, bits))
         };
-        let pair = |valid: &str, tag: &str, k| (below(valid, "valid", k, 1), below(tag, "data", k, tag_w));
-        let mut setup: Vec<_> = (1..=t.setup).map(|k| pair("u_setup_delay", "u_setup_delay", k)).collect();
-        let mut hit: Vec<_> = (1..=t.finish).map(|k| pair("u_hit_valid", "u_hit_tag", k)).collect();
+        // The tag is the last field of what is carried beside the units.
+        let pair = |unit: &str, k| (below(unit, "valid", k, 1), below(unit, "data", k, tag_w));
+        let mut setup: Vec<_> = (1..=t.setup).map(|k| pair("u_setup_delay", k)).collect();
+        let mut hit: Vec<_> = (1..=t.finish).map(|k| pair("u_hit_delay", k)).collect();
         let decoupling = Decoupling::of(handshake);
         if decoupling == Decoupling::SpillRegister {
-            for (list, unit) in [(&mut setup, "u_setup_spill"), (&mut hit, "u_hit_spill")] {
+            for (list, unit) in [(&mut setup, "u_setup_buffer"), (&mut hit, "u_hit_buffer")] {
                 // Their data are covered by the proof of spill_register.
                 list.extend(["first", "second"].map(|k| (format!("{unit}.{k}_valid"), String::new())));
             }
@@ -92,14 +94,12 @@ impl Flights {
                 part.iter().enumerate().for_each(|(k, (valid, _))| tie(format!("{name}_{k}"), valid));
             }
             tie("retire".into(), "s0_retire");
-            let (unit, registers): (_, &[&str]) = match self.decoupling {
-                Decoupling::CreditFifo => {
-                    ("fifo", &["reserved", "occupancy", "credit_q", "issued", "popped", "valid_q"])
-                }
-                _ => ("spill", &["ready_q", "valid_q", "out_of_reset", "wr_sel_q", "rd_sel_q"]),
+            let registers: &[&str] = match self.decoupling {
+                Decoupling::CreditFifo => &["reserved", "occupancy", "credit_q", "issued", "popped", "valid_q"],
+                _ => &["ready_q", "valid_q", "out_of_reset", "wr_sel_q", "rd_sel_q"],
             };
             for at in ["setup", "hit"] {
-                registers.iter().for_each(|r| tie(format!("{at}_{r}"), &format!("u_{at}_{unit}.{r}")));
+                registers.iter().for_each(|r| tie(format!("{at}_{r}"), &format!("u_{at}_buffer.{r}")));
             }
         }
         s

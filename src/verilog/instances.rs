@@ -16,6 +16,10 @@ impl Printer<'_> {
             let Op::InstOut(k, port) = n.op else { continue };
             if k.0 as usize == index {
                 let id = NodeId(i as u32);
+                if let Some(parts) = self.apart.parts(id).map(<[NodeId]>::to_vec) {
+                    pins.push((port, self.driven_apart(&parts)));
+                    continue;
+                }
                 let net = self.names.net(id);
                 let net = net.unwrap_or_else(|| panic!("{}: output of {} needs a name", m.name, inst.name));
                 if !self.names.drives_wire(id) {
@@ -47,6 +51,17 @@ impl Printer<'_> {
         self.out += &filled("    ", &ins, ",");
         self.out += &filled("    ", &outs, "");
         self.out += "  );\n";
+    }
+
+    /// Declares the parts of a bundle that an instance drives; their concatenation.
+    fn driven_apart(&mut self, parts: &[NodeId]) -> String {
+        let mut nets = Vec::new();
+        for id in parts {
+            let (net, node) = (self.names.net(*id).expect("parts of a bundle have names"), self.m.node(*id));
+            self.declaration("wire", &node.width, &net, "", node.doc.as_deref());
+            nets.push(net);
+        }
+        format!("{{{}}}", nets.join(", "))
     }
 
     /// Module, parameters and name of an instance, up to the parenthesis of its ports.

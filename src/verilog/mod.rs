@@ -1,5 +1,6 @@
 //! Verilog-2005 text of a module: prepared names first, then a walk that never changes the graph.
 mod align;
+mod apart;
 mod bundle;
 mod expr;
 mod header;

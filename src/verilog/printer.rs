@@ -1,4 +1,5 @@
 //! What the parts of a module's text have in common: the module, its names, the text so far.
+use super::apart::Apart;
 use super::bundle::Bundles;
 use super::layout::{COLUMNS, range};
 use super::style::Style;
@@ -9,6 +10,7 @@ use crate::ir::{Expr, Module, Names};
 pub(super) struct Printer<'m> {
     pub names: Names<'m>,
     pub bundles: Bundles,
+    pub apart: Apart,
     pub m: &'m Module,
     pub style: &'m Style,
     pub out: String,

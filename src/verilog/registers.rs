@@ -16,7 +16,7 @@ impl Printer<'_> {
 
     pub(super) fn loop_declarations(&mut self) {
         let ids: Vec<NodeId> = self.regs(|wrap, _| wrap);
-        if ids.is_empty() {
+        if ids.is_empty() && self.wires().is_empty() {
             return;
         }
         self.out += "\n  // ---- state that comes back from the last stage, and handshakes\n";

@@ -1,5 +1,6 @@
 //! The whole text of a module: what stands before the body, then stages, loop, outputs.
 use super::align::aligned;
+use super::apart::Apart;
 use super::bundle::Bundles;
 use super::expr::Expressions;
 use super::layout::wrap;
@@ -11,8 +12,8 @@ use crate::ir::{Body, Module, Names, NodeId, Op};
 /// Prints a module. The same module gives the same bytes: no date, path, host or hash order reaches the text.
 pub fn print_module(m: &Module, style: &Style) -> String {
     let names = Names::new(m);
-    let bundles = Bundles::of(&names);
-    let mut p = Printer { names, bundles, m, style, out: String::new() };
+    let (bundles, apart) = (Bundles::of(&names), Apart::of(m));
+    let mut p = Printer { names, bundles, apart, m, style, out: String::new() };
     let body = match m.body {
         Body::Graph => {
             p.graph();
@@ -51,7 +52,7 @@ impl Printer<'_> {
                     continue;
                 }
                 let plain = !matches!(n.op, Op::Reg { .. } | Op::Wire | Op::Input(_)) && !n.op.is_const();
-                if self.names.stage[i] != stage || !plain {
+                if self.names.stage[i] != stage || !plain || self.apart.is_part(id) {
                     continue;
                 }
                 if let Some(net) = self.names.net(id) {

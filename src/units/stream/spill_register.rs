@@ -1,24 +1,24 @@
 //! Spill register: two slots between two pipelines with a valid/ready handshake, so that no combinational path runs from ready out to ready in.
 //! The consumer may stall at once; the producer stalls one cycle later, and the word of that cycle spills into the second slot.
 //!
-//! `spill_register` is the control; a `spill_data` for each word holds the data. Only registers drive the wide multiplexers and load enables, so
-//! no handshake fans out to every data bit in the cycle in which it is decided.
+//! Only registers drive the wide multiplexer and the load enables, so no handshake fans out to every data bit in the cycle in which it is decided.
 use crate::ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
-/// Builds `spill_register`: the control.
+/// Builds `spill_register` (parameter W).
 pub fn spill_register() -> Arc<Module> {
-    let b = Builder::new("spill_register", file!(), "control of a two-slot spill register: in_ready is registered");
+    let b = Builder::new("spill_register", file!(), "two-slot buffer between two handshakes: in_ready is registered");
     b.note("First in, first out, one word per clock. Not ready in the first clock after reset.");
+    let w = b.param("W", 8, "bits of a word");
+    b.require(1, &w);
     b.clock();
     b.reset();
     let in_valid = b.input("in_valid", 1, "bit", "input valid");
     let o_ready = b.output("in_ready", 1, "bit", "input ready (transfer when valid && ready); registered");
+    let in_data = b.input("in_data", &w, "bits", "input word");
     let o_valid = b.output("out_valid", 1, "bit", "output valid");
     let out_ready = b.input("out_ready", 1, "bit", "output ready (transfer when valid && ready)");
-    let o_load =
-        ["first", "second"].map(|n| b.output(&format!("load_{n}"), 1, "bit", &format!("load enable of the {n} slot")));
-    let o_rd_sel = b.output("rd_sel", 1, "bit", "read select: 0 the first slot, 1 the second");
+    let o_data = b.output("out_data", &w, "bits", "output word");
 
     let bit = |name: &str, doc: &str| b.loop_reg(name, 1, true).doc(doc);
     let holds = "the slot holds a word";
@@ -30,6 +30,7 @@ pub fn spill_register() -> Arc<Module> {
     let ready = bit("ready_q", "a slot is free");
     let empty = "the slot is free: it loads";
     let load = [bit("load_first_q", empty), bit("load_second_q", empty)];
+    let word = ["first", "second"].map(|name| b.loop_reg(name, &w, false).doc("word of the slot [bits]"));
 
     b.section(
         "handshake",
@@ -40,11 +41,16 @@ pub fn spill_register() -> Arc<Module> {
     let pushes = [(push & !wr_sel).named("push_first"), (push & wr_sel).named("push_second")];
     let pops = [(pop & !rd_sel).named("pop_first"), (pop & rd_sel).named("pop_second")];
     let filled = |k: usize, name: &str| (pushes[k] | (valid[k] & !pops[k])).named(name);
-    let next = [filled(0, "first_next"), filled(1, "second_next")];
+    let next = [filled(0, "first_valid_next"), filled(1, "second_valid_next")];
 
-    b.section("registers", "Every output has a register of its own beside the slots' valid bits.");
+    b.section("data", "The output word is selected by a register.");
+    let loaded = |k: usize, name: &str| load[k].mux(in_data, word[k]).named(name);
+    let word_next = [loaded(0, "first_next"), loaded(1, "second_next")];
+    let selected = rd_sel.mux(word[1], word[0]).named("selected");
+
+    b.section("registers", "Every control output has a register of its own beside the slots' valid bits.");
     let one = b.lit(1, 1).named("one");
-    b.close(&[
+    let bits: [(Sig<'_>, Sig<'_>); 9] = [
         (valid[0], next[0]),
         (valid[1], next[1]),
         (any_valid, (next[0] | next[1]).named("valid_next")),
@@ -54,33 +60,11 @@ pub fn spill_register() -> Arc<Module> {
         (ready, (!(next[0] & next[1])).named("ready_next")),
         (load[0], (!next[0]).named("load_first_next")),
         (load[1], (!next[1]).named("load_second_next")),
-    ]);
+    ];
+    let words = word.into_iter().zip(word_next);
+    b.close(&bits.into_iter().chain(words).collect::<Vec<_>>());
     b.drive(o_ready, ready, None);
     b.drive(o_valid, any_valid, None);
-    b.drive(o_load[0], load[0], None);
-    b.drive(o_load[1], load[1], None);
-    b.drive(o_rd_sel, rd_sel, None);
-    b.finish(None, &[])
-}
-
-/// Builds `spill_data` (parameter W): the data of a `spill_register`, two slots of one word.
-pub fn spill_data() -> Arc<Module> {
-    let b = Builder::new("spill_data", file!(), "two slots of one word, controlled by a spill_register");
-    let w = b.param("W", 8, "bits of a word");
-    b.require(1, &w);
-    b.clock();
-    let load =
-        ["first", "second"].map(|n| b.input(&format!("load_{n}"), 1, "bit", &format!("load enable of the {n} slot")));
-    let rd_sel = b.input("rd_sel", 1, "bit", "read select: 0 the first slot, 1 the second");
-    let data = b.input("in_data", &w, "bits", "input word");
-    let o_data = b.output("out_data", &w, "bits", "output word");
-    let slot = |load: Sig<'_>, name: &str| {
-        let held = b.loop_reg(name, &w, false).doc("word of the slot [bits]");
-        (held.id(), load.mux(data, held).named(&format!("{name}_next")).id())
-    };
-    let (first, second) = (slot(load[0], "first"), slot(load[1], "second"));
-    let [first, second] = [first, second].map(|(held, next)| (b.sig(held), b.sig(next)));
-    b.close(&[first, second]);
-    b.drive(o_data, rd_sel.mux(second.0, first.0).named("selected"), None);
+    b.drive(o_data, selected, None);
     b.finish(None, &[])
 }
