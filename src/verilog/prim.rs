@@ -175,7 +175,7 @@ const DELAY_LINE: &str = r#"
   reg [IndexW-1:0] index;
 
   wire              is_last = index >= Last[IndexW-1:0];
-  wire [IndexW-1:0] next    = is_last ? {IndexW{1'b0}} : index + {{(IndexW - 1) {1'b0}}, 1'b1};
+  wire [IndexW-1:0] next    = is_last ? {IndexW{1'b0}} : (index + {{(IndexW - 1) {1'b0}}, 1'b1});
 
   initial index = {IndexW{1'b0}};
 

@@ -29,9 +29,10 @@ pub fn fifo() -> Arc<Module> {
     let o_data = b.output("out_data", &w, "bits", "output word; any while out_valid is 0");
     let o_occupancy = b.output("occupancy", &ptr_w + 1, "words", "words pushed and not yet popped, 0 to DEPTH");
 
-    let occupancy = b.loop_reg("occupancy_q", &ptr_w + 1, true);
-    let (write, read) = (b.loop_reg("write_ptr", &ptr_w, true), b.loop_reg("read_ptr", &ptr_w, true));
-    let valid = b.loop_reg("valid_q", 1, true);
+    let occupancy = b.loop_reg("occupancy_q", &ptr_w + 1, true).doc("words held [words]");
+    let write = b.loop_reg("write_ptr", &ptr_w, true).doc("slot that the next word is written to");
+    let read = b.loop_reg("read_ptr", &ptr_w, true).doc("slot that is read");
+    let valid = b.loop_reg("valid_q", 1, true).doc("the output is valid");
 
     b.section("handshake", "Full is the top bit of the occupancy.");
     let not_full = (!occupancy.msb()).named("not_full");
