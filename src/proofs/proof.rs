@@ -63,8 +63,6 @@ pub enum Extra {
     Registers(&'static [(&'static str, &'static str)]),
     /// The memory and the pointer of a delay line of each length.
     DelayLines,
-    /// The slots and the registers of a FIFO of 16 words.
-    Fifo,
     /// The valid bits and tags of every register in which `traverse` holds a ray; the depth follows from their number.
     RaysOfTheLoop {
         /// Template of the harness where the rays are counted, because there are registers in the handshakes.

@@ -82,34 +82,10 @@ static FIFO: Unit = Unit {
     name: "fifo",
     clocked: Some(queue),
     bindings: &[&[("W", 1), ("DEPTH", 4)], &[("W", 64), ("DEPTH", 32)]],
-    proofs: &[Proof {
-        name: "fifo",
-        units: &["fifo"],
-        claim: "first in, first out, no word lost, duplicated or overwritten, the occupancy is pushes less pops, and a valid output is stable until it transfers, by induction",
-        text: harness!("fifo"),
-        over: &[("W", 5), ("DEPTH", 16)],
-        reach: Reach::Induction(20),
-        extra: Extra::Fifo,
-        ..PROOF
-    }],
     ..UNIT
 };
 
-static ARBITER: Unit = Unit {
-    name: "arbiter",
-    clocked: Some(turns),
-    bindings: &[&[("W", 1)], &[("W", 16)]],
-    proofs: &[Proof {
-        name: "arbiter",
-        units: &["arbiter"],
-        claim: "one grant at a time, to an input that is valid; the word is that input's and stable until it transfers; while an input waits, every other one transfers once at most, by induction",
-        text: harness!("arbiter"),
-        reach: Reach::Induction(6),
-        extra: Extra::Registers(&[("first", "dut.first_q"), ("kept", "dut.kept_q")]),
-        ..PROOF
-    }],
-    ..UNIT
-};
+static ARBITER: Unit = Unit { name: "arbiter", clocked: Some(turns), bindings: &[&[("W", 1)], &[("W", 16)]], ..UNIT };
 
 /// Words in a queue, each with the clock in which it was pushed: at the output two clocks later, at the earliest.
 fn queue(c: &Context<'_>) -> Step {
