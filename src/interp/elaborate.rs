@@ -185,7 +185,7 @@ impl Flat {
                 }
             };
             slot[i] = s;
-            if let Some(net) = names.net(NodeId(i as u32)).filter(|_| !names.drives_wire(NodeId(i as u32))) {
+            if let Some(net) = names.net(NodeId(i as u32)).filter(|_| names.owns_net(NodeId(i as u32))) {
                 self.name(&format!("{path}{net}"), s);
             }
         }

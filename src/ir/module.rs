@@ -145,6 +145,8 @@ pub struct Node {
     pub section: usize,
     /// True for bits whose delays are cleared by reset.
     pub valid: bool,
+    /// What it is and in which unit, for a comment where its net is declared.
+    pub doc: Option<String>,
 }
 
 /// Direction of a port.
@@ -171,6 +173,16 @@ pub struct Port {
     pub unit: String,
     /// Stage at which an input is read or an output appears.
     pub stage: Stage,
+}
+
+impl Port {
+    /// What it means, with its unit in brackets.
+    pub fn meaning(&self) -> String {
+        match self.unit.as_str() {
+            "bit" | "clock" | "" => self.doc.clone(),
+            unit => format!("{} [{unit}]", self.doc),
+        }
+    }
 }
 
 /// A Verilog parameter.
@@ -295,8 +307,6 @@ pub struct Module {
     pub outputs: Vec<(usize, NodeId)>,
     /// Values (or parts of them) that are deliberately not used.
     pub unused: Vec<NodeId>,
-    /// Base names of values that have a net in every stage through which they pass, for waveforms and proofs.
-    pub visible: Vec<String>,
     /// Headings.
     pub sections: Vec<Section>,
     /// Clocks from input to output; `None` for handshaked modules.

@@ -1,5 +1,7 @@
 //! Where rays are inside of `traverse`, for the proofs that count them.
+use crate::ir::{Binding, Module};
 use crate::units::traversal::{Decoupling, Traverse};
+use crate::verilog::delayed_net;
 use std::fmt::Write;
 
 /// The registers of `traverse` that hold a ray, and how the script ties the harness to them.
@@ -12,16 +14,28 @@ pub(super) struct Flights {
     parts: [Vec<(String, String)>; 3],
 }
 
+/// The net, or the part of one, that carries the low `bits` of a value in a stage. Where a memory holds it instead (`latency.delay_line`), the
+/// name that a register would have.
+fn net(m: &Module, at: &Binding, value: &str, stage: u32, bits: u32) -> String {
+    delayed_net(m, at, value, stage, (0, bits)).unwrap_or_else(|| format!("s{stage}_{value}"))
+}
+
 impl Flights {
-    pub(super) fn of(t: &Traverse, handshake: u32) -> Self {
+    pub(super) fn of(t: &Traverse, handshake: u32, tag_w: u32) -> Self {
+        let top = t.module.default_binding();
         let slot = |k: u32| match k {
             0 => ("s0_loop_valid_q".into(), "s0_loop_tag_q".into()),
-            _ => (format!("s{k}_valid"), format!("s{k}_tag")),
+            _ => (net(&t.module, &top, "valid", k, 1), net(&t.module, &top, "tag", k, tag_w)),
         };
-        let mut setup: Vec<_> =
-            (1..=t.setup).map(|k| (format!("u_setup_delay.s{k}_valid"), format!("u_setup_delay.s{k}_data"))).collect();
-        let mut hit: Vec<_> =
-            (1..=t.finish).map(|k| (format!("u_hit_valid.s{k}_valid"), format!("u_hit_tag.s{k}_data"))).collect();
+        let below = |unit: &str, value: &str, k: u32, bits: u32| {
+            let inst = t.module.insts.iter().find(|i| i.name == unit);
+            let inst = inst.unwrap_or_else(|| panic!("{} has no instance {unit}", t.module.name));
+            let at: Binding = inst.params.iter().map(|(name, e)| (name.clone(), e.eval(&top))).collect();
+            format!("{unit}.{}", net(&inst.module, &at, value, k, bits))
+        };
+        let pair = |valid: &str, tag: &str, k| (below(valid, "valid", k, 1), below(tag, "data", k, tag_w));
+        let mut setup: Vec<_> = (1..=t.setup).map(|k| pair("u_setup_delay", "u_setup_delay", k)).collect();
+        let mut hit: Vec<_> = (1..=t.finish).map(|k| pair("u_hit_valid", "u_hit_tag", k)).collect();
         let decoupling = Decoupling::of(handshake);
         if decoupling == Decoupling::SpillRegister {
             for (list, unit) in [(&mut setup, "u_setup_spill"), (&mut hit, "u_hit_spill")] {

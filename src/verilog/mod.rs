@@ -3,11 +3,15 @@ mod align;
 mod bundle;
 mod expr;
 mod header;
+mod instances;
 mod layout;
 mod prim;
+mod printer;
+mod registers;
 mod style;
 mod text;
+mod widths;
 
-pub use bundle::delayed_bit;
+pub use bundle::{delayed_bit, delayed_net};
 pub use style::{SPDX, Style};
 pub use text::print_module;

@@ -68,7 +68,7 @@ const CUTS: &[Cut] = &[
     ("step limit", |dir, _| edit(dir, "rtl/relief_traverse.v", "_ends_now =", "_last_step;", "_last_step & 1'b0;")),
     ("back-pressure", |dir, handshake| match handshake {
         0 => edit(dir, "rtl/relief_traverse.v", "hit_ce =", "| out_ready", "| 1'b1"),
-        _ => edit(dir, "rtl/relief_traverse.v", ".out_ready  (out_ready)", "(out_ready)", "(1'b1)"),
+        _ => edit(dir, "rtl/relief_traverse.v", ".out_ready(out_ready)", "(out_ready)", "(1'b1)"),
     }),
     ("reset of the loop's valid bit", |dir, _| {
         let text = std::fs::read_to_string(dir.join("rtl/relief_traverse.v")).unwrap();
@@ -86,7 +86,7 @@ const CUTS: &[Cut] = &[
         keep_at_reset(dir, "rtl/relief_hit_valid_delay.v", "s1_valid <= 1'b0;");
     }),
     ("all heights read as the same", |dir, _| {
-        edit(dir, "rtl/relief_traverse.v", ".write_en  (load_en)", "(load_en)", "(1'b0)");
+        edit(dir, "rtl/relief_traverse.v", ".write_en(load_en)", "(load_en)", "(1'b0)");
     }),
     ("slot_busy where rays are", |dir, _| slot_busy(dir, "1'b0")),
     ("slot_busy where none is", |dir, _| slot_busy(dir, "1'b1")),

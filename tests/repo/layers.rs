@@ -86,7 +86,6 @@ const CIRCLES: &[&str] = &[
     "project",
     "units/traversal",
     "units/traversal/bilinear",
-    "verilog",
 ];
 
 #[test]

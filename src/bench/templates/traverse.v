@@ -446,7 +446,7 @@ module {{ prefix }}tb_traverse #(
       low = (accepted || rst) ? next_tag + 1'b1 : next_tag;
       if (accepted || !in_valid || rst) begin
 {%- if lingers %}
-        // A ray that goes round until its limit keeps its tag; the others go on.
+        // A ray that recirculates until its limit keeps its tag; the others go on.
         for (b = 0; b < Tags; b = b + 1) if (tag_used[low]) low = low + 1'b1;
 {%- endif %}
         if (stim_left > 0 && !tag_used[low] && !(gaps && lfsr[9] && hold_left == 0)) begin

@@ -27,13 +27,17 @@ pub fn credit_fifo() -> Arc<Module> {
     let o_write = b.output("write_slot", SLOT_W, "slots", "write pointer");
     let o_read = b.output("read_slot", SLOT_W, "slots", "read pointer");
 
-    let count = |name: &str| b.loop_reg(name, SLOT_W + 1, true);
-    let pointer = |name: &str| b.loop_reg(name, SLOT_W, true);
-    let bit = |name: &str| b.loop_reg(name, 1, true);
-    let (reserved, occupancy) = (count("reserved"), count("occupancy"));
-    let (write, read) = (pointer("write_ptr"), pointer("read_ptr"));
-    let (credit, valid) = (bit("credit_q"), bit("valid_q"));
-    let (issued, popped) = (bit("issued"), bit("popped"));
+    let count = |name: &str, doc: &str| b.loop_reg(name, SLOT_W + 1, true).doc(doc);
+    let pointer = |name: &str, doc: &str| b.loop_reg(name, SLOT_W, true).doc(doc);
+    let bit = |name: &str, doc: &str| b.loop_reg(name, 1, true).doc(doc);
+    let reserved = count("reserved", "slots from issue to pop [slots]");
+    let occupancy = count("occupancy", "slots from write to pop [slots]");
+    let write = pointer("write_ptr", "slot that the next word is written to");
+    let read = pointer("read_ptr", "slot that is read");
+    let credit = bit("credit_q", "a word may be issued");
+    let valid = bit("valid_q", "the output is valid");
+    let issued = bit("issued", "a word was issued in the clock before");
+    let popped = bit("popped", "a word was popped in the clock before");
 
     b.section("count", "Reserved slots, from issue to pop; and occupied slots, from write to pop.");
     let pop = (valid & out_ready).named("pop");

@@ -57,7 +57,7 @@ impl<'b> ElasticBoundary<'b> {
         let name = format!("{}_spill", self.name);
         let ins = [("in_valid", self.valid), ("out_ready", self.out_ready)];
         let o = b.inst(&spill_register(), &format!("u_{name}"), &[], &ins);
-        b.connect(self.ready, o[0].unstaged().named(&format!("{name}_ready")));
+        b.connect(self.ready, o[0].unstaged());
         let [first, second, rd_sel] = [(2, "load_first"), (3, "load_second"), (4, "rd_sel")]
             .map(|(k, what)| o[k].named(&format!("{name}_{what}")));
         let slots = |(word, to): (&Sig<'b>, &String)| {
@@ -71,7 +71,7 @@ impl<'b> ElasticBoundary<'b> {
         let name = format!("{}_fifo", self.name);
         let ins = [("issue", issue), ("in_valid", self.valid), ("out_ready", self.out_ready)];
         let o = b.inst(&credit_fifo(), &format!("u_{name}"), &[], &ins);
-        b.connect(self.ready, o[0].unstaged().named(&format!("{name}_credit")));
+        b.connect(self.ready, o[0].unstaged());
         let [write, read] = [(2, "write"), (3, "read")].map(|(k, what)| o[k].named(&format!("{name}_{what}")));
         let memory = fifo_mem();
         let slots = |(word, to): (&Sig<'b>, &String)| {

@@ -20,11 +20,16 @@ pub fn spill_register() -> Arc<Module> {
         ["first", "second"].map(|n| b.output(&format!("load_{n}"), 1, "bit", &format!("load enable of the {n} slot")));
     let o_rd_sel = b.output("rd_sel", 1, "bit", "read select: 0 the first slot, 1 the second");
 
-    let bit = |name: &str| b.loop_reg(name, 1, true);
-    let valid = [bit("first_valid"), bit("second_valid")];
-    let (any_valid, wr_sel, rd_sel) = (bit("valid_q"), bit("wr_sel_q"), bit("rd_sel_q"));
-    let (out_of_reset, ready) = (bit("out_of_reset"), bit("ready_q"));
-    let load = [bit("load_first_q"), bit("load_second_q")];
+    let bit = |name: &str, doc: &str| b.loop_reg(name, 1, true).doc(doc);
+    let holds = "the slot holds a word";
+    let valid = [bit("first_valid", holds), bit("second_valid", holds)];
+    let any_valid = bit("valid_q", "either slot holds a word");
+    let wr_sel = bit("wr_sel_q", "write select: 0 the first slot, 1 the second");
+    let rd_sel = bit("rd_sel_q", "read select: 0 the first slot, 1 the second");
+    let out_of_reset = bit("out_of_reset", "reset has ended");
+    let ready = bit("ready_q", "a slot is free");
+    let empty = "the slot is free: it loads";
+    let load = [bit("load_first_q", empty), bit("load_second_q", empty)];
 
     b.section(
         "handshake",
@@ -70,7 +75,7 @@ pub fn spill_data() -> Arc<Module> {
     let data = b.input("in_data", &w, "bits", "input word");
     let o_data = b.output("out_data", &w, "bits", "output word");
     let slot = |load: Sig<'_>, name: &str| {
-        let held = b.loop_reg(name, &w, false);
+        let held = b.loop_reg(name, &w, false).doc("word of the slot [bits]");
         (held.id(), load.mux(data, held).named(&format!("{name}_next")).id())
     };
     let (first, second) = (slot(load[0], "first"), slot(load[1], "second"));

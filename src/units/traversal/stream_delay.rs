@@ -39,8 +39,6 @@ fn build(name: &str, clocks: u32, width: Option<u32>, with_valid: bool) -> Arc<M
     }
     if let Some(w) = word {
         let data = b.input("in_data", &w, "bits", "the word").named("data");
-        // The proof of the handshake follows each ray by its tag.
-        b.visible("data");
         let port = b.output("out_data", &w, "bits", "the delayed word");
         b.drive(port, data, Some(clocks));
     }

@@ -39,8 +39,6 @@ pub fn traverse(d: &Design) -> Traverse {
 
 fn in_registers(d: &Design) -> Traverse {
     let b = Builder::new(NAME, file!(), "traces rays against a height field: a looping pipeline, one node a clock");
-    // The proof of the handshake follows each ray by its tag.
-    b.visible("tag");
     b.throughput("one iteration (one node) per clock; a ray takes as many iterations as its path needs");
     b.choice("datapath", d.datapath.kind.word());
     b.choice("levels_down", d.mode.levels_down);
@@ -82,7 +80,8 @@ fn in_registers(d: &Design) -> Traverse {
     let o_idle = b.output("idle", 1, "bit", "no ray in flight: none in setup, in the loop or waiting at the output");
 
     // Loop state, read in stage 0 and written by the last stage.
-    let fields = fields(&s, d, path);
+    let module = (path.setup)(d);
+    let fields = fields(&s, d, path, &module);
     let held = Ray::registers(&b, &fields);
     let (clocks_setup, clocks_hit) = ((path.setup_clocks)(d), (path.hit_clocks)(d));
     let finish = if d.mode.bilinear { bilinear_clocks(&d.latency) } else { clocks_hit };
@@ -93,14 +92,14 @@ fn in_registers(d: &Design) -> Traverse {
     );
     let decoupling = Decoupling::of(d.latency.handshake);
     let (elastic, credits) = (decoupling != Decoupling::Combinational, decoupling == Decoupling::CreditFifo);
-    let hit_valid = b.wire("hit_valid", 1);
+    let hit_valid = b.wire("hit_valid", 1).doc("a result is at the output");
     // Clock enable of the output pipeline: a slot of its spill register is free, or its result transfers.
-    let hit_ready = if elastic { b.wire("hit_ready", 1) } else { (!hit_valid | out_ready).unstaged().named("hit_ce") };
+    let hit_ready = if elastic { b.wire("hit_ready", 1).doc("the output pipeline moves") } else { (!hit_valid | out_ready).unstaged().named("hit_ce") };
     // The pipeline before a credit FIFO has no clock enable.
     let hit_ce = if credits { b.lit(1, 1) } else { hit_ready };
     // A registered decision is made one clock earlier: if both slots of the spill register are empty now, the output pipeline is ready then.
     let registered =
-        Decoupling::retire_is_registered(d.latency.handshake).then(|| b.loop_decision("retire", true, true));
+        Decoupling::retire_is_registered(d.latency.handshake).then(|| b.loop_decision("retire", true, true).doc("the ray of stage 0 retires"));
     let retire = registered.unwrap_or_else(|| (held.valid & held.get("done") & hit_ready).named("retire"));
     let slot_free = (!held.valid | retire).named("slot_free");
 
@@ -108,12 +107,11 @@ fn in_registers(d: &Design) -> Traverse {
         "setup",
         "The setup pipeline stalls while its last stage holds a ray and the slot in stage 0 is not free.",
     );
-    let setup_valid = b.wire("setup_valid", 1);
+    let setup_valid = b.wire("setup_valid", 1).doc("a new ray waits for a free slot");
     let setup_ready =
-        if elastic { b.wire("setup_ready", 1) } else { (!setup_valid | slot_free).unstaged().named("setup_ce") };
+        if elastic { b.wire("setup_ready", 1).doc("the setup pipeline moves") } else { (!setup_valid | slot_free).unstaged().named("setup_ce") };
     let setup_ce = if credits { b.lit(1, 1) } else { setup_ready };
     let issue = if credits { (in_valid & setup_ready).named("issue") } else { in_valid };
-    let module = (path.setup)(d);
     let mut ins = vec![("u", u), ("v", v), ("du", du), ("dv", dv), ("ce", setup_ce)];
     ins.extend(lod.map(|lod| ("lod", lod)));
     let outs = b.inst(&module, "u_setup", &[], &ins);
@@ -161,7 +159,7 @@ fn in_registers(d: &Design) -> Traverse {
     // A credit FIFO counts the ray that retires now one clock late.
     let retiring = registered.map(|r| {
         let hit_free = if credits {
-            let now = b.wire("retire_now", 1);
+            let now = b.wire("retire_now", 1).doc("the ray of stage 0 retires");
             b.connect(now, r);
             hit_ready & !now
         } else {
@@ -252,10 +250,10 @@ fn in_registers(d: &Design) -> Traverse {
 fn idle<'b>(b: &'b Builder, in_transfer: Sig<'b>, out_transfer: Sig<'b>, most: u32) -> Sig<'b> {
     b.section("idle", "Rays in flight: input transfers less output transfers, counted one clock late.");
     let width = u32::BITS - most.leading_zeros();
-    let entered = b.loop_reg("in_transfer_q", 1, true);
-    let left = b.loop_reg("out_transfer_q", 1, true);
-    let inside = b.loop_reg("in_flight", width, true);
-    let any = b.loop_reg("any_in_flight", 1, true);
+    let entered = b.loop_reg("in_transfer_q", 1, true).doc("a ray entered in the clock before");
+    let left = b.loop_reg("out_transfer_q", 1, true).doc("a result left in the clock before");
+    let inside = b.loop_reg("in_flight", width, true).doc("rays in flight, up to the clock before that [rays]");
+    let any = b.loop_reg("any_in_flight", 1, true).doc("in_flight is not 0");
     let down = (left & !entered).named("in_flight_down");
     let change = b.cat(&[down.rep(width - 1), entered ^ left]);
     let next = (inside + change).named("in_flight_next");
