@@ -123,7 +123,9 @@ pub fn delayed_net(m: &Module, at: &Binding, value: &str, stage: u32, (lo, bits)
     let width = |id: NodeId| m.node(id).width.eval(at) as u32;
     let is_it = |n: &Node| n.name.as_deref() == Some(value) && n.stage == Some(stage);
     let id = NodeId(m.nodes.iter().position(|n| is_it(n) && matches!(n.op, Op::Reg { .. }))? as u32);
-    let part = |net: String, lo: u32| if bits == 1 { format!("{net}[{lo}]") } else { format!("{net}[{}:{lo}]", lo + bits - 1) };
+    let part = |net: String, lo: u32| {
+        if bits == 1 { format!("{net}[{lo}]") } else { format!("{net}[{}:{lo}]", lo + bits - 1) }
+    };
     let bundles = Bundles::of(&names);
     let inside = |b: &&Bundle| stage < b.to && b.registers().any(|r| r == id);
     match bundles.list.iter().find(inside) {

@@ -26,10 +26,8 @@ fn bare_choices(code: &str) -> Vec<String> {
 }
 
 fn has_bare_choice(statement: &str) -> bool {
-    let spaced: String = statement
-        .chars()
-        .flat_map(|c| if "(){}[],?".contains(c) { vec![' ', c, ' '] } else { vec![c] })
-        .collect();
+    let spaced: String =
+        statement.chars().flat_map(|c| if "(){}[],?".contains(c) { vec![' ', c, ' '] } else { vec![c] }).collect();
     let mut open = vec![Part::default()];
     let mut bad = false;
     for token in spaced.split_whitespace() {
@@ -81,7 +79,10 @@ fn unread(code: &str) -> Vec<String> {
 
 /// Nets that are another net under a second name.
 fn second_names(code: &str) -> Vec<String> {
-    let twin = |line: &str| declared(line).is_some_and(|(_, rest)| rest.strip_prefix("= ").is_some_and(|v| is_name(v.trim_end_matches(';'))));
+    let twin = |line: &str| {
+        declared(line)
+            .is_some_and(|(_, rest)| rest.strip_prefix("= ").is_some_and(|v| is_name(v.trim_end_matches(';'))))
+    };
     let wire = |line: &str| {
         let (to, from) = line.strip_prefix("  assign ")?.trim_end_matches(';').split_once(" = ")?;
         let inner = code.lines().filter_map(declared).any(|(name, _)| name == to);
@@ -102,7 +103,10 @@ fn without_comment(text: &str) -> Vec<String> {
 /// Names of files of the generator.
 fn generator_files(text: &str) -> Vec<String> {
     let ends = |rest: &str| !rest.starts_with(|c: char| c.is_ascii_alphanumeric() || c == '_' || c == '(');
-    text.lines().filter(|l| l.match_indices(".rs").any(|(at, s)| ends(&l[at + s.len()..]))).map(str::to_string).collect()
+    text.lines()
+        .filter(|l| l.match_indices(".rs").any(|(at, s)| ends(&l[at + s.len()..])))
+        .map(str::to_string)
+        .collect()
 }
 
 #[test]
@@ -149,8 +153,12 @@ fn the_rules_find_what_they_are_for() {
     }
     assert_eq!(unread("  wire a = b;\n  wire [3:0] c;\n  unit u (.x(c));\n"), ["a", "c"]);
     assert_eq!(unread("  wire a = b;\n  wire c;\n  unit u (.x(c), .y(a), .z(c));\n"), [""; 0]);
-    assert_eq!(second_names("  wire a = b;\n  wire c;\n  wire e = f[0];\n  assign c = d;\n  assign out = c;\n").len(), 2);
-    let state = "  // ---- state that comes back\n  reg a;  // said\n  // said before\n  reg b;\n  reg c;\n\n  reg d;\n";
+    assert_eq!(
+        second_names("  wire a = b;\n  wire c;\n  wire e = f[0];\n  assign c = d;\n  assign out = c;\n").len(),
+        2
+    );
+    let state =
+        "  // ---- state that comes back\n  reg a;  // said\n  // said before\n  reg b;\n  reg c;\n\n  reg d;\n";
     assert_eq!(without_comment(state), ["reg c;"]);
     assert_eq!(generator_files("// add.rs\n.rst(rst), .rs(x)\n").len(), 1);
 }

@@ -170,7 +170,10 @@ impl<'b> Ray<'b> {
             };
             (f.name, word.doc(&f.doc))
         };
-        Ray { valid: b.loop_reg("loop_valid_q", 1, true).doc("the slot holds a ray"), words: fields.iter().map(word).collect() }
+        Ray {
+            valid: b.loop_reg("loop_valid_q", 1, true).doc("the slot holds a ray"),
+            words: fields.iter().map(word).collect(),
+        }
     }
 
     /// A new ray; `setup` gives the outputs of the datapath's setup by name. Whether the slot is filled is for [`Ray::or_new`] to say.

@@ -94,12 +94,16 @@ fn in_registers(d: &Design) -> Traverse {
     let (elastic, credits) = (decoupling != Decoupling::Combinational, decoupling == Decoupling::CreditFifo);
     let hit_valid = b.wire("hit_valid", 1).doc("a result is at the output");
     // Clock enable of the output pipeline: a slot of its spill register is free, or its result transfers.
-    let hit_ready = if elastic { b.wire("hit_ready", 1).doc("the output pipeline moves") } else { (!hit_valid | out_ready).unstaged().named("hit_ce") };
+    let hit_ready = if elastic {
+        b.wire("hit_ready", 1).doc("the output pipeline moves")
+    } else {
+        (!hit_valid | out_ready).unstaged().named("hit_ce")
+    };
     // The pipeline before a credit FIFO has no clock enable.
     let hit_ce = if credits { b.lit(1, 1) } else { hit_ready };
     // A registered decision is made one clock earlier: if both slots of the spill register are empty now, the output pipeline is ready then.
-    let registered =
-        Decoupling::retire_is_registered(d.latency.handshake).then(|| b.loop_decision("retire", true, true).doc("the ray of stage 0 retires"));
+    let registered = Decoupling::retire_is_registered(d.latency.handshake)
+        .then(|| b.loop_decision("retire", true, true).doc("the ray of stage 0 retires"));
     let retire = registered.unwrap_or_else(|| (held.valid & held.get("done") & hit_ready).named("retire"));
     let slot_free = (!held.valid | retire).named("slot_free");
 
@@ -108,8 +112,11 @@ fn in_registers(d: &Design) -> Traverse {
         "The setup pipeline stalls while its last stage holds a ray and the slot in stage 0 is not free.",
     );
     let setup_valid = b.wire("setup_valid", 1).doc("a new ray waits for a free slot");
-    let setup_ready =
-        if elastic { b.wire("setup_ready", 1).doc("the setup pipeline moves") } else { (!setup_valid | slot_free).unstaged().named("setup_ce") };
+    let setup_ready = if elastic {
+        b.wire("setup_ready", 1).doc("the setup pipeline moves")
+    } else {
+        (!setup_valid | slot_free).unstaged().named("setup_ce")
+    };
     let setup_ce = if credits { b.lit(1, 1) } else { setup_ready };
     let issue = if credits { (in_valid & setup_ready).named("issue") } else { in_valid };
     let mut ins = vec![("u", u), ("v", v), ("du", du), ("dv", dv), ("ce", setup_ce)];
