@@ -100,7 +100,7 @@ fn every_ray_comes_back_once_whatever_misses() {
             patience: 100_000,
             seed: case as u64,
         };
-        let scene = scene(&d, 240, case as u64);
+        let scene = scene(&d, 120, case as u64);
         let clocks = run(&d, &source, &scene, ports);
         assert!(clocks.is_ok(), "{kind:?} {source:?} {ports:?} {:?}: {}", d.latency, clocks.unwrap_err());
         traverse_from(&d, &source).slots
