@@ -87,7 +87,7 @@ pub fn usage(e: &clap::Error) {
     eprintln!("{}", json!({"error": told}));
 }
 
-/// How an option takes a value that begins with a dash, where what was refused stands behind an option that takes one.
+/// How an option takes a value that begins with a dash, where what was refused stands after an option that takes one.
 fn dashed(e: &clap::Error, words: impl Iterator<Item = String>) -> Option<String> {
     let Some(ContextValue::String(refused)) = e.get(ContextKind::InvalidArg) else { return None };
     let words: Vec<String> = words.collect();

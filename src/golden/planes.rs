@@ -68,7 +68,7 @@ pub(super) fn both<A: AxisView>(d: &Design, lod: u32, u: A, v: A) -> Setup<A> {
 
 /// Texel `to`, but still in the level-k node of `x`, and never before `x`.
 ///
-/// An estimate may lie behind a plane that was crossed already. Going back there would cost steps on an axis that moves,
+/// An estimate may lie before a plane that was crossed already. Going back there would cost steps on an axis that moves,
 /// could repeat for ever when each crossing goes a level up, and on an axis that never crosses would be wrong for good.
 pub(super) fn kept(axis: &impl AxisView, k: u32, x: i64, to: i64) -> i64 {
     let mask = (1i64 << k) - 1;

@@ -302,7 +302,7 @@ fn no_output_that_is_full_or_closed_is_a_panic() {
     assert_eq!(ended.unwrap().code(), Some(2), "an error that nobody hears is one all the same");
 }
 
-/// A name that looks like an option, and one behind an option that takes none.
+/// A name that looks like an option, and one after an option that takes none.
 #[test]
 fn a_value_that_begins_with_a_dash_is_told_how() {
     let dir = tempfile::tempdir().unwrap();

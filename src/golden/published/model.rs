@@ -40,7 +40,7 @@ impl Published {
             && nudge <= 16
             // The nudged plane is converted in one word.
             && size.idx_bits() + nudge + fmt.man <= 60
-            // The plane behind the farthest texel is a finite number, and so is the parameter of a height code.
+            // The plane after the farthest texel is a finite number, and so is the parameter of a height code.
             && n + tile < bias
             && h + 2 <= bias
             && (1..=16).contains(&size.frac_bits)

@@ -13,7 +13,7 @@ pub struct Exit {
     pub plane: i64,
     /// The same as a number.
     pub edge: u64,
-    /// Ray parameter at the plane, or a nudge behind it.
+    /// Ray parameter at the plane, or a nudge past it.
     pub t: u64,
 }
 
@@ -72,7 +72,7 @@ impl Published {
         Exit { plane, edge: float::from_int(fmt, plane), t: float::div(fmt, away, axis.d) }
     }
 
-    /// Whether a position lies at or behind the exit plane.
+    /// Whether a position lies at or beyond the exit plane.
     pub fn beyond(&self, axis: &Travel, position: u64, edge: u64) -> bool {
         float::lt(self.design.format, position, edge) == axis.neg
     }
@@ -86,7 +86,7 @@ impl Published {
         let m = self.max(s.t, t_v);
         let (hit_x, hit_y) = (self.position(&route.u, m), self.position(&route.v, m));
         let (e_x, e_y) = (self.texel(hit_x), self.texel(hit_y));
-        // x goes first on a tie; the position is then behind both planes.
+        // x goes first on a tie; the position is then past both planes.
         let x_first = !float::lt(fmt, y.t, x.t);
         let t_e = if x_first { x.t } else { y.t };
         let elsewhere = self.beyond(&route.u, hit_x, x.edge) || self.beyond(&route.v, hit_y, y.edge);

@@ -39,7 +39,7 @@ impl Watertight {
             && h <= fmt.man + 1
             && (1..=8).contains(&tile)
             && size.idx_bits() <= 24
-            // The plane behind the farthest texel is a finite number.
+            // The plane after the farthest texel is a finite number.
             && n + tile < bias
             && h + 2 <= bias
             // The position estimate is biased by 2^(n + 1 - man) at least, which must stand clear of underflow.

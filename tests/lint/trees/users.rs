@@ -151,7 +151,7 @@ fn a_misspelt_net_of_ours_is_an_error_and_a_users_default_stays() {
     for (nets, before, found, user) in [
         ("wire", "", true, true),
         ("none", "", true, false),
-        // What the user said before our file still holds behind it.
+        // What the user said before our file still holds after it.
         ("keep", "`default_nettype none\n", true, false),
         ("keep", "", false, true),
     ] {

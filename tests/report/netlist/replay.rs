@@ -208,6 +208,16 @@ fn wrapper(tree: &Path, unit: &str, netlist: &str) -> String {
     format!("{header}\n  gates u_gates ({});\nendmodule\n", ports.join(", "))
 }
 
+/// The nets of several bits of a netlist that are no ports.
+fn inner_wide_nets(netlist: &str) -> Vec<&str> {
+    let of = |kinds: [&str; 2]| -> Vec<&str> {
+        let wide = netlist.lines().filter_map(|line| line.trim_start().split_once(" ["));
+        wide.filter(|(kind, _)| kinds.contains(kind)).filter_map(|(_, rest)| Some(rest.split_once("] ")?.1)).collect()
+    };
+    let ports = of(["input", "output"]);
+    of(["wire", "reg"]).into_iter().filter(|net| !ports.contains(net)).collect()
+}
+
 /// Block memories and multipliers of a netlist, by cell.
 fn hard(target: &Target, netlist: &str) -> BTreeMap<String, usize> {
     let mut out = BTreeMap::new();
@@ -265,6 +275,8 @@ pub fn replay(job: &Job) -> Entry {
     assert!(done || said.contains("does_not_fit"), "{}: {said}", job.name());
     let netlist = std::fs::read_to_string(tree.join(format!("pnr/relief_{unit}-{}.v", target.name))).unwrap();
     assert!(!netlist.contains("SRL16") && !netlist.contains("SRLC32"), "{}: shift registers", job.name());
+    let wide = inner_wide_nets(&netlist);
+    assert!(wide.is_empty(), "{}: nets of several bits, which Icarus takes minutes for: {wide:?}", job.name());
     let netlist = netlist.replace(&format!("module relief_{unit}("), "module gates(");
     std::fs::write(dir.path().join("gates.v"), &netlist).unwrap();
     std::fs::write(dir.path().join("wrapper.v"), wrapper(&tree, unit, &netlist)).unwrap();
