@@ -1,4 +1,4 @@
-//! The modes that are compared, and what a mode is called: whoever runs several takes them here, and whoever names one words it here.
+//! The modes that are compared, and the label of a mode: the one list of them, and the one place where a mode is put into words.
 use super::{LevelUp, ModeConfig, Trim};
 
 const fn published(start_level: bool, levels_down: u32, level_up: LevelUp) -> ModeConfig {

@@ -2,7 +2,7 @@
 use crate::simulators::skip;
 use reliefrtl::config::Config;
 use reliefrtl::units::traversal::traverse;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 fn root() -> &'static Path {
@@ -22,14 +22,19 @@ fn block(language: &str) -> String {
     rest.split_once("```\n").expect("the block ends").0.to_owned()
 }
 
+/// README, CONTRIBUTING and the pages of docs.
+fn pages() -> Vec<PathBuf> {
+    let docs = std::fs::read_dir(root().join("docs")).expect("a directory").map(|e| e.expect("an entry").path());
+    let docs = docs.filter(|p| p.extension().is_some_and(|e| e == "md"));
+    docs.chain(["README.md", "CONTRIBUTING.md"].map(|p| root().join(p))).collect()
+}
+
 #[test]
 fn the_readme_is_one_screen_and_its_links_lead_somewhere() {
     let text = std::fs::read_to_string(root().join("README.md")).expect("text");
     assert!(text.lines().count() <= 90, "{} lines", text.lines().count());
-    let pages = std::fs::read_dir(root().join("docs")).expect("a directory").map(|e| e.expect("an entry").path());
-    let pages = pages.filter(|p| p.extension().is_some_and(|e| e == "md"));
     let mut links = 0;
-    for page in pages.chain(["README.md", "CONTRIBUTING.md"].map(|p| root().join(p))) {
+    for page in pages() {
         let text = std::fs::read_to_string(&page).expect("text");
         for target in text.split("](").skip(1).filter_map(|rest| rest.split_once(')')).map(|(target, _)| target) {
             let file = target.split('#').next().unwrap_or_default();
@@ -39,6 +44,22 @@ fn the_readme_is_one_screen_and_its_links_lead_somewhere() {
         }
     }
     assert!(links > 60, "{links} links");
+}
+
+/// Files of ours between backquotes, from the top or from `src/`; what has a `<part>` in it stands for several.
+#[test]
+fn files_that_pages_name_are_there() {
+    let mut named = 0;
+    for page in pages() {
+        let text = std::fs::read_to_string(&page).expect("text");
+        for file in text.lines().flat_map(|line| line.split('`').skip(1).step_by(2)) {
+            let ours = file.contains('/') && file.ends_with(".rs") && !file.contains(['<', '*', ' ']);
+            let there = ["", "src"].iter().any(|from| root().join(from).join(file).exists());
+            assert!(!ours || there, "{}: there is no {file}", page.display());
+            named += usize::from(ours);
+        }
+    }
+    assert!(named > 40, "{named} files");
 }
 
 #[test]
