@@ -18,7 +18,6 @@ foreach file {
   rtl/relief_height_test.v
   rtl/relief_hit_delay.v
   rtl/relief_hit_position.v
-  rtl/relief_hit_valid_delay.v
   rtl/relief_interleave.v
   rtl/relief_level_decision.v
   rtl/relief_level_up.v
@@ -30,7 +29,6 @@ foreach file {
   rtl/relief_predicted_hit.v
   rtl/relief_ray_setup.v
   rtl/relief_setup_delay.v
-  rtl/relief_spill_data.v
   rtl/relief_spill_register.v
   rtl/relief_start_level.v
   rtl/relief_traverse.v

@@ -24,7 +24,5 @@ rtl/relief_hit_position.v
 rtl/relief_height_banks.v
 rtl/relief_setup_delay.v
 rtl/relief_spill_register.v
-rtl/relief_spill_data.v
 rtl/relief_hit_delay.v
-rtl/relief_hit_valid_delay.v
 rtl/relief_traverse.v

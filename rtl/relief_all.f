@@ -24,7 +24,5 @@ relief_hit_position.v
 relief_height_banks.v
 relief_setup_delay.v
 relief_spill_register.v
-relief_spill_data.v
 relief_hit_delay.v
-relief_hit_valid_delay.v
 relief_traverse.v

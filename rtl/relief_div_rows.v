@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_div_rows: rows of restoring division: compare, subtract, double; one quotient bit each
-// Source     src/units/div_rows.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit div_rows; do not edit
 // Latency    none, combinational
 // Note       rem_in must be less than twice div.
 `default_nettype none

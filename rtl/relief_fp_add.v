@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_fp_add: sum of two floating-point numbers, rounded once; flip b's sign to subtract
-// Source     src/units/float/add.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit fp_add; do not edit
 // Chosen     rounding nearest-even, subnormals flush, specials ieee
 // Latency    3 clocks
 // Throughput one result per clock
@@ -25,9 +25,9 @@ module relief_fp_add #(
   localparam integer NearW = MAN_W + 2;
   localparam integer LzcW = $clog2(NearW + 1);
   localparam integer AmountW = $clog2(MAN_W + 3);
-  localparam integer ShiftW = (EXP_W > (AmountW + 1) ? EXP_W : (AmountW + 1));
-  localparam integer ExpSumW = (EXP_W > LzcW ? EXP_W : LzcW);
-  localparam integer FineW = (LzcW / 2);
+  localparam integer ShiftW = (EXP_W > (AmountW + 1)) ? EXP_W : (AmountW + 1);
+  localparam integer ExpSumW = (EXP_W > LzcW) ? EXP_W : LzcW;
+  localparam integer FineW = LzcW / 2;
 
   // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
   generate
@@ -42,7 +42,7 @@ module relief_fp_add #(
     end
   endgenerate
 
-  // ---- stage 0: compare -------------------------------------------------------- add.rs
+  // ---- stage 0: compare ---------------------------------------------------------------
   // Both exponent differences in parallel with the magnitude comparison; the select follows.
   wire             s0_a_sign = a[FloatW-1];
   wire [EXP_W-1:0] s0_a_exp = a[EXP_W+MAN_W-1:MAN_W];
@@ -60,7 +60,7 @@ module relief_fp_add #(
   wire             s0_a_exp_ones = &s0_a_exp;
   wire             s0_b_exp_ones = &s0_b_exp;
 
-  // ---- stage 0: order ---------------------------------------------------------- add.rs
+  // ---- stage 0: order -----------------------------------------------------------------
   // Swap so that the operand of larger magnitude comes first: the significand difference is not
   // negative.
   wire             s0_large_sign = s0_swap ? s0_b_sign : s0_a_sign;
@@ -75,7 +75,7 @@ module relief_fp_add #(
   wire             s0_any_exp_max = s0_a_exp_ones | s0_b_exp_ones;
   wire             s0_inf_minus_inf = s0_a_exp_ones & s0_b_exp_ones & s0_subtract;
 
-  // ---- stage 1: registers ------------------------------------------------------ add.rs
+  // ---- stage 1: registers -------------------------------------------------------------
   reg [EXP_W-1:0] s1_shift;
   reg [NearW-1:0] s1_sig_small;
   reg             s1_small_is_zero;
@@ -101,7 +101,7 @@ module relief_fp_add #(
     end
   end
 
-  // ---- stage 1: align ---------------------------------------------------------- add.rs
+  // ---- stage 1: align -----------------------------------------------------------------
   // Guard, round and sticky bits below the significand suffice to round the result.
   wire [ShiftW-1:0]  s1_wide_shift = {{(ShiftW - EXP_W){1'b0}}, s1_shift};
   wire [AmountW-1:0] s1_amount = {s1_wide_shift[AmountW-1:1], 1'b0};
@@ -118,21 +118,18 @@ module relief_fp_add #(
   wire               s1_sticky =
       (s1_beyond | (|(s1_sig_small_ext & ~({(MAN_W + 3){1'b1}} << s1_amount)))) & ~s1_small_is_zero;
 
-  // ---- stage 1: add ------------------------------------------------------------ add.rs
+  // ---- stage 1: add -------------------------------------------------------------------
   wire [MAN_W+4:0] s1_augend = {2'd1, s1_large_frac, 3'd0};
   wire [MAN_W+4:0] s1_addend = {1'b0, s1_aligned, s1_sticky};
   wire [MAN_W+4:0] s1_sum = s1_subtract ? (s1_augend - s1_addend) : (s1_augend + s1_addend);
   wire [EXP_W-1:0] s1_exp_up = s1_large_exp + {{(EXP_W - 1){1'b0}}, 1'b1};
   wire [EXP_W-1:0] s1_exp_down = s1_large_exp - {{(EXP_W - 1){1'b0}}, 1'b1};
   wire             s1_near_zero = ~(|s1_near);
-  wire [LzcW-1:0]  s1_lz_count;
-  relief_lzc #(.W(MAN_W + 2)) u_lzc (
-    .bits (s1_near),
-    .count(s1_lz_count)
-  );
+  wire [LzcW-1:0]  s1_lz_count;  // zeros above the topmost 1 [bits]
+  relief_lzc #(.W(NearW)) u_lzc (.bits(s1_near), .count(s1_lz_count));
   wire s1_flush = ~(|(s1_near & s1_underflow_mask));
 
-  // ---- stage 2: registers ------------------------------------------------------ add.rs
+  // ---- stage 2: registers -------------------------------------------------------------
   reg [MAN_W+4:0] s2_sum;
   reg [EXP_W-1:0] s2_large_exp;
   reg [EXP_W-1:0] s2_exp_down;
@@ -168,17 +165,18 @@ module relief_fp_add #(
     end
   end
 
-  // ---- stage 2: normalize ------------------------------------------------------ add.rs
+  // ---- stage 2: normalize -------------------------------------------------------------
   // The far sum is normalized by one bit at most; the near difference by a coarse and a fine left
   // shift. The near result is that difference, or zero, infinity or NaN.
   wire               s2_carry = s2_sum[MAN_W+4];
   wire               s2_top = s2_sum[MAN_W+3];
   wire               s2_next = s2_sum[MAN_W+2];
-  wire [MAN_W-1:0]   s2_frac = s2_carry ? s2_sum[MAN_W+3:4] : s2_top ? s2_sum[MAN_W+2:3]
-      : s2_sum[MAN_W+1:2];
-  wire [EXP_W-1:0]   s2_exp = s2_carry ? s2_exp_up : s2_top ? s2_large_exp : s2_exp_down;
+  wire [MAN_W-1:0]   s2_frac = s2_carry ? s2_sum[MAN_W+3:4]
+      : (s2_top ? s2_sum[MAN_W+2:3] : s2_sum[MAN_W+1:2]);
+  wire [EXP_W-1:0]   s2_exp = s2_carry ? s2_exp_up : (s2_top ? s2_large_exp : s2_exp_down);
   wire               s2_round_up = s2_carry ? (s2_sum[3] & (s2_sum[4] | s2_sum[2] | (|s2_sum[1:0])))
-      : s2_top ? (s2_sum[2] & (s2_sum[3] | (|s2_sum[1:0]))) : (s2_sum[1] & (s2_sum[2] | s2_sum[0]));
+      : (s2_top ? (s2_sum[2] & (s2_sum[3] | (|s2_sum[1:0])))
+      : (s2_sum[1] & (s2_sum[2] | s2_sum[0])));
   wire [NearW-1:0]   s2_near_coarse = s2_near << {s2_lz_count[LzcW-1:FineW], {FineW{1'b0}}};
   wire [FineW-1:0]   s2_lzc_fine = s2_lz_count[FineW-1:0];
   wire [ExpSumW-1:0] s2_exp_less_lzc =
@@ -192,7 +190,7 @@ module relief_fp_add #(
       (s2_subtract & ~s2_any_exp_max &
       (s2_both_zero | (s2_near_zero & ~(s2_carry | s2_top | s2_next))));
 
-  // ---- stage 2: round ---------------------------------------------------------- add.rs
+  // ---- stage 2: round -----------------------------------------------------------------
   // The rounding increment may carry into the exponent, and from the largest number to infinity:
   // both give the right encoding.
   wire [EXP_W+MAN_W-1:0] s2_unrounded = {s2_exp, s2_frac};
@@ -200,7 +198,7 @@ module relief_fp_add #(
   wire [NearW-1:0]       s2_near_norm = s2_near_coarse << s2_lzc_fine;
   wire [MAN_W-1:0]       s2_near_frac = s2_near_norm[MAN_W:1];
 
-  // ---- stage 2: select --------------------------------------------------------- add.rs
+  // ---- stage 2: select ----------------------------------------------------------------
   wire                   s2_keep = ~(s2_flush | s2_give_inf);
   wire [EXP_W+MAN_W-1:0] s2_body =
       s2_use_near_result ?
@@ -209,7 +207,7 @@ module relief_fp_add #(
   wire                   s2_sign = s2_large_sign & ~s2_no_sign;
   wire [FloatW-1:0]      s2_value = {s2_sign, s2_body};
 
-  // ---- stage 3: registers ------------------------------------------------------ add.rs
+  // ---- stage 3: registers -------------------------------------------------------------
   reg [FloatW-1:0] s3_value;
   always @(posedge clk) begin
     if (ce) begin
@@ -220,7 +218,7 @@ module relief_fp_add #(
   // Bits that nothing needs, named so that no lint has to be switched off for the rest.
   // verilator lint_off UNUSED
   wire unused_0 = &{1'b0, s1_wide_shift[0]};
-  wire unused_1 = &{1'b0, {s2_near_norm, s2_exp_less_lzc}};
+  wire unused_1 = &{1'b0, s2_near_norm, s2_exp_less_lzc};
   // verilator lint_on UNUSED
 
   assign result = s3_value;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_fp_from_int: signed integer to the nearest floating-point number
-// Source     src/units/float/from_fixed.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit fp_from_int; do not edit
 // Chosen     rounding nearest-even, subnormals flush, specials ieee
 // Latency    2 clocks
 // Throughput one result per clock
@@ -22,7 +22,7 @@ module relief_fp_from_int #(
   output wire [EXP_W+MAN_W:0] result   // a, rounded to nearest even [float]
 );
   localparam integer FloatW = EXP_W + MAN_W + 1;
-  localparam integer ExpSumW = (EXP_W > ($clog2(INT_W + 1)) ? EXP_W : ($clog2(INT_W + 1))) + 2;
+  localparam integer ExpSumW = ((EXP_W > ($clog2(INT_W + 1))) ? EXP_W : ($clog2(INT_W + 1))) + 2;
   localparam integer TopExp = INT_W + (1 << (EXP_W - 1)) - 2;
 
   // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
@@ -42,25 +42,22 @@ module relief_fp_from_int #(
     end
   endgenerate
 
-  // ---- stage 0: magnitude ----------------------------------------------- from_fixed.rs
+  // ---- stage 0: magnitude -------------------------------------------------------------
   wire             s0_minus = a[INT_W-1];
   wire [INT_W-1:0] s0_mag = (a ^ {INT_W{s0_minus}}) + {{(INT_W - 1){1'b0}}, s0_minus};
 
-  // ---- stage 0: count --------------------------------------------------- from_fixed.rs
-  wire [$clog2(INT_W+1)-1:0] s0_lz_count;
-  relief_lzc #(.W(INT_W)) u_lzc (
-    .bits (s0_mag),
-    .count(s0_lz_count)
-  );
+  // ---- stage 0: count -----------------------------------------------------------------
+  wire [$clog2(INT_W+1)-1:0] s0_lz_count;  // zeros above the topmost 1 [bits]
+  relief_lzc #(.W(INT_W)) u_lzc (.bits(s0_mag), .count(s0_lz_count));
 
-  // ---- stage 0: normalize ----------------------------------------------- from_fixed.rs
+  // ---- stage 0: normalize -------------------------------------------------------------
   // Zeros below make room for guard and sticky bits whatever INT_W is.
   wire [INT_W+MAN_W+2:0] s0_norm = {s0_mag << s0_lz_count, {(MAN_W + 3){1'b0}}};
   wire                   s0_is_zero = ~s0_norm[INT_W+MAN_W+2];
   wire [ExpSumW-1:0]     s0_norm_exp =
       TopExp[ExpSumW-1:0] - {{(ExpSumW - $clog2(INT_W + 1)){1'b0}}, s0_lz_count};
 
-  // ---- stage 1: registers ----------------------------------------------- from_fixed.rs
+  // ---- stage 1: registers -------------------------------------------------------------
   reg [INT_W+MAN_W+2:0] s1_norm;
   reg [ExpSumW-1:0]     s1_norm_exp;
   reg                   s1_is_zero;
@@ -74,12 +71,12 @@ module relief_fp_from_int #(
     end
   end
 
-  // ---- stage 1: round --------------------------------------------------- from_fixed.rs
+  // ---- stage 1: round -----------------------------------------------------------------
   wire [MAN_W:0]   s1_sig = s1_norm[INT_W+MAN_W+2:INT_W+2];
   wire             s1_round_up = s1_norm[INT_W+1] & ((|s1_norm[INT_W:0]) | s1_sig[0]);
   wire [MAN_W+1:0] s1_rounded = {1'b0, s1_sig} + {{(MAN_W + 1){1'b0}}, s1_round_up};
 
-  // ---- stage 1: select -------------------------------------------------- from_fixed.rs
+  // ---- stage 1: select ----------------------------------------------------------------
   wire [MAN_W-1:0]       s1_frac = s1_rounded[MAN_W+1] ? s1_rounded[MAN_W:1]
       : s1_rounded[MAN_W-1:0];
   wire [ExpSumW-1:0]     s1_exp = s1_norm_exp + {{(ExpSumW - 1){1'b0}}, s1_rounded[MAN_W+1]};
@@ -90,10 +87,10 @@ module relief_fp_from_int #(
   wire                   s1_give_zero = s1_is_zero | s1_underflow;
   wire [EXP_W+MAN_W-1:0] s1_number = {s1_exp[EXP_W-1:0], s1_frac};
   wire [EXP_W+MAN_W-1:0] s1_body = s1_give_inf ? {{EXP_W{1'b1}}, {MAN_W{1'b0}}}
-      : s1_give_zero ? {(EXP_W + MAN_W){1'b0}} : s1_number;
+      : (s1_give_zero ? {(EXP_W + MAN_W){1'b0}} : s1_number);
   wire [FloatW-1:0]      s1_value = {s1_minus, s1_body};
 
-  // ---- stage 2: registers ----------------------------------------------- from_fixed.rs
+  // ---- stage 2: registers -------------------------------------------------------------
   reg [FloatW-1:0] s2_value;
   always @(posedge clk) begin
     if (ce) begin

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_fp_lt: 1 if a < b; 0 when either is NaN; +0 and -0 are equal
-// Source     src/units/float/lt.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit fp_lt; do not edit
 // Chosen     rounding nearest-even, subnormals flush, specials ieee
 // Latency    1 clock
 // Throughput one result per clock
@@ -36,7 +36,7 @@ module relief_fp_lt #(
     end
   endgenerate
 
-  // ---- stage 0: compare --------------------------------------------------------- lt.rs
+  // ---- stage 0: compare ---------------------------------------------------------------
   // Of magnitudes: below, or for a negative a, below or equal. An exponent of 0 is zero whatever
   // its fraction says, but two of them are told apart from the rest without touching the chain.
   wire                   s0_a_sign = a[FloatW-1];
@@ -52,11 +52,11 @@ module relief_fp_lt #(
   wire                   s0_a_is_nan = (&s0_a_exp) & (|s0_a_frac);
   wire                   s0_b_is_nan = (&s0_b_exp) & (|s0_b_frac);
 
-  // ---- stage 0: decide ---------------------------------------------------------- lt.rs
+  // ---- stage 0: decide ----------------------------------------------------------------
   wire s0_ordered = ~(s0_a_is_nan | s0_b_is_nan | s0_both_zero);
   wire s0_less = s0_ordered & (s0_a_sign ? ~(s0_b_sign & s0_below) : (~s0_b_sign & s0_below));
 
-  // ---- stage 1: registers ------------------------------------------------------- lt.rs
+  // ---- stage 1: registers -------------------------------------------------------------
   reg s1_less;
   always @(posedge clk) begin
     if (ce) begin

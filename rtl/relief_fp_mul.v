@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_fp_mul: product of two floating-point numbers, rounded once
-// Source     src/units/float/mul.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit fp_mul; do not edit
 // Chosen     rounding nearest-even, subnormals flush, specials ieee
 // Latency    2 clocks
 // Throughput one result per clock
@@ -38,7 +38,7 @@ module relief_fp_mul #(
     end
   endgenerate
 
-  // ---- stage 0: operands ------------------------------------------------------- mul.rs
+  // ---- stage 0: operands --------------------------------------------------------------
   wire               s0_a_sign = a[FloatW-1];
   wire [EXP_W-1:0]   s0_a_exp = a[EXP_W+MAN_W-1:MAN_W];
   wire [MAN_W-1:0]   s0_a_frac = a[MAN_W-1:0];
@@ -60,7 +60,7 @@ module relief_fp_mul #(
   wire [2:0]         s0_exp_top = s0_exp_sum[EXP_W+2:EXP_W] - 3'd1;
   wire [ExpSumW-1:0] s0_exp_low = {s0_exp_top, s0_exp_sum[EXP_W-1:1]};
 
-  // ---- stage 0: multiply ------------------------------------------------------- mul.rs
+  // ---- stage 0: multiply --------------------------------------------------------------
   // The hidden bit is 1 for every operand: a zero operand overrides the result instead.
   wire [2*MAN_W+1:0] s0_prod =
       {{(MAN_W + 1){1'b0}}, {1'b1, s0_a_frac}} * {{(MAN_W + 1){1'b0}}, {1'b1, s0_b_frac}};
@@ -70,7 +70,7 @@ module relief_fp_mul #(
   wire               s0_is_nan = s0_a_is_nan | s0_b_is_nan | (s0_is_zero & s0_is_inf);
   wire               s0_prod_sign = s0_a_sign ^ s0_b_sign;
 
-  // ---- stage 1: registers ------------------------------------------------------ mul.rs
+  // ---- stage 1: registers -------------------------------------------------------------
   reg [2*MAN_W+1:0] s1_prod;
   reg [ExpSumW-1:0] s1_exp_low;
   reg [ExpSumW-1:0] s1_exp_high;
@@ -90,7 +90,7 @@ module relief_fp_mul #(
     end
   end
 
-  // ---- stage 1: round ---------------------------------------------------------- mul.rs
+  // ---- stage 1: round -----------------------------------------------------------------
   // A product of two numbers in [1, 2) lies in [1, 4): low below 2, high from 2 on. A carry out of
   // the fraction goes on into the exponent, and from the largest number to infinity, by itself.
   wire                   s1_low_guard = s1_prod[SigW-2];
@@ -116,7 +116,7 @@ module relief_fp_mul #(
       (s1_exp_high[EXP_W] | (&s1_exp_high[EXP_W-1:0]));
   wire                   s1_top = s1_prod[2*MAN_W+1];
 
-  // ---- stage 1: select --------------------------------------------------------- mul.rs
+  // ---- stage 1: select ----------------------------------------------------------------
   wire [EXP_W+MAN_W-1:0] s1_picked = s1_top ? s1_high_body : s1_low_body;
   wire                   s1_give_inf = s1_is_nan | s1_is_inf |
       ((s1_top ? s1_high_over : s1_low_over) & ~s1_is_zero);
@@ -127,7 +127,7 @@ module relief_fp_mul #(
       {s1_sign, (s1_picked[EXP_W+MAN_W-1:MAN_W] & {EXP_W{s1_keep}}) | {EXP_W{s1_give_inf}},
       (s1_picked[MAN_W-1:0] & {MAN_W{s1_keep}}) | {s1_is_nan, {(MAN_W - 1){1'b0}}}};
 
-  // ---- stage 2: registers ------------------------------------------------------ mul.rs
+  // ---- stage 2: registers -------------------------------------------------------------
   reg [FloatW-1:0] s2_value;
   always @(posedge clk) begin
     if (ce) begin

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_fp_to_int: floating-point number to a signed integer, toward minus infinity, saturating
-// Source     src/units/float/to_fixed.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit fp_to_int; do not edit
 // Chosen     rounding nearest-even, subnormals flush, specials ieee
 // Latency    2 clocks
 // Throughput one result per clock
@@ -24,7 +24,7 @@ module relief_fp_to_int #(
 );
   localparam integer FloatW = EXP_W + MAN_W + 1;
   localparam integer RightW =
-      (EXP_W > ($clog2(INT_W + MAN_W + 1)) ? EXP_W : ($clog2(INT_W + MAN_W + 1))) + 3;
+      ((EXP_W > ($clog2(INT_W + MAN_W + 1))) ? EXP_W : ($clog2(INT_W + MAN_W + 1))) + 3;
   localparam integer WideW = INT_W + MAN_W + 1;
   localparam integer Full = INT_W + MAN_W + (1 << (EXP_W - 1)) - 1;
   localparam integer Least = MAN_W + 2;
@@ -46,7 +46,7 @@ module relief_fp_to_int #(
     end
   endgenerate
 
-  // ---- stage 0: distance -------------------------------------------------- to_fixed.rs
+  // ---- stage 0: distance --------------------------------------------------------------
   // The significand starts above INT_W zeros and moves right by what the exponent lacks.
   wire              s0_a_sign = a[FloatW-1];
   wire [EXP_W-1:0]  s0_a_exp = a[EXP_W+MAN_W-1:MAN_W];
@@ -60,7 +60,7 @@ module relief_fp_to_int #(
   wire [RightW-1:0] s0_right = Full[RightW-1:0] - {{(RightW - EXP_W){1'b0}}, s0_a_exp};
   wire              s0_too_big = ($signed(s0_right) < $signed(Least[RightW-1:0])) | s0_a_is_inf;
 
-  // ---- stage 0: shift ----------------------------------------------------- to_fixed.rs
+  // ---- stage 0: shift -----------------------------------------------------------------
   // By multiples of four first; what each step shifts out is lost.
   wire [WideW-1:0]  s0_unshifted = {s0_a_sig, {INT_W{1'b0}}};
   wire [RightW-1:0] s0_coarse = {s0_right[RightW-1:2], 2'd0};
@@ -68,7 +68,7 @@ module relief_fp_to_int #(
   wire [1:0]        s0_fine = s0_right[1:0];
   wire              s0_lost_coarse = |(s0_unshifted & ~({WideW{1'b1}} << s0_coarse));
 
-  // ---- stage 1: registers ------------------------------------------------- to_fixed.rs
+  // ---- stage 1: registers -------------------------------------------------------------
   reg [WideW-1:0] s1_near_place;
   reg [1:0]       s1_fine;
   reg             s1_lost_coarse;
@@ -86,21 +86,22 @@ module relief_fp_to_int #(
     end
   end
 
-  // ---- stage 1: fine shift ------------------------------------------------ to_fixed.rs
+  // ---- stage 1: fine shift ------------------------------------------------------------
   wire [WideW-1:0] s1_shifted = s1_near_place >> s1_fine;
   wire             s1_lost = s1_lost_coarse | (|(s1_near_place[2:0] & ~({3{1'b1}} << s1_fine)));
   wire [INT_W-1:0] s1_mag = s1_shifted[INT_W-1:0];
 
-  // ---- stage 1: floor ----------------------------------------------------- to_fixed.rs
+  // ---- stage 1: floor -----------------------------------------------------------------
   // A negative number with bits shifted out lies below its truncated magnitude.
   wire [INT_W-1:0] s1_floor = (s1_mag ^ {INT_W{s1_a_sign}}) +
       {{(INT_W - 1){1'b0}}, s1_a_sign & ~s1_lost};
 
-  // ---- stage 1: saturate -------------------------------------------------- to_fixed.rs
+  // ---- stage 1: saturate --------------------------------------------------------------
   wire [INT_W-1:0] s1_limit = {s1_a_sign, {(INT_W - 1){~s1_a_sign}}};
-  wire [INT_W-1:0] s1_result_value = s1_a_is_nan ? {INT_W{1'b0}} : s1_too_big ? s1_limit : s1_floor;
+  wire [INT_W-1:0] s1_result_value = s1_a_is_nan ? {INT_W{1'b0}}
+      : (s1_too_big ? s1_limit : s1_floor);
 
-  // ---- stage 2: registers ------------------------------------------------- to_fixed.rs
+  // ---- stage 2: registers -------------------------------------------------------------
   reg [INT_W-1:0] s2_result_value;
   always @(posedge clk) begin
     if (ce) begin

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_height_address: address of a node's height in the pyramid memory
-// Source     src/units/traversal/height_address.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit height_address; do not edit
 // Latency    none, combinational
 `default_nettype none
 module relief_height_address #(
@@ -31,12 +31,8 @@ module relief_height_address #(
   wire [LEVELS:0]     base = {{LEVELS{1'b1}} << index_bits, 1'b0};
   wire [LEVELS:0]     even = {1'b0, i >> level} | base;
   wire [LEVELS:0]     odd = {1'b0, j >> level};
-  wire [2*LEVELS+1:0] morton;
-  relief_interleave #(.W(LEVELS + 1)) u_morton (
-    .a     (even),
-    .b     (odd),
-    .result(morton)
-  );
+  wire [2*LEVELS+1:0] morton;  // b[W-1] a[W-1] .. b[0] a[0] [bits]
+  relief_interleave #(.W(LEVELS + 1)) u_morton (.a(even), .b(odd), .result(morton));
 
   // Bits that nothing needs, named so that no lint has to be switched off for the rest.
   // verilator lint_off UNUSED

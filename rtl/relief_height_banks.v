@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_height_banks: on-chip memory in banks, with a write port and two registers a read
-// Source     src/units/traversal/height_banks.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit height_banks; do not edit
 // Latency    2 clocks
 // Throughput one result per clock
 // Note       Preloaded by MEM_INIT, it is one array with two registers: what it does is the same.
@@ -34,7 +34,7 @@ module relief_height_banks #(
     end
   endgenerate
 
-  localparam integer WordW = BANK_W < ADDR_W ? BANK_W : ADDR_W - 1;
+  localparam integer WordW = (BANK_W < ADDR_W) ? BANK_W : (ADDR_W - 1);
   localparam integer BankCount = (DEPTH + (1 << WordW) - 1) >> WordW;
 
   genvar g;

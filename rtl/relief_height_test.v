@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_height_test: parameter at which the ray is in the node and at or below its height
-// Source     src/units/traversal/watertight/height_test.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit height_test; do not edit
 // Chosen     rounding nearest-even, subnormals flush, specials ieee
 // Latency    4 clocks
 // Throughput one result per clock
@@ -42,24 +42,18 @@ module relief_height_test #(
     end
   endgenerate
 
-  // ---- stage 0: depth -------------------------------------------------- height_test.rs
+  // ---- stage 0: depth -----------------------------------------------------------------
   // The complement of a code is its distance from the top plane.
   wire [HEIGHT_W:0] s0_depth = {1'b0, ~height};
-  wire [FloatW-1:0] s2_t_v;
+  wire [FloatW-1:0] s2_t_v;  // a, rounded to nearest even [float]
   relief_fp_from_int #(
-    .EXP_W  (EXP_W),
-    .MAN_W  (MAN_W),
-    .INT_W  (HEIGHT_W + 1),
-    .LATENCY(2),
-    .VARIANT(32'h33bf768e)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(HEIGHT_W + 1), .LATENCY(2), .VARIANT(32'h33bf768e)
   ) u_from_int (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s0_depth),
+    .clk(clk), .ce(ce), .a(s0_depth),
     .result(s2_t_v)
   );
 
-  // ---- stage 1: registers ---------------------------------------------- height_test.rs
+  // ---- stage 1: registers -------------------------------------------------------------
   reg [FloatW-1:0] s1_t;
   always @(posedge clk) begin
     if (ce) begin
@@ -67,7 +61,7 @@ module relief_height_test #(
     end
   end
 
-  // ---- stage 2: registers ---------------------------------------------- height_test.rs
+  // ---- stage 2: registers -------------------------------------------------------------
   reg [FloatW-1:0] s2_t;
   always @(posedge clk) begin
     if (ce) begin
@@ -75,25 +69,19 @@ module relief_height_test #(
     end
   end
 
-  // ---- stage 2: compare ------------------------------------------------ height_test.rs
-  wire s3_is_before;
+  // ---- stage 2: compare ---------------------------------------------------------------
+  wire s3_is_before;  // a < b
   relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(1), .VARIANT(32'h34d3d038)) u_before (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s2_t),
-    .b     (s2_t_v),
+    .clk(clk), .ce(ce), .a(s2_t), .b(s2_t_v),
     .result(s3_is_before)
   );
-  wire s3_is_below;
+  wire s3_is_below;  // a < b
   relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(1), .VARIANT(32'h34d3d038)) u_below (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s2_t_v),
-    .b     (s2_t),
+    .clk(clk), .ce(ce), .a(s2_t_v), .b(s2_t),
     .result(s3_is_below)
   );
 
-  // ---- stage 3: registers ---------------------------------------------- height_test.rs
+  // ---- stage 3: registers -------------------------------------------------------------
   reg [FloatW-1:0] s3_t_v;
   reg [FloatW-1:0] s3_t;
   always @(posedge clk) begin
@@ -103,10 +91,10 @@ module relief_height_test #(
     end
   end
 
-  // ---- stage 3: compare ------------------------------------------------ height_test.rs
+  // ---- stage 3: compare ---------------------------------------------------------------
   wire [FloatW-1:0] s3_reach = s3_is_before ? s3_t_v : s3_t;
 
-  // ---- stage 4: registers ---------------------------------------------- height_test.rs
+  // ---- stage 4: registers -------------------------------------------------------------
   reg [FloatW-1:0] s4_reach;
   reg              s4_is_below;
   always @(posedge clk) begin

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_hit_position: position of the hit inside its texel: p + d * t - x, kept in [0, 1)
-// Source     src/units/traversal/watertight/hit_position.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit hit_position; do not edit
 // Chosen     rounding nearest-even, subnormals flush, specials ieee
 // Latency    7 clocks
 // Throughput one result per clock
@@ -47,17 +47,14 @@ module relief_hit_position #(
     end
   endgenerate
 
-  // ---- stage 0: position ---------------------------------------------- hit_position.rs
-  wire [FloatW-1:0] s2_way;
+  // ---- stage 0: position --------------------------------------------------------------
+  wire [FloatW-1:0] s2_way;  // a * b [float]
   relief_fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(2), .VARIANT(32'h5bd17165)) u_mul (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (d),
-    .b     (t),
+    .clk(clk), .ce(ce), .a(d), .b(t),
     .result(s2_way)
   );
 
-  // ---- stage 1: registers --------------------------------------------- hit_position.rs
+  // ---- stage 1: registers -------------------------------------------------------------
   reg [FloatW-1:0] s1_p;
   always @(posedge clk) begin
     if (ce) begin
@@ -65,7 +62,7 @@ module relief_hit_position #(
     end
   end
 
-  // ---- stage 2: registers --------------------------------------------- hit_position.rs
+  // ---- stage 2: registers -------------------------------------------------------------
   reg [FloatW-1:0] s2_p;
   always @(posedge clk) begin
     if (ce) begin
@@ -73,52 +70,34 @@ module relief_hit_position #(
     end
   end
 
-  // ---- stage 2: position ---------------------------------------------- hit_position.rs
-  wire [FloatW-1:0] s5_position;
+  // ---- stage 2: position --------------------------------------------------------------
+  wire [FloatW-1:0] s5_position;  // a + b [float]
   relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h6bc4a879)) u_add (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s2_p),
-    .b     (s2_way),
+    .clk(clk), .ce(ce), .a(s2_p), .b(s2_way),
     .result(s5_position)
   );
 
-  // ---- stage 3: registers --------------------------------------------- hit_position.rs
-
-  // ---- stage 4: registers --------------------------------------------- hit_position.rs
-
-  // ---- stage 5: registers --------------------------------------------- hit_position.rs
-
-  // ---- stage 5: position ---------------------------------------------- hit_position.rs
-  wire [FRAC_W+IDX_W-1:0] s7_fixed;
+  // ---- stage 5: position --------------------------------------------------------------
+  wire [FRAC_W+IDX_W-1:0] s7_fixed;  // floor of a, saturated [fixed point]
   relief_fp_to_fixed #(
-    .EXP_W  (EXP_W),
-    .MAN_W  (MAN_W),
-    .INT_W  (FRAC_W + IDX_W),
-    .FRAC_W (FRAC_W),
-    .LATENCY(2),
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(FRAC_W + IDX_W), .FRAC_W(FRAC_W), .LATENCY(2),
     .VARIANT(32'h00960256)
   ) u_to_fixed (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s5_position),
+    .clk(clk), .ce(ce), .a(s5_position),
     .result(s7_fixed)
   );
 
-  // ---- stage 6: registers --------------------------------------------- hit_position.rs
-
-  // ---- stage 7: registers --------------------------------------------- hit_position.rs
+  // ---- stage 7: registers -------------------------------------------------------------
   // Delay of 7 clocks: stage 0 to 7.
   reg [IDX_W-1:0]   s7_x;
   reg [6*IDX_W-1:0] s0_to_s7;
   always @(posedge clk) begin
     if (ce) begin
-      {s7_x, s0_to_s7} <=
-          {s0_to_s7, x};
+      {s7_x, s0_to_s7} <= {s0_to_s7, x};
     end
   end
 
-  // ---- stage 7: clamp ------------------------------------------------- hit_position.rs
+  // ---- stage 7: clamp -----------------------------------------------------------------
   // A hit on a wall lies exactly on a border: the integer texel decides, the fraction follows.
   wire [FRAC_W+IDX_W-1:0] s7_corner = {s7_x, {FRAC_W{1'b0}}};
   wire [FRAC_W+IDX_W:0]   s7_offset =
@@ -126,7 +105,7 @@ module relief_hit_position #(
   wire                    s7_past = |s7_offset[FRAC_W+IDX_W:FRAC_W];
   wire [FRAC_W-1:0]       s7_low_part = s7_offset[FRAC_W-1:0];
   wire [FRAC_W-1:0]       s7_kept = s7_offset[FRAC_W+IDX_W] ? {FRAC_W{1'b0}}
-      : s7_past ? {FRAC_W{1'b1}} : s7_low_part;
+      : (s7_past ? {FRAC_W{1'b1}} : s7_low_part);
 
   assign fraction = s7_kept;
 endmodule

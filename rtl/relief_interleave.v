@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_interleave: two words in Morton order: a in the even bits, b in the odd ones
-// Source     src/units/interleave.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit interleave; do not edit
 // Latency    none, combinational
 `default_nettype none
 module relief_interleave #(

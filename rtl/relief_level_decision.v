@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_level_decision: hit, descend or cross: the next node, level and parameter
-// Source     src/units/traversal/level_decision.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit level_decision; do not edit
 // Chosen     rounding nearest-even, subnormals flush, specials ieee
 // Latency    none, combinational
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
@@ -63,8 +63,8 @@ module relief_level_decision #(
   wire [LevelW-1:0] risen = level + {{(LevelW - 1){1'b0}}, up};
   wire [LevelW-1:0] level_chosen = is_inside ? (is_hit ? level : level_down) : risen;
   wire              keep_x = ~x_first;
-  wire [IDX_W-1:0]  x_chosen = is_inside ? (is_hit ? x_at : x_down) : keep_x ? x_at : x_beyond;
-  wire [IDX_W-1:0]  y_chosen = is_inside ? (is_hit ? y_at : y_down) : x_first ? y_at : y_beyond;
+  wire [IDX_W-1:0]  x_chosen = is_inside ? (is_hit ? x_at : x_down) : (keep_x ? x_at : x_beyond);
+  wire [IDX_W-1:0]  y_chosen = is_inside ? (is_hit ? y_at : y_down) : (x_first ? y_at : y_beyond);
 
   assign hit = is_hit;
   assign crosses = ~is_inside;

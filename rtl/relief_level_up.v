@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_level_up: level-up test: the crossing leaves the parent, and the predicted hit is no
 //                  neighbour
-// Source     src/units/traversal/level_up.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit level_up; do not edit
 // Chosen     level_up selective
 // Latency    none, combinational
 `default_nettype none

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_lzc: number of leading zeros of a word; W when the word is zero
-// Source     src/units/lzc.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit lzc; do not edit
 // Latency    none, combinational
 `default_nettype none
 module relief_lzc #(

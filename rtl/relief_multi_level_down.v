@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_multi_level_down: level and child of a descent: 2 levels until the first crossing, then
 //                          one
-// Source     src/units/traversal/multi_level_down.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit multi_level_down; do not edit
 // Chosen     levels_down 2
 // Latency    none, combinational
 `default_nettype none
@@ -50,10 +50,10 @@ module relief_multi_level_down #(
   wire [LevelW-1:0] next_level = jump ? jumped[LevelW-1:0] : (level - {{(LevelW - 1){1'b0}}, 1'b1});
   wire              x_is_below = $signed(x_hit) < $signed(x_low);
   wire              x_is_above = $signed(x_high) < $signed(x_hit);
-  wire [IDX_W-1:0]  x_child = x_is_below ? x_low : x_is_above ? x_high : x_hit;
+  wire [IDX_W-1:0]  x_child = x_is_below ? x_low : (x_is_above ? x_high : x_hit);
   wire              y_is_below = $signed(y_hit) < $signed(y_low);
   wire              y_is_above = $signed(y_high) < $signed(y_hit);
-  wire [IDX_W-1:0]  y_child = y_is_below ? y_low : y_is_above ? y_high : y_hit;
+  wire [IDX_W-1:0]  y_child = y_is_below ? y_low : (y_is_above ? y_high : y_hit);
 
   // Bits that nothing needs, named so that no lint has to be switched off for the rest.
   // verilator lint_off UNUSED

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_node_crossing: node crossing test: hit inside the node, or exit plane and parameter
-// Source     src/units/traversal/watertight/node_crossing.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit node_crossing; do not edit
 // Chosen     rounding nearest-even, subnormals flush, specials ieee
 // Latency    2 clocks
 // Throughput one result per clock
@@ -42,50 +42,35 @@ module relief_node_crossing #(
     end
   endgenerate
 
-  // ---- stage 0: compare ---------------------------------------------- node_crossing.rs
+  // ---- stage 0: compare ---------------------------------------------------------------
   // All five comparisons at once; the selects follow.
-  wire s1_m_before_x;
+  wire s1_m_before_x;  // a < b
   relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(1), .VARIANT(32'h34d3d038)) u_m_tx (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (m),
-    .b     (t_x),
+    .clk(clk), .ce(ce), .a(m), .b(t_x),
     .result(s1_m_before_x)
   );
-  wire s1_m_before_y;
+  wire s1_m_before_y;  // a < b
   relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(1), .VARIANT(32'h34d3d038)) u_m_ty (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (m),
-    .b     (t_y),
+    .clk(clk), .ce(ce), .a(m), .b(t_y),
     .result(s1_m_before_y)
   );
-  wire s1_y_before_x;
+  wire s1_y_before_x;  // a < b
   relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(1), .VARIANT(32'h34d3d038)) u_ty_tx (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (t_y),
-    .b     (t_x),
+    .clk(clk), .ce(ce), .a(t_y), .b(t_x),
     .result(s1_y_before_x)
   );
-  wire s1_t_before_x;
+  wire s1_t_before_x;  // a < b
   relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(1), .VARIANT(32'h34d3d038)) u_t_tx (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (t),
-    .b     (t_x),
+    .clk(clk), .ce(ce), .a(t), .b(t_x),
     .result(s1_t_before_x)
   );
-  wire s1_t_before_y;
+  wire s1_t_before_y;  // a < b
   relief_fp_lt #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(1), .VARIANT(32'h34d3d038)) u_t_ty (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (t),
-    .b     (t_y),
+    .clk(clk), .ce(ce), .a(t), .b(t_y),
     .result(s1_t_before_y)
   );
 
-  // ---- stage 1: registers -------------------------------------------- node_crossing.rs
+  // ---- stage 1: registers -------------------------------------------------------------
   reg [FloatW-1:0] s1_t_y;
   reg [FloatW-1:0] s1_t_x;
   reg [FloatW-1:0] s1_t;
@@ -97,14 +82,14 @@ module relief_node_crossing #(
     end
   end
 
-  // ---- stage 1: select ----------------------------------------------- node_crossing.rs
+  // ---- stage 1: select ----------------------------------------------------------------
   wire [FloatW-1:0] s1_t_exit = s1_y_before_x ? s1_t_y : s1_t_x;
   wire              s1_t_advances = s1_y_before_x ? s1_t_before_y : s1_t_before_x;
   wire [FloatW-1:0] s1_t_after = s1_t_advances ? s1_t_exit : s1_t;
   wire              s1_in_both = s1_m_before_x & s1_m_before_y;
   wire              s1_x_exits_first = ~s1_y_before_x;
 
-  // ---- stage 2: registers -------------------------------------------- node_crossing.rs
+  // ---- stage 2: registers -------------------------------------------------------------
   reg              s2_in_both;
   reg              s2_x_exits_first;
   reg [FloatW-1:0] s2_t_after;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_node_planes: extent of a node along one axis, and the plane by which the ray leaves
-// Source     src/units/traversal/node_planes.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit node_planes; do not edit
 // Latency    none, combinational
 `default_nettype none
 module relief_node_planes #(

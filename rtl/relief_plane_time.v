@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_plane_time: ray parameter at which the ray meets a plane: (plane - p) * r
-// Source     src/units/traversal/watertight/plane_time.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit plane_time; do not edit
 // Chosen     rounding nearest-even, subnormals flush, specials ieee
 // Latency    8 clocks
 // Throughput one result per clock
@@ -41,23 +41,17 @@ module relief_plane_time #(
     end
   endgenerate
 
-  // ---- stage 0: distance ------------------------------------------------ plane_time.rs
-  wire [FloatW-1:0] s2_plane_float;
+  // ---- stage 0: distance --------------------------------------------------------------
+  wire [FloatW-1:0] s2_plane_float;  // a, rounded to nearest even [float]
   relief_fp_from_int #(
-    .EXP_W  (EXP_W),
-    .MAN_W  (MAN_W),
-    .INT_W  (IDX_W),
-    .LATENCY(2),
-    .VARIANT(32'h33bf768e)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IDX_W), .LATENCY(2), .VARIANT(32'h33bf768e)
   ) u_from_int (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (plane),
+    .clk(clk), .ce(ce), .a(plane),
     .result(s2_plane_float)
   );
   wire [FloatW-1:0] s0_minus_p = {~p[FloatW-1], p[FloatW-2:0]};
 
-  // ---- stage 1: registers ----------------------------------------------- plane_time.rs
+  // ---- stage 1: registers -------------------------------------------------------------
   reg [FloatW-1:0] s1_minus_p;
   reg [FloatW-1:0] s1_r;
   always @(posedge clk) begin
@@ -67,7 +61,7 @@ module relief_plane_time #(
     end
   end
 
-  // ---- stage 2: registers ----------------------------------------------- plane_time.rs
+  // ---- stage 2: registers -------------------------------------------------------------
   reg [FloatW-1:0] s2_minus_p;
   reg [FloatW-1:0] s2_r;
   always @(posedge clk) begin
@@ -77,17 +71,14 @@ module relief_plane_time #(
     end
   end
 
-  // ---- stage 2: distance ------------------------------------------------ plane_time.rs
-  wire [FloatW-1:0] s5_distance;
+  // ---- stage 2: distance --------------------------------------------------------------
+  wire [FloatW-1:0] s5_distance;  // a + b [float]
   relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h6bc4a879)) u_sub (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s2_plane_float),
-    .b     (s2_minus_p),
+    .clk(clk), .ce(ce), .a(s2_plane_float), .b(s2_minus_p),
     .result(s5_distance)
   );
 
-  // ---- stage 3: registers ----------------------------------------------- plane_time.rs
+  // ---- stage 3: registers -------------------------------------------------------------
   reg [FloatW-1:0] s3_r;
   always @(posedge clk) begin
     if (ce) begin
@@ -95,7 +86,7 @@ module relief_plane_time #(
     end
   end
 
-  // ---- stage 4: registers ----------------------------------------------- plane_time.rs
+  // ---- stage 4: registers -------------------------------------------------------------
   reg [FloatW-1:0] s4_r;
   always @(posedge clk) begin
     if (ce) begin
@@ -103,7 +94,7 @@ module relief_plane_time #(
     end
   end
 
-  // ---- stage 5: registers ----------------------------------------------- plane_time.rs
+  // ---- stage 5: registers -------------------------------------------------------------
   reg [FloatW-1:0] s5_r;
   always @(posedge clk) begin
     if (ce) begin
@@ -111,33 +102,27 @@ module relief_plane_time #(
     end
   end
 
-  // ---- stage 5: parameter ----------------------------------------------- plane_time.rs
-  wire [FloatW-1:0] s7_product;
+  // ---- stage 5: parameter -------------------------------------------------------------
+  wire [FloatW-1:0] s7_product;  // a * b [float]
   relief_fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(2), .VARIANT(32'h5bd17165)) u_mul (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s5_distance),
-    .b     (s5_r),
+    .clk(clk), .ce(ce), .a(s5_distance), .b(s5_r),
     .result(s7_product)
   );
 
-  // ---- stage 6: registers ----------------------------------------------- plane_time.rs
-
-  // ---- stage 7: registers ----------------------------------------------- plane_time.rs
+  // ---- stage 7: registers -------------------------------------------------------------
   // Delay of 7 clocks: stage 0 to 7.
   reg       s7_never;
   reg [5:0] s0_to_s7;
   always @(posedge clk) begin
     if (ce) begin
-      {s7_never, s0_to_s7} <=
-          {s0_to_s7, never};
+      {s7_never, s0_to_s7} <= {s0_to_s7, never};
     end
   end
 
-  // ---- stage 7: parameter ----------------------------------------------- plane_time.rs
+  // ---- stage 7: parameter -------------------------------------------------------------
   wire [FloatW-1:0] s7_when_met = s7_never ? {1'b0, {EXP_W{1'b1}}, {MAN_W{1'b0}}} : s7_product;
 
-  // ---- stage 8: registers ----------------------------------------------- plane_time.rs
+  // ---- stage 8: registers -------------------------------------------------------------
   reg [FloatW-1:0] s8_when_met;
   always @(posedge clk) begin
     if (ce) begin

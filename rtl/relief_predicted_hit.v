@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_predicted_hit: texel coordinate reached at parameter m: floor(p_back + d * m)
-// Source     src/units/traversal/watertight/predicted_hit.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit predicted_hit; do not edit
 // Chosen     rounding nearest-even, subnormals flush, specials ieee
 // Latency    7 clocks
 // Throughput one result per clock
@@ -40,18 +40,15 @@ module relief_predicted_hit #(
     end
   endgenerate
 
-  // ---- stage 0: way -------------------------------------------------- predicted_hit.rs
+  // ---- stage 0: way -------------------------------------------------------------------
   // The position is rounded down to its texel; the bias keeps it from lying ahead of the ray.
-  wire [FloatW-1:0] s2_way;
+  wire [FloatW-1:0] s2_way;  // a * b [float]
   relief_fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(2), .VARIANT(32'h5bd17165)) u_mul (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (d),
-    .b     (m),
+    .clk(clk), .ce(ce), .a(d), .b(m),
     .result(s2_way)
   );
 
-  // ---- stage 1: registers -------------------------------------------- predicted_hit.rs
+  // ---- stage 1: registers -------------------------------------------------------------
   reg [FloatW-1:0] s1_p_back;
   always @(posedge clk) begin
     if (ce) begin
@@ -59,7 +56,7 @@ module relief_predicted_hit #(
     end
   end
 
-  // ---- stage 2: registers -------------------------------------------- predicted_hit.rs
+  // ---- stage 2: registers -------------------------------------------------------------
   reg [FloatW-1:0] s2_p_back;
   always @(posedge clk) begin
     if (ce) begin
@@ -67,42 +64,23 @@ module relief_predicted_hit #(
     end
   end
 
-  // ---- stage 2: way -------------------------------------------------- predicted_hit.rs
+  // ---- stage 2: way -------------------------------------------------------------------
   // The position is rounded down to its texel; the bias keeps it from lying ahead of the ray.
-  wire [FloatW-1:0] s5_position;
+  wire [FloatW-1:0] s5_position;  // a + b [float]
   relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h6bc4a879)) u_add (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s2_p_back),
-    .b     (s2_way),
+    .clk(clk), .ce(ce), .a(s2_p_back), .b(s2_way),
     .result(s5_position)
   );
 
-  // ---- stage 3: registers -------------------------------------------- predicted_hit.rs
-
-  // ---- stage 4: registers -------------------------------------------- predicted_hit.rs
-
-  // ---- stage 5: registers -------------------------------------------- predicted_hit.rs
-
-  // ---- stage 5: way -------------------------------------------------- predicted_hit.rs
+  // ---- stage 5: way -------------------------------------------------------------------
   // The position is rounded down to its texel; the bias keeps it from lying ahead of the ray.
-  wire [IDX_W-1:0] s7_texel;
+  wire [IDX_W-1:0] s7_texel;  // floor of a, saturated [integer]
   relief_fp_to_int #(
-    .EXP_W  (EXP_W),
-    .MAN_W  (MAN_W),
-    .INT_W  (IDX_W),
-    .LATENCY(2),
-    .VARIANT(32'h097a7d26)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IDX_W), .LATENCY(2), .VARIANT(32'h097a7d26)
   ) u_to_int (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s5_position),
+    .clk(clk), .ce(ce), .a(s5_position),
     .result(s7_texel)
   );
-
-  // ---- stage 6: registers -------------------------------------------- predicted_hit.rs
-
-  // ---- stage 7: registers -------------------------------------------- predicted_hit.rs
 
   assign e = s7_texel;
 endmodule

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_ray_setup: a ray's constants, from texture coordinates to texels and height codes
-// Source     src/units/traversal/watertight/ray_setup.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit ray_setup; do not edit
 // Chosen     rounding nearest-even, subnormals flush, specials ieee
 // Latency    21 clocks
 // Throughput one result per clock
@@ -59,8 +59,8 @@ module relief_ray_setup #(
   localparam integer MFrac = (1 << MAN_W) - (1 << (MAN_W - HEIGHT_W + 1));
   localparam integer RecipExp = (1 << (EXP_W - 1)) - HEIGHT_W - 1;
   localparam [63:0] RecipFrac =
-      (((64'd1 << HEIGHT_W) +
-      (64'd1 << (HEIGHT_W + MAN_W + 1)) - 64'd1) / (64'd2 * (64'd1 << HEIGHT_W) - 64'd2));
+      ((64'd1 << HEIGHT_W) +
+      (64'd1 << (HEIGHT_W + MAN_W + 1)) - 64'd1) / (64'd2 * (64'd1 << HEIGHT_W) - 64'd2);
   localparam integer Least = LEVELS + (1 << (EXP_W - 1)) + 1;
   localparam integer Ulps = MAN_W + 1;
 
@@ -98,7 +98,7 @@ module relief_ray_setup #(
     end
   endgenerate
 
-  // ---- stage 0: x_scale -------------------------------------------------- ray_setup.rs
+  // ---- stage 0: x_scale ---------------------------------------------------------------
   // Times 2^LEVELS: the exponent grows; zeros stay zeros.
   wire              s0_x_p_in_sign = u[FloatW-1];
   wire [EXP_W-1:0]  s0_x_p_in_exp = u[EXP_W+MAN_W-1:MAN_W];
@@ -126,11 +126,11 @@ module relief_ray_setup #(
       {s0_x_d_in_sign, {s0_x_d_in_exp + Grow[EXP_W-1:0], s0_x_d_in_frac} &
       {(EXP_W + MAN_W){~s0_x_d_in_is_zero}}};
 
-  // ---- stage 0: x_bias --------------------------------------------------- ray_setup.rs
+  // ---- stage 0: x_bias ----------------------------------------------------------------
   // A power of two above the position estimate's error, subtracted against the direction.
   wire s0_x_forward = ~s0_x_d_in_sign;
 
-  // ---- stage 0: y_scale -------------------------------------------------- ray_setup.rs
+  // ---- stage 0: y_scale ---------------------------------------------------------------
   // Times 2^LEVELS: the exponent grows; zeros stay zeros.
   wire              s0_y_p_in_sign = v[FloatW-1];
   wire [EXP_W-1:0]  s0_y_p_in_exp = v[EXP_W+MAN_W-1:MAN_W];
@@ -158,14 +158,14 @@ module relief_ray_setup #(
       {s0_y_d_in_sign, {s0_y_d_in_exp + Grow[EXP_W-1:0], s0_y_d_in_frac} &
       {(EXP_W + MAN_W){~s0_y_d_in_is_zero}}};
 
-  // ---- stage 0: y_bias --------------------------------------------------- ray_setup.rs
+  // ---- stage 0: y_bias ----------------------------------------------------------------
   // A power of two above the position estimate's error, subtracted against the direction.
   wire s0_y_forward = ~s0_y_d_in_sign;
 
-  // ---- stage 0: level ---------------------------------------------------- ray_setup.rs
+  // ---- stage 0: level -----------------------------------------------------------------
   wire s0_is_ok = s0_x_ok & s0_y_ok;
 
-  // ---- stage 1: registers ------------------------------------------------ ray_setup.rs
+  // ---- stage 1: registers -------------------------------------------------------------
   reg [FloatW-1:0] s1_x_p;
   reg [FloatW-1:0] s1_x_dn;
   reg              s1_x_forward;
@@ -194,105 +194,75 @@ module relief_ray_setup #(
     end
   end
 
-  // ---- stage 1: x_slope -------------------------------------------------- ray_setup.rs
+  // ---- stage 1: x_slope ---------------------------------------------------------------
   // In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.
-  wire [FloatW-1:0] s21_x_r;
+  wire [FloatW-1:0] s21_x_r;  // a / b [float]
   relief_fp_div #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(20), .VARIANT(32'h168f7dd3)) u_x_div (
-    .clk   (clk),
-    .ce    (ce),
-    .a     ({1'b0, MExp[EXP_W-1:0], MFrac[MAN_W-1:0]}),
-    .b     (s1_x_dn),
+    .clk(clk), .ce(ce), .a({1'b0, MExp[EXP_W-1:0], MFrac[MAN_W-1:0]}), .b(s1_x_dn),
     .result(s21_x_r)
   );
-  wire [FloatW-1:0] s3_x_d;
+  wire [FloatW-1:0] s3_x_d;  // a * b [float]
   relief_fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(2), .VARIANT(32'h5bd17165)) u_x_mul (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s1_x_dn),
-    .b     ({1'b0, RecipExp[EXP_W-1:0], RecipFrac[MAN_W-1:0]}),
+    .clk(clk), .ce(ce), .a(s1_x_dn), .b({1'b0, RecipExp[EXP_W-1:0], RecipFrac[MAN_W-1:0]}),
     .result(s3_x_d)
   );
 
-  // ---- stage 1: x_bias --------------------------------------------------- ray_setup.rs
+  // ---- stage 1: x_bias ----------------------------------------------------------------
   // A power of two above the position estimate's error, subtracted against the direction.
   wire [EXP_W:0]    s1_x_reach = {1'b0, s1_x_dn[EXP_W+MAN_W-1:MAN_W]} + {{(EXP_W - 2){1'b0}}, 3'd5};
   wire [EXP_W:0]    s1_x_bias_top = (Least[EXP_W:0] < s1_x_reach) ? s1_x_reach : Least[EXP_W:0];
   wire [EXP_W:0]    s1_x_bias_exp = s1_x_bias_top - Ulps[EXP_W:0];
   wire [FloatW-1:0] s1_x_bias = {s1_x_forward, s1_x_bias_exp[EXP_W-1:0], {MAN_W{1'b0}}};
 
-  // ---- stage 1: x_texels ------------------------------------------------- ray_setup.rs
-  wire [IdxW-1:0] s3_x_first;
+  // ---- stage 1: x_texels --------------------------------------------------------------
+  wire [IdxW-1:0] s3_x_first;  // floor of a, saturated [integer]
   relief_fp_to_int #(
-    .EXP_W  (EXP_W),
-    .MAN_W  (MAN_W),
-    .INT_W  (IdxW),
-    .LATENCY(2),
-    .VARIANT(32'h097a7d26)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW), .LATENCY(2), .VARIANT(32'h097a7d26)
   ) u_x_first (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s1_x_p),
+    .clk(clk), .ce(ce), .a(s1_x_p),
     .result(s3_x_first)
   );
-  wire [FloatW-1:0] s4_x_end;
+  wire [FloatW-1:0] s4_x_end;  // a + b [float]
   relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h6bc4a879)) u_x_end (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s1_x_p),
-    .b     (s1_x_dn),
+    .clk(clk), .ce(ce), .a(s1_x_p), .b(s1_x_dn),
     .result(s4_x_end)
   );
 
-  // ---- stage 1: y_slope -------------------------------------------------- ray_setup.rs
+  // ---- stage 1: y_slope ---------------------------------------------------------------
   // In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.
-  wire [FloatW-1:0] s21_y_r;
+  wire [FloatW-1:0] s21_y_r;  // a / b [float]
   relief_fp_div #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(20), .VARIANT(32'h168f7dd3)) u_y_div (
-    .clk   (clk),
-    .ce    (ce),
-    .a     ({1'b0, MExp[EXP_W-1:0], MFrac[MAN_W-1:0]}),
-    .b     (s1_y_dn),
+    .clk(clk), .ce(ce), .a({1'b0, MExp[EXP_W-1:0], MFrac[MAN_W-1:0]}), .b(s1_y_dn),
     .result(s21_y_r)
   );
-  wire [FloatW-1:0] s3_y_d;
+  wire [FloatW-1:0] s3_y_d;  // a * b [float]
   relief_fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(2), .VARIANT(32'h5bd17165)) u_y_mul (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s1_y_dn),
-    .b     ({1'b0, RecipExp[EXP_W-1:0], RecipFrac[MAN_W-1:0]}),
+    .clk(clk), .ce(ce), .a(s1_y_dn), .b({1'b0, RecipExp[EXP_W-1:0], RecipFrac[MAN_W-1:0]}),
     .result(s3_y_d)
   );
 
-  // ---- stage 1: y_bias --------------------------------------------------- ray_setup.rs
+  // ---- stage 1: y_bias ----------------------------------------------------------------
   // A power of two above the position estimate's error, subtracted against the direction.
   wire [EXP_W:0]    s1_y_reach = {1'b0, s1_y_dn[EXP_W+MAN_W-1:MAN_W]} + {{(EXP_W - 2){1'b0}}, 3'd5};
   wire [EXP_W:0]    s1_y_bias_top = (Least[EXP_W:0] < s1_y_reach) ? s1_y_reach : Least[EXP_W:0];
   wire [EXP_W:0]    s1_y_bias_exp = s1_y_bias_top - Ulps[EXP_W:0];
   wire [FloatW-1:0] s1_y_bias = {s1_y_forward, s1_y_bias_exp[EXP_W-1:0], {MAN_W{1'b0}}};
 
-  // ---- stage 1: y_texels ------------------------------------------------- ray_setup.rs
-  wire [IdxW-1:0] s3_y_first;
+  // ---- stage 1: y_texels --------------------------------------------------------------
+  wire [IdxW-1:0] s3_y_first;  // floor of a, saturated [integer]
   relief_fp_to_int #(
-    .EXP_W  (EXP_W),
-    .MAN_W  (MAN_W),
-    .INT_W  (IdxW),
-    .LATENCY(2),
-    .VARIANT(32'h097a7d26)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW), .LATENCY(2), .VARIANT(32'h097a7d26)
   ) u_y_first (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s1_y_p),
+    .clk(clk), .ce(ce), .a(s1_y_p),
     .result(s3_y_first)
   );
-  wire [FloatW-1:0] s4_y_end;
+  wire [FloatW-1:0] s4_y_end;  // a + b [float]
   relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h6bc4a879)) u_y_end (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s1_y_p),
-    .b     (s1_y_dn),
+    .clk(clk), .ce(ce), .a(s1_y_p), .b(s1_y_dn),
     .result(s4_y_end)
   );
 
-  // ---- stage 2: registers ------------------------------------------------ ray_setup.rs
+  // ---- stage 2: registers -------------------------------------------------------------
   reg [FloatW-1:0] s2_x_bias;
   reg [FloatW-1:0] s2_x_p;
   reg [FloatW-1:0] s2_y_bias;
@@ -306,120 +276,62 @@ module relief_ray_setup #(
     end
   end
 
-  // ---- stage 2: x_bias --------------------------------------------------- ray_setup.rs
+  // ---- stage 2: x_bias ----------------------------------------------------------------
   // A power of two above the position estimate's error, subtracted against the direction.
-  wire [FloatW-1:0] s5_x_pb;
+  wire [FloatW-1:0] s5_x_pb;  // a + b [float]
   relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h6bc4a879)) u_x_back (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s2_x_p),
-    .b     (s2_x_bias),
+    .clk(clk), .ce(ce), .a(s2_x_p), .b(s2_x_bias),
     .result(s5_x_pb)
   );
 
-  // ---- stage 2: y_bias --------------------------------------------------- ray_setup.rs
+  // ---- stage 2: y_bias ----------------------------------------------------------------
   // A power of two above the position estimate's error, subtracted against the direction.
-  wire [FloatW-1:0] s5_y_pb;
+  wire [FloatW-1:0] s5_y_pb;  // a + b [float]
   relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h6bc4a879)) u_y_back (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s2_y_p),
-    .b     (s2_y_bias),
+    .clk(clk), .ce(ce), .a(s2_y_p), .b(s2_y_bias),
     .result(s5_y_pb)
   );
 
-  // ---- stage 3: registers ------------------------------------------------ ray_setup.rs
-
-  // ---- stage 4: registers ------------------------------------------------ ray_setup.rs
-
-  // ---- stage 4: x_texels ------------------------------------------------- ray_setup.rs
-  wire [IdxW-1:0] s6_x_last;
+  // ---- stage 4: x_texels --------------------------------------------------------------
+  wire [IdxW-1:0] s6_x_last;  // floor of a, saturated [integer]
   relief_fp_to_int #(
-    .EXP_W  (EXP_W),
-    .MAN_W  (MAN_W),
-    .INT_W  (IdxW),
-    .LATENCY(2),
-    .VARIANT(32'h097a7d26)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW), .LATENCY(2), .VARIANT(32'h097a7d26)
   ) u_x_last (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s4_x_end),
+    .clk(clk), .ce(ce), .a(s4_x_end),
     .result(s6_x_last)
   );
 
-  // ---- stage 4: y_texels ------------------------------------------------- ray_setup.rs
-  wire [IdxW-1:0] s6_y_last;
+  // ---- stage 4: y_texels --------------------------------------------------------------
+  wire [IdxW-1:0] s6_y_last;  // floor of a, saturated [integer]
   relief_fp_to_int #(
-    .EXP_W  (EXP_W),
-    .MAN_W  (MAN_W),
-    .INT_W  (IdxW),
-    .LATENCY(2),
-    .VARIANT(32'h097a7d26)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW), .LATENCY(2), .VARIANT(32'h097a7d26)
   ) u_y_last (
-    .clk   (clk),
-    .ce    (ce),
-    .a     (s4_y_end),
+    .clk(clk), .ce(ce), .a(s4_y_end),
     .result(s6_y_last)
   );
 
-  // ---- stage 5: registers ------------------------------------------------ ray_setup.rs
-
-  // ---- stage 6: registers ------------------------------------------------ ray_setup.rs
+  // ---- stage 6: registers -------------------------------------------------------------
   // Delay of 3 clocks: stage 3 to 6.
   reg [IdxW-1:0]   s6_x_first;
   reg [IdxW-1:0]   s6_y_first;
   reg [4*IdxW-1:0] s3_to_s6;
   always @(posedge clk) begin
     if (ce) begin
-      {s6_x_first, s6_y_first, s3_to_s6} <=
-          {s3_to_s6, s3_x_first, s3_y_first};
+      {s6_x_first, s6_y_first, s3_to_s6} <= {s3_to_s6, s3_x_first, s3_y_first};
     end
   end
 
-  // ---- stage 6: level ---------------------------------------------------- ray_setup.rs
+  // ---- stage 6: level -----------------------------------------------------------------
+  // 0: both in one texel; LEVELS: the root (also across tiles) [levels]
   wire [LevelW-1:0] s6_start;
   relief_start_level #(
-    .LEVELS (LEVELS),
-    .IDX_W  (IdxW),
-    .LATENCY(0),
-    .VARIANT(32'h4c35fe41)
+    .LEVELS(LEVELS), .IDX_W(IdxW), .LATENCY(0), .VARIANT(32'h4c35fe41)
   ) u_start_level (
-    .x    (s6_x_first),
-    .y    (s6_y_first),
-    .x_end(s6_x_last),
-    .y_end(s6_y_last),
+    .x(s6_x_first), .y(s6_y_first), .x_end(s6_x_last), .y_end(s6_y_last),
     .level(s6_start)
   );
 
-  // ---- stage 7: registers ------------------------------------------------ ray_setup.rs
-
-  // ---- stage 8: registers ------------------------------------------------ ray_setup.rs
-
-  // ---- stage 9: registers ------------------------------------------------ ray_setup.rs
-
-  // ---- stage 10: registers ----------------------------------------------- ray_setup.rs
-
-  // ---- stage 11: registers ----------------------------------------------- ray_setup.rs
-
-  // ---- stage 12: registers ----------------------------------------------- ray_setup.rs
-
-  // ---- stage 13: registers ----------------------------------------------- ray_setup.rs
-
-  // ---- stage 14: registers ----------------------------------------------- ray_setup.rs
-
-  // ---- stage 15: registers ----------------------------------------------- ray_setup.rs
-
-  // ---- stage 16: registers ----------------------------------------------- ray_setup.rs
-
-  // ---- stage 17: registers ----------------------------------------------- ray_setup.rs
-
-  // ---- stage 18: registers ----------------------------------------------- ray_setup.rs
-
-  // ---- stage 19: registers ----------------------------------------------- ray_setup.rs
-
-  // ---- stage 20: registers ----------------------------------------------- ray_setup.rs
-
-  // ---- stage 21: registers ----------------------------------------------- ray_setup.rs
+  // ---- stage 21: registers ------------------------------------------------------------
   // Delay of 21 clocks: stage 0 to 21.
   reg        s21_x_d_in_is_zero;
   reg        s21_y_d_in_is_zero;
@@ -437,8 +349,7 @@ module relief_ray_setup #(
   reg [18:0] s1_to_s21;
   always @(posedge clk) begin
     if (ce) begin
-      {s21_is_ok, s1_to_s21} <=
-          {s1_to_s21, s1_is_ok};
+      {s21_is_ok, s1_to_s21} <= {s1_to_s21, s1_is_ok};
     end
   end
   // Delay of 19 clocks: stage 2 to 21.
@@ -447,8 +358,7 @@ module relief_ray_setup #(
   reg [36*FloatW-1:0] s2_to_s21;
   always @(posedge clk) begin
     if (ce) begin
-      {s21_x_p, s21_y_p, s2_to_s21} <=
-          {s2_to_s21, s2_x_p, s2_y_p};
+      {s21_x_p, s21_y_p, s2_to_s21} <= {s2_to_s21, s2_x_p, s2_y_p};
     end
   end
   // Delay of 18 clocks: stage 3 to 21.
@@ -457,8 +367,7 @@ module relief_ray_setup #(
   reg [34*FloatW-1:0] s3_to_s21;
   always @(posedge clk) begin
     if (ce) begin
-      {s21_x_d, s21_y_d, s3_to_s21} <=
-          {s3_to_s21, s3_x_d, s3_y_d};
+      {s21_x_d, s21_y_d, s3_to_s21} <= {s3_to_s21, s3_x_d, s3_y_d};
     end
   end
   // Delay of 16 clocks: stage 5 to 21.
@@ -467,8 +376,7 @@ module relief_ray_setup #(
   reg [30*FloatW-1:0] s5_to_s21;
   always @(posedge clk) begin
     if (ce) begin
-      {s21_x_pb, s21_y_pb, s5_to_s21} <=
-          {s5_to_s21, s5_x_pb, s5_y_pb};
+      {s21_x_pb, s21_y_pb, s5_to_s21} <= {s5_to_s21, s5_x_pb, s5_y_pb};
     end
   end
   // Delay of 15 clocks: stage 6 to 21.
@@ -483,37 +391,37 @@ module relief_ray_setup #(
     end
   end
 
-  // ---- stage 21: x_slope ------------------------------------------------- ray_setup.rs
+  // ---- stage 21: x_slope --------------------------------------------------------------
   // In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.
   wire s21_x_never = (&s21_x_r[EXP_W+MAN_W-1:MAN_W]) | s21_x_d_in_is_zero;
 
-  // ---- stage 21: y_slope ------------------------------------------------- ray_setup.rs
+  // ---- stage 21: y_slope --------------------------------------------------------------
   // In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.
   wire s21_y_never = (&s21_y_r[EXP_W+MAN_W-1:MAN_W]) | s21_y_d_in_is_zero;
 
   // Bits that nothing needs, named so that no lint has to be switched off for the rest.
   // verilator lint_off UNUSED
-  wire unused_0 = &{1'b0, {s0_x_p_in_is_inf, s0_x_p_in_is_nan, s0_x_d_in_is_inf, s0_x_d_in_is_nan}};
+  wire unused_0 = &{1'b0, s0_x_p_in_is_inf, s0_x_p_in_is_nan, s0_x_d_in_is_inf, s0_x_d_in_is_nan};
   wire unused_1 = &{1'b0, s1_x_bias_exp[EXP_W]};
-  wire unused_2 = &{1'b0, {s0_y_p_in_is_inf, s0_y_p_in_is_nan, s0_y_d_in_is_inf, s0_y_d_in_is_nan}};
+  wire unused_2 = &{1'b0, s0_y_p_in_is_inf, s0_y_p_in_is_nan, s0_y_d_in_is_inf, s0_y_d_in_is_nan};
   wire unused_3 = &{1'b0, s1_y_bias_exp[EXP_W]};
   // verilator lint_on UNUSED
 
   assign ok = s21_is_ok;
-  assign level = s21_start & {($clog2(LEVELS + 1)){s21_is_ok}};
-  assign p_x = s21_x_p & {(EXP_W + MAN_W + 1){s21_is_ok}};
-  assign pb_x = s21_x_pb & {(EXP_W + MAN_W + 1){s21_is_ok}};
-  assign d_x = s21_x_d & {(EXP_W + MAN_W + 1){s21_is_ok}};
-  assign r_x = s21_x_r & {(EXP_W + MAN_W + 1){s21_is_ok}};
-  assign never_x = s21_x_never & (s21_is_ok);
-  assign neg_x = s21_x_d_in_sign & (s21_is_ok);
+  assign level = s21_start & {LevelW{s21_is_ok}};
+  assign p_x = s21_x_p & {FloatW{s21_is_ok}};
+  assign pb_x = s21_x_pb & {FloatW{s21_is_ok}};
+  assign d_x = s21_x_d & {FloatW{s21_is_ok}};
+  assign r_x = s21_x_r & {FloatW{s21_is_ok}};
+  assign never_x = s21_x_never & s21_is_ok;
+  assign neg_x = s21_x_d_in_sign & s21_is_ok;
   assign first_x = s21_x_first & {IdxW{s21_is_ok}};
-  assign p_y = s21_y_p & {(EXP_W + MAN_W + 1){s21_is_ok}};
-  assign pb_y = s21_y_pb & {(EXP_W + MAN_W + 1){s21_is_ok}};
-  assign d_y = s21_y_d & {(EXP_W + MAN_W + 1){s21_is_ok}};
-  assign r_y = s21_y_r & {(EXP_W + MAN_W + 1){s21_is_ok}};
-  assign never_y = s21_y_never & (s21_is_ok);
-  assign neg_y = s21_y_d_in_sign & (s21_is_ok);
+  assign p_y = s21_y_p & {FloatW{s21_is_ok}};
+  assign pb_y = s21_y_pb & {FloatW{s21_is_ok}};
+  assign d_y = s21_y_d & {FloatW{s21_is_ok}};
+  assign r_y = s21_y_r & {FloatW{s21_is_ok}};
+  assign never_y = s21_y_never & s21_is_ok;
+  assign neg_y = s21_y_d_in_sign & s21_is_ok;
   assign first_y = s21_y_first & {IdxW{s21_is_ok}};
 endmodule
 `ifndef YOSYS

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_start_level: lowest level at which one node holds both ends of the ray
-// Source     src/units/traversal/start_level.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit start_level; do not edit
 // Latency    none, combinational
 `default_nettype none
 module relief_start_level #(
@@ -37,11 +37,8 @@ module relief_start_level #(
   wire [IDX_W-1:0]  differ = (x ^ x_end) | (y ^ y_end);
   wire              other_tile = |differ[IDX_W-1:LEVELS];
   wire [LEVELS-1:0] low_part = differ[LEVELS-1:0];
-  wire [LevelW-1:0] lz_count;
-  relief_lzc #(.W(LEVELS)) u_lzc (
-    .bits (low_part),
-    .count(lz_count)
-  );
+  wire [LevelW-1:0] lz_count;  // zeros above the topmost 1 [bits]
+  relief_lzc #(.W(LEVELS)) u_lzc (.bits(low_part), .count(lz_count));
   wire [LevelW-1:0] start = other_tile ? Root[LevelW-1:0] : (Root[LevelW-1:0] - lz_count);
 
   assign level = start;

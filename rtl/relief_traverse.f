@@ -8,7 +8,6 @@ relief_start_level.v
 relief_ray_setup.v
 relief_setup_delay.v
 relief_spill_register.v
-relief_spill_data.v
 relief_node_planes.v
 relief_interleave.v
 relief_height_address.v
@@ -25,5 +24,4 @@ relief_level_decision.v
 relief_fp_to_fixed.v
 relief_hit_position.v
 relief_hit_delay.v
-relief_hit_valid_delay.v
 relief_traverse.v

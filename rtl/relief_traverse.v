@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
 // relief_traverse: traces rays against a height field: a looping pipeline, one node a clock
-// Source     src/units/traversal/traverse.rs (emitted: do not edit)
+// Emitted    by reliefrtl as its unit traverse; do not edit
 // Chosen     datapath watertight, levels_down 2, level_up selective, rounding nearest-even,
 //            subnormals flush, specials ieee
 // Latency    varies; valid/ready on both sides
@@ -19,7 +19,7 @@ module relief_traverse #(
   parameter integer FRAC_W     = 12,     // fraction bits of the hit position
   parameter integer TAG_W      = 8,      // bits of a ray's tag
   parameter integer STEP_LIMIT = 65535,  // iterations after which a ray is given up
-  parameter integer VARIANT    = 32'h1163ba2e,  // digest of what is no parameter
+  parameter integer VARIANT    = 32'h1a49658d,  // digest of what is no parameter
   // file for $readmemh with the words of the pyramid, level 0 first; "": none
   parameter MEM_INIT = ""
 ) (
@@ -104,293 +104,130 @@ module relief_traverse #(
     if (FRAC_W + LEVELS + MAN_W + TILE_W + 2 > 60) begin : gen_illegal_21
       FRAC_W_plus_LEVELS_plus_MAN_W_plus_TILE_W_plus_2_must_be_at_most_60 u_illegal ();
     end
-    if (VARIANT != 32'h1163ba2e) begin : gen_other_variant
-      relief_traverse_has_VARIANT_1163ba2e_watertight_selective_not_the_one_asked_for u_illegal ();
+    if (VARIANT != 32'h1a49658d) begin : gen_other_variant
+      relief_traverse_has_VARIANT_1a49658d_watertight_selective_not_the_one_asked_for u_illegal ();
     end
   endgenerate
 
   // ---- state that comes back from the last stage, and handshakes
-  reg              s0_loop_valid_q;
-  reg [TAG_W-1:0]  s0_loop_tag_q;
-  reg [FloatW-1:0] s0_loop_p_x_q;
-  reg [FloatW-1:0] s0_loop_pb_x_q;
-  reg [FloatW-1:0] s0_loop_d_x_q;
-  reg [FloatW-1:0] s0_loop_r_x_q;
-  reg              s0_loop_never_x_q;
-  reg              s0_loop_neg_x_q;
-  reg [FloatW-1:0] s0_loop_p_y_q;
-  reg [FloatW-1:0] s0_loop_pb_y_q;
-  reg [FloatW-1:0] s0_loop_d_y_q;
-  reg [FloatW-1:0] s0_loop_r_y_q;
-  reg              s0_loop_never_y_q;
-  reg              s0_loop_neg_y_q;
-  reg [LevelW-1:0] s0_loop_level_q;
-  reg [IdxW-1:0]   s0_loop_x_q;
-  reg [IdxW-1:0]   s0_loop_y_q;
-  reg [FloatW-1:0] s0_loop_t_q;
-  reg              s0_loop_done_q;
-  reg              s0_loop_wall_q;
-  reg              s0_loop_limit_q;
-  reg [15:0]       s0_loop_steps_q;
-  reg [15:0]       s0_loop_crossings_q;
-  reg [15:0]       s0_loop_ups_q;
-  reg              s0_loop_crossed_q;
-  reg              s0_in_transfer_q;
-  reg              s0_out_transfer_q;
-  reg [6:0]        s0_in_flight;
-  reg              s0_any_in_flight;
-  wire hit_valid;
-  wire hit_ready;
-  wire setup_valid;
-  wire setup_ready;
+  reg              s0_loop_valid_q;      // the slot holds a ray
+  reg [TAG_W-1:0]  s0_loop_tag_q;        // tag of the ray [bits]
+  reg [FloatW-1:0] s0_loop_p_x_q;        // entry point [float, texels]
+  reg [FloatW-1:0] s0_loop_pb_x_q;       // entry point, biased backwards [float, texels]
+  reg [FloatW-1:0] s0_loop_d_x_q;        // direction [float, texels per height code]
+  reg [FloatW-1:0] s0_loop_r_x_q;        // reciprocal direction [float, height codes per texel]
+  reg              s0_loop_never_x_q;    // the ray does not move along this axis
+  reg              s0_loop_neg_x_q;      // it runs toward smaller coordinates
+  reg [FloatW-1:0] s0_loop_p_y_q;        // entry point [float, texels]
+  reg [FloatW-1:0] s0_loop_pb_y_q;       // entry point, biased backwards [float, texels]
+  reg [FloatW-1:0] s0_loop_d_y_q;        // direction [float, texels per height code]
+  reg [FloatW-1:0] s0_loop_r_y_q;        // reciprocal direction [float, height codes per texel]
+  reg              s0_loop_never_y_q;    // the ray does not move along this axis
+  reg              s0_loop_neg_y_q;      // it runs toward smaller coordinates
+  reg [LevelW-1:0] s0_loop_level_q;      // level of the node [levels]
+  reg [IdxW-1:0]   s0_loop_x_q;          // a texel of the node, column, unwrapped [texels]
+  reg [IdxW-1:0]   s0_loop_y_q;          // a texel of the node, row, unwrapped [texels]
+  reg [FloatW-1:0] s0_loop_t_q;          // ray parameter so far [float, height codes]
+  reg              s0_loop_done_q;       // finished: recirculates until it retires
+  reg              s0_loop_wall_q;       // the hit is on the side of a texel
+  reg              s0_loop_limit_q;      // given up, or not a ray
+  reg [15:0]       s0_loop_steps_q;      // nodes visited [iterations]
+  reg [15:0]       s0_loop_crossings_q;  // of these, node crossings [iterations]
+  reg [15:0]       s0_loop_ups_q;        // levels gone up [levels]
+  reg              s0_loop_crossed_q;    // a node boundary was crossed already
+  reg              s0_in_transfer_q;     // a ray entered in the clock before
+  reg              s0_out_transfer_q;    // a result left in the clock before
+  reg [6:0]        s0_in_flight;         // rays in flight, up to the clock before that [rays]
+  reg              s0_any_in_flight;     // in_flight is not 0
+  wire hit_valid;    // a word is at the end of the hit pipeline
+  wire hit_ready;    // the hit pipeline takes a word
+  wire setup_valid;  // a word is at the end of the setup pipeline
+  wire setup_ready;  // the setup pipeline takes a word
 
-  // ---- stage 0: retire ---------------------------------------------------- traverse.rs
+  // ---- stage 0: retire ----------------------------------------------------------------
   // A finished ray retires when the output pipeline is ready; until then it recirculates unchanged.
   wire s0_retire = s0_loop_valid_q & s0_loop_done_q & hit_ready;
   wire s0_slot_free = ~s0_loop_valid_q | s0_retire;
 
-  // ---- stage 0: setup ----------------------------------------------------- traverse.rs
+  // ---- stage 0: setup -----------------------------------------------------------------
   // The setup pipeline stalls while its last stage holds a ray and the slot in stage 0 is not free.
+  // the ray can be traced: finite, entry in the tile, direction below 2^TILE_W
   wire              s0_set_ok;
-  wire [LevelW-1:0] s0_set_level;
-  wire [FloatW-1:0] s0_set_p_x;
-  wire [FloatW-1:0] s0_set_pb_x;
-  wire [FloatW-1:0] s0_set_d_x;
-  wire [FloatW-1:0] s0_set_r_x;
-  wire              s0_set_never_x;
-  wire              s0_set_neg_x;
-  wire [IdxW-1:0]   s0_set_first_x;
-  wire [FloatW-1:0] s0_set_p_y;
-  wire [FloatW-1:0] s0_set_pb_y;
-  wire [FloatW-1:0] s0_set_d_y;
-  wire [FloatW-1:0] s0_set_r_y;
-  wire              s0_set_never_y;
-  wire              s0_set_neg_y;
-  wire [IdxW-1:0]   s0_set_first_y;
+  wire [LevelW-1:0] s0_set_level;    // level of the first iteration [levels]
+  wire [FloatW-1:0] s0_set_p_x;      // entry point [float, texels]
+  wire [FloatW-1:0] s0_set_pb_x;     // entry point, biased backwards [float, texels]
+  wire [FloatW-1:0] s0_set_d_x;      // direction [float, texels per height code]
+  wire [FloatW-1:0] s0_set_r_x;      // reciprocal direction [float, height codes per texel]
+  wire              s0_set_never_x;  // the ray does not move along this axis
+  wire              s0_set_neg_x;    // it runs toward smaller coordinates
+  wire [IdxW-1:0]   s0_set_first_x;  // texel of the entry point [texels]
+  wire [FloatW-1:0] s0_set_p_y;      // entry point [float, texels]
+  wire [FloatW-1:0] s0_set_pb_y;     // entry point, biased backwards [float, texels]
+  wire [FloatW-1:0] s0_set_d_y;      // direction [float, texels per height code]
+  wire [FloatW-1:0] s0_set_r_y;      // reciprocal direction [float, height codes per texel]
+  wire              s0_set_never_y;  // the ray does not move along this axis
+  wire              s0_set_neg_y;    // it runs toward smaller coordinates
+  wire [IdxW-1:0]   s0_set_first_y;  // texel of the entry point [texels]
   relief_ray_setup #(
-    .EXP_W   (EXP_W),
-    .MAN_W   (MAN_W),
-    .LEVELS  (LEVELS),
-    .HEIGHT_W(HEIGHT_W),
-    .TILE_W  (TILE_W),
-    .LATENCY (21),
-    .VARIANT (32'h32708489)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .LEVELS(LEVELS), .HEIGHT_W(HEIGHT_W), .TILE_W(TILE_W),
+    .LATENCY(21), .VARIANT(32'h32708489)
   ) u_setup (
-    .clk    (clk),
-    .ce     (setup_ready),
-    .u      (in_u),
-    .v      (in_v),
-    .du     (in_du),
-    .dv     (in_dv),
-    .ok     (s0_set_ok),
-    .level  (s0_set_level),
-    .p_x    (s0_set_p_x),
-    .pb_x   (s0_set_pb_x),
-    .d_x    (s0_set_d_x),
-    .r_x    (s0_set_r_x),
-    .never_x(s0_set_never_x),
-    .neg_x  (s0_set_neg_x),
-    .first_x(s0_set_first_x),
-    .p_y    (s0_set_p_y),
-    .pb_y   (s0_set_pb_y),
-    .d_y    (s0_set_d_y),
-    .r_y    (s0_set_r_y),
-    .never_y(s0_set_never_y),
-    .neg_y  (s0_set_neg_y),
-    .first_y(s0_set_first_y)
+    .clk(clk), .ce(setup_ready), .u(in_u), .v(in_v), .du(in_du), .dv(in_dv),
+    .ok(s0_set_ok), .level(s0_set_level), .p_x(s0_set_p_x), .pb_x(s0_set_pb_x), .d_x(s0_set_d_x),
+    .r_x(s0_set_r_x), .never_x(s0_set_never_x), .neg_x(s0_set_neg_x), .first_x(s0_set_first_x),
+    .p_y(s0_set_p_y), .pb_y(s0_set_pb_y), .d_y(s0_set_d_y), .r_y(s0_set_r_y),
+    .never_y(s0_set_never_y), .neg_y(s0_set_neg_y), .first_y(s0_set_first_y)
   );
-  wire             s0_is_set;
-  wire [TAG_W-1:0] s0_set_tag;
+  wire             s0_setup_last_valid;  // the delayed word counts
+  wire [TAG_W-1:0] s0_set_tag;           // the delayed word [bits]
   relief_setup_delay #(.W(TAG_W), .LATENCY(21), .VARIANT(32'h306304c2)) u_setup_delay (
-    .clk      (clk),
-    .ce       (setup_ready),
-    .rst      (rst),
-    .in_valid (in_valid),
-    .out_valid(s0_is_set),
-    .in_data  (in_tag),
-    .out_data (s0_set_tag)
+    .clk(clk), .ce(setup_ready), .rst(rst), .in_valid(in_valid), .in_data(in_tag),
+    .out_valid(s0_setup_last_valid), .out_data(s0_set_tag)
   );
-  wire setup_spill_ready;
-  wire s0_setup_spill_load_first;
-  wire s0_setup_spill_load_second;
-  wire s0_setup_spill_rd_sel;
-  relief_spill_register #(.VARIANT(32'h7a7e1d0d)) u_setup_spill (
-    .clk        (clk),
-    .rst        (rst),
-    .in_valid   (s0_is_set),
-    .in_ready   (setup_spill_ready),
-    .out_valid  (setup_valid),
-    .out_ready  (s0_slot_free),
-    .load_first (s0_setup_spill_load_first),
-    .load_second(s0_setup_spill_load_second),
-    .rd_sel     (s0_setup_spill_rd_sel)
-  );
-  wire s0_new_ok;
-  relief_spill_data #(.W(1), .VARIANT(32'h299460a6)) u_setup_spill_new_ok (
-    .clk        (clk),
-    .load_first (s0_setup_spill_load_first),
-    .load_second(s0_setup_spill_load_second),
-    .rd_sel     (s0_setup_spill_rd_sel),
-    .in_data    (s0_set_ok),
-    .out_data   (s0_new_ok)
-  );
+  wire              s0_new_ok;
   wire [LevelW-1:0] s0_new_level;
-  relief_spill_data #(.W($clog2(LEVELS + 1)), .VARIANT(32'h299460a6)) u_setup_spill_new_level (
-    .clk        (clk),
-    .load_first (s0_setup_spill_load_first),
-    .load_second(s0_setup_spill_load_second),
-    .rd_sel     (s0_setup_spill_rd_sel),
-    .in_data    (s0_set_level),
-    .out_data   (s0_new_level)
-  );
   wire [FloatW-1:0] s0_new_p_x;
-  relief_spill_data #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h299460a6)) u_setup_spill_new_p_x (
-    .clk        (clk),
-    .load_first (s0_setup_spill_load_first),
-    .load_second(s0_setup_spill_load_second),
-    .rd_sel     (s0_setup_spill_rd_sel),
-    .in_data    (s0_set_p_x),
-    .out_data   (s0_new_p_x)
-  );
   wire [FloatW-1:0] s0_new_pb_x;
-  relief_spill_data #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h299460a6)) u_setup_spill_new_pb_x (
-    .clk        (clk),
-    .load_first (s0_setup_spill_load_first),
-    .load_second(s0_setup_spill_load_second),
-    .rd_sel     (s0_setup_spill_rd_sel),
-    .in_data    (s0_set_pb_x),
-    .out_data   (s0_new_pb_x)
-  );
   wire [FloatW-1:0] s0_new_d_x;
-  relief_spill_data #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h299460a6)) u_setup_spill_new_d_x (
-    .clk        (clk),
-    .load_first (s0_setup_spill_load_first),
-    .load_second(s0_setup_spill_load_second),
-    .rd_sel     (s0_setup_spill_rd_sel),
-    .in_data    (s0_set_d_x),
-    .out_data   (s0_new_d_x)
-  );
   wire [FloatW-1:0] s0_new_r_x;
-  relief_spill_data #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h299460a6)) u_setup_spill_new_r_x (
-    .clk        (clk),
-    .load_first (s0_setup_spill_load_first),
-    .load_second(s0_setup_spill_load_second),
-    .rd_sel     (s0_setup_spill_rd_sel),
-    .in_data    (s0_set_r_x),
-    .out_data   (s0_new_r_x)
-  );
-  wire s0_new_never_x;
-  relief_spill_data #(.W(1), .VARIANT(32'h299460a6)) u_setup_spill_new_never_x (
-    .clk        (clk),
-    .load_first (s0_setup_spill_load_first),
-    .load_second(s0_setup_spill_load_second),
-    .rd_sel     (s0_setup_spill_rd_sel),
-    .in_data    (s0_set_never_x),
-    .out_data   (s0_new_never_x)
-  );
-  wire s0_new_neg_x;
-  relief_spill_data #(.W(1), .VARIANT(32'h299460a6)) u_setup_spill_new_neg_x (
-    .clk        (clk),
-    .load_first (s0_setup_spill_load_first),
-    .load_second(s0_setup_spill_load_second),
-    .rd_sel     (s0_setup_spill_rd_sel),
-    .in_data    (s0_set_neg_x),
-    .out_data   (s0_new_neg_x)
-  );
-  wire [IdxW-1:0] s0_new_first_x;
-  relief_spill_data #(.W(LEVELS + TILE_W + 2), .VARIANT(32'h299460a6)) u_setup_spill_new_first_x (
-    .clk        (clk),
-    .load_first (s0_setup_spill_load_first),
-    .load_second(s0_setup_spill_load_second),
-    .rd_sel     (s0_setup_spill_rd_sel),
-    .in_data    (s0_set_first_x),
-    .out_data   (s0_new_first_x)
-  );
+  wire              s0_new_never_x;
+  wire              s0_new_neg_x;
+  wire [IdxW-1:0]   s0_new_first_x;
   wire [FloatW-1:0] s0_new_p_y;
-  relief_spill_data #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h299460a6)) u_setup_spill_new_p_y (
-    .clk        (clk),
-    .load_first (s0_setup_spill_load_first),
-    .load_second(s0_setup_spill_load_second),
-    .rd_sel     (s0_setup_spill_rd_sel),
-    .in_data    (s0_set_p_y),
-    .out_data   (s0_new_p_y)
-  );
   wire [FloatW-1:0] s0_new_pb_y;
-  relief_spill_data #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h299460a6)) u_setup_spill_new_pb_y (
-    .clk        (clk),
-    .load_first (s0_setup_spill_load_first),
-    .load_second(s0_setup_spill_load_second),
-    .rd_sel     (s0_setup_spill_rd_sel),
-    .in_data    (s0_set_pb_y),
-    .out_data   (s0_new_pb_y)
-  );
   wire [FloatW-1:0] s0_new_d_y;
-  relief_spill_data #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h299460a6)) u_setup_spill_new_d_y (
-    .clk        (clk),
-    .load_first (s0_setup_spill_load_first),
-    .load_second(s0_setup_spill_load_second),
-    .rd_sel     (s0_setup_spill_rd_sel),
-    .in_data    (s0_set_d_y),
-    .out_data   (s0_new_d_y)
-  );
   wire [FloatW-1:0] s0_new_r_y;
-  relief_spill_data #(.W(EXP_W + MAN_W + 1), .VARIANT(32'h299460a6)) u_setup_spill_new_r_y (
-    .clk        (clk),
-    .load_first (s0_setup_spill_load_first),
-    .load_second(s0_setup_spill_load_second),
-    .rd_sel     (s0_setup_spill_rd_sel),
-    .in_data    (s0_set_r_y),
-    .out_data   (s0_new_r_y)
-  );
-  wire s0_new_never_y;
-  relief_spill_data #(.W(1), .VARIANT(32'h299460a6)) u_setup_spill_new_never_y (
-    .clk        (clk),
-    .load_first (s0_setup_spill_load_first),
-    .load_second(s0_setup_spill_load_second),
-    .rd_sel     (s0_setup_spill_rd_sel),
-    .in_data    (s0_set_never_y),
-    .out_data   (s0_new_never_y)
-  );
-  wire s0_new_neg_y;
-  relief_spill_data #(.W(1), .VARIANT(32'h299460a6)) u_setup_spill_new_neg_y (
-    .clk        (clk),
-    .load_first (s0_setup_spill_load_first),
-    .load_second(s0_setup_spill_load_second),
-    .rd_sel     (s0_setup_spill_rd_sel),
-    .in_data    (s0_set_neg_y),
-    .out_data   (s0_new_neg_y)
-  );
-  wire [IdxW-1:0] s0_new_first_y;
-  relief_spill_data #(.W(LEVELS + TILE_W + 2), .VARIANT(32'h299460a6)) u_setup_spill_new_first_y (
-    .clk        (clk),
-    .load_first (s0_setup_spill_load_first),
-    .load_second(s0_setup_spill_load_second),
-    .rd_sel     (s0_setup_spill_rd_sel),
-    .in_data    (s0_set_first_y),
-    .out_data   (s0_new_first_y)
-  );
-  wire [TAG_W-1:0] s0_new_tag;
-  relief_spill_data #(.W(TAG_W), .VARIANT(32'h299460a6)) u_setup_spill_new_tag (
-    .clk        (clk),
-    .load_first (s0_setup_spill_load_first),
-    .load_second(s0_setup_spill_load_second),
-    .rd_sel     (s0_setup_spill_rd_sel),
-    .in_data    (s0_set_tag),
-    .out_data   (s0_new_tag)
+  wire              s0_new_never_y;
+  wire              s0_new_neg_y;
+  wire [IdxW-1:0]   s0_new_first_y;
+  wire [TAG_W-1:0]  s0_new_tag;
+  relief_spill_register #(
+    .W(8 * EXP_W + 2 * LEVELS + 8 * MAN_W + TAG_W + 2 * TILE_W + $clog2(LEVELS + 1) + 17),
+    .VARIANT(32'h4b082ec9)
+  ) u_setup_buffer (
+    .clk(clk), .rst(rst), .in_valid(s0_setup_last_valid),
+    .in_data({s0_set_ok, s0_set_level, s0_set_p_x, s0_set_pb_x, s0_set_d_x, s0_set_r_x,
+        s0_set_never_x, s0_set_neg_x, s0_set_first_x, s0_set_p_y, s0_set_pb_y, s0_set_d_y,
+        s0_set_r_y, s0_set_never_y, s0_set_neg_y, s0_set_first_y, s0_set_tag}),
+    .out_ready(s0_slot_free),
+    .in_ready(setup_ready), .out_valid(setup_valid),
+    .out_data({s0_new_ok, s0_new_level, s0_new_p_x, s0_new_pb_x, s0_new_d_x, s0_new_r_x,
+        s0_new_never_x, s0_new_neg_x, s0_new_first_x, s0_new_p_y, s0_new_pb_y, s0_new_d_y,
+        s0_new_r_y, s0_new_never_y, s0_new_neg_y, s0_new_first_y, s0_new_tag})
   );
   wire s0_accept = setup_valid & s0_slot_free;
 
-  // ---- stage 0: slot ------------------------------------------------------ traverse.rs
+  // ---- stage 0: slot ------------------------------------------------------------------
   // Stage 0 holds the new ray, or the one that recirculates.
   wire s0_new_refused = ~s0_new_ok;
   wire s0_slot_busy = (s0_loop_valid_q & ~s0_retire) | s0_accept;
 
-  // ---- stage 0: write back ------------------------------------------------ traverse.rs
-  // A ray that is done goes round unchanged.
+  // ---- stage 0: write back ------------------------------------------------------------
+  // A finished ray recirculates unchanged.
   wire s0_in_transfer = in_valid & setup_ready;
   wire out_transfer = hit_valid & out_ready;
 
-  // ---- stage 0: idle ------------------------------------------------------ traverse.rs
+  // ---- stage 0: idle ------------------------------------------------------------------
   // Rays in flight: input transfers less output transfers, counted one clock late.
   wire       s0_in_flight_down = s0_out_transfer_q & ~s0_in_transfer_q;
   wire [6:0] s0_in_flight_next = s0_in_flight +
@@ -398,232 +235,68 @@ module relief_traverse #(
   wire       s0_any_in_flight_next = |s0_in_flight_next;
   wire       s0_is_idle = ~(s0_any_in_flight | s0_in_transfer_q);
 
-  // ---- stage 0: result ---------------------------------------------------- traverse.rs
+  // ---- stage 0: result ----------------------------------------------------------------
   // The ray that retires, from the loop registers.
-  wire [FRAC_W-1:0] hit_fu;
+  wire [FRAC_W-1:0] s0_hit_fu;  // position inside the texel [1/2^FRAC_W texel]
   relief_hit_position #(
-    .EXP_W  (EXP_W),
-    .MAN_W  (MAN_W),
-    .IDX_W  (IdxW),
-    .FRAC_W (FRAC_W),
-    .LATENCY(7),
-    .VARIANT(32'h066a94ea)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .FRAC_W(FRAC_W), .LATENCY(7), .VARIANT(32'h066a94ea)
   ) u_hit_u (
-    .clk     (clk),
-    .ce      (hit_ready),
-    .p       (s0_loop_p_x_q),
-    .d       (s0_loop_d_x_q),
-    .t       (s0_loop_t_q),
-    .x       (s0_loop_x_q),
-    .fraction(hit_fu)
+    .clk(clk), .ce(hit_ready), .p(s0_loop_p_x_q), .d(s0_loop_d_x_q), .t(s0_loop_t_q),
+    .x(s0_loop_x_q),
+    .fraction(s0_hit_fu)
   );
-  wire [FRAC_W-1:0] hit_fv;
+  wire [FRAC_W-1:0] s0_hit_fv;  // position inside the texel [1/2^FRAC_W texel]
   relief_hit_position #(
-    .EXP_W  (EXP_W),
-    .MAN_W  (MAN_W),
-    .IDX_W  (IdxW),
-    .FRAC_W (FRAC_W),
-    .LATENCY(7),
-    .VARIANT(32'h066a94ea)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .FRAC_W(FRAC_W), .LATENCY(7), .VARIANT(32'h066a94ea)
   ) u_hit_v (
-    .clk     (clk),
-    .ce      (hit_ready),
-    .p       (s0_loop_p_y_q),
-    .d       (s0_loop_d_y_q),
-    .t       (s0_loop_t_q),
-    .x       (s0_loop_y_q),
-    .fraction(hit_fv)
+    .clk(clk), .ce(hit_ready), .p(s0_loop_p_y_q), .d(s0_loop_d_y_q), .t(s0_loop_t_q),
+    .x(s0_loop_y_q),
+    .fraction(s0_hit_fv)
   );
-  wire [TAG_W-1:0] hit_tag;
-  relief_hit_delay #(.W(TAG_W), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_tag (
-    .clk     (clk),
-    .ce      (hit_ready),
-    .in_data (s0_loop_tag_q),
-    .out_data(hit_tag)
-  );
-  wire [LEVELS-1:0] hit_i;
-  relief_hit_delay #(.W(LEVELS), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_i (
-    .clk     (clk),
-    .ce      (hit_ready),
-    .in_data (s0_loop_x_q[LEVELS-1:0]),
-    .out_data(hit_i)
-  );
-  wire [LEVELS-1:0] hit_j;
-  relief_hit_delay #(.W(LEVELS), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_j (
-    .clk     (clk),
-    .ce      (hit_ready),
-    .in_data (s0_loop_y_q[LEVELS-1:0]),
-    .out_data(hit_j)
-  );
-  wire [FloatW-1:0] hit_t;
-  relief_hit_delay #(.W(FloatW), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_t (
-    .clk     (clk),
-    .ce      (hit_ready),
-    .in_data (s0_loop_t_q),
-    .out_data(hit_t)
-  );
-  wire hit_wall;
-  relief_hit_delay #(.W(1), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_wall (
-    .clk     (clk),
-    .ce      (hit_ready),
-    .in_data (s0_loop_wall_q),
-    .out_data(hit_wall)
-  );
-  wire hit_limit;
-  relief_hit_delay #(.W(1), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_limit (
-    .clk     (clk),
-    .ce      (hit_ready),
-    .in_data (s0_loop_limit_q),
-    .out_data(hit_limit)
-  );
-  wire [15:0] hit_steps;
-  relief_hit_delay #(.W(16), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_steps (
-    .clk     (clk),
-    .ce      (hit_ready),
-    .in_data (s0_loop_steps_q),
-    .out_data(hit_steps)
-  );
-  wire [15:0] hit_crossings;
-  relief_hit_delay #(.W(16), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_crossings (
-    .clk     (clk),
-    .ce      (hit_ready),
-    .in_data (s0_loop_crossings_q),
-    .out_data(hit_crossings)
-  );
-  wire [15:0] hit_ups;
-  relief_hit_delay #(.W(16), .LATENCY(7), .VARIANT(32'h62486e47)) u_hit_ups (
-    .clk     (clk),
-    .ce      (hit_ready),
-    .in_data (s0_loop_ups_q),
-    .out_data(hit_ups)
-  );
-  wire hit_found;
-  relief_hit_valid_delay #(.LATENCY(7), .VARIANT(32'h6f836e41)) u_hit_valid (
-    .clk      (clk),
-    .ce       (hit_ready),
-    .rst      (rst),
-    .in_valid (s0_retire),
-    .out_valid(hit_found)
-  );
-
-  // ---- stage 0: output ---------------------------------------------------- traverse.rs
-  // Results wait here until they transfer.
-  wire hit_spill_ready;
-  wire s0_hit_spill_load_first;
-  wire s0_hit_spill_load_second;
-  wire s0_hit_spill_rd_sel;
-  relief_spill_register #(.VARIANT(32'h7a7e1d0d)) u_hit_spill (
-    .clk        (clk),
-    .rst        (rst),
-    .in_valid   (hit_found),
-    .in_ready   (hit_spill_ready),
-    .out_valid  (hit_valid),
-    .out_ready  (out_ready),
-    .load_first (s0_hit_spill_load_first),
-    .load_second(s0_hit_spill_load_second),
-    .rd_sel     (s0_hit_spill_rd_sel)
-  );
-  wire [TAG_W-1:0] s0_result_tag;
-  relief_spill_data #(.W(TAG_W), .VARIANT(32'h299460a6)) u_hit_spill_result_tag (
-    .clk        (clk),
-    .load_first (s0_hit_spill_load_first),
-    .load_second(s0_hit_spill_load_second),
-    .rd_sel     (s0_hit_spill_rd_sel),
-    .in_data    (hit_tag),
-    .out_data   (s0_result_tag)
-  );
-  wire [LEVELS-1:0] s0_result_i;
-  relief_spill_data #(.W(LEVELS), .VARIANT(32'h299460a6)) u_hit_spill_result_i (
-    .clk        (clk),
-    .load_first (s0_hit_spill_load_first),
-    .load_second(s0_hit_spill_load_second),
-    .rd_sel     (s0_hit_spill_rd_sel),
-    .in_data    (hit_i),
-    .out_data   (s0_result_i)
-  );
-  wire [LEVELS-1:0] s0_result_j;
-  relief_spill_data #(.W(LEVELS), .VARIANT(32'h299460a6)) u_hit_spill_result_j (
-    .clk        (clk),
-    .load_first (s0_hit_spill_load_first),
-    .load_second(s0_hit_spill_load_second),
-    .rd_sel     (s0_hit_spill_rd_sel),
-    .in_data    (hit_j),
-    .out_data   (s0_result_j)
-  );
-  wire [FloatW-1:0] s0_result_t;
-  relief_spill_data #(.W(FloatW), .VARIANT(32'h299460a6)) u_hit_spill_result_t (
-    .clk        (clk),
-    .load_first (s0_hit_spill_load_first),
-    .load_second(s0_hit_spill_load_second),
-    .rd_sel     (s0_hit_spill_rd_sel),
-    .in_data    (hit_t),
-    .out_data   (s0_result_t)
-  );
-  wire s0_result_wall;
-  relief_spill_data #(.W(1), .VARIANT(32'h299460a6)) u_hit_spill_result_wall (
-    .clk        (clk),
-    .load_first (s0_hit_spill_load_first),
-    .load_second(s0_hit_spill_load_second),
-    .rd_sel     (s0_hit_spill_rd_sel),
-    .in_data    (hit_wall),
-    .out_data   (s0_result_wall)
-  );
-  wire s0_result_limit;
-  relief_spill_data #(.W(1), .VARIANT(32'h299460a6)) u_hit_spill_result_limit (
-    .clk        (clk),
-    .load_first (s0_hit_spill_load_first),
-    .load_second(s0_hit_spill_load_second),
-    .rd_sel     (s0_hit_spill_rd_sel),
-    .in_data    (hit_limit),
-    .out_data   (s0_result_limit)
-  );
-  wire [15:0] s0_result_steps;
-  relief_spill_data #(.W(16), .VARIANT(32'h299460a6)) u_hit_spill_result_steps (
-    .clk        (clk),
-    .load_first (s0_hit_spill_load_first),
-    .load_second(s0_hit_spill_load_second),
-    .rd_sel     (s0_hit_spill_rd_sel),
-    .in_data    (hit_steps),
-    .out_data   (s0_result_steps)
-  );
-  wire [15:0] s0_result_crossings;
-  relief_spill_data #(.W(16), .VARIANT(32'h299460a6)) u_hit_spill_result_crossings (
-    .clk        (clk),
-    .load_first (s0_hit_spill_load_first),
-    .load_second(s0_hit_spill_load_second),
-    .rd_sel     (s0_hit_spill_rd_sel),
-    .in_data    (hit_crossings),
-    .out_data   (s0_result_crossings)
-  );
-  wire [15:0] s0_result_ups;
-  relief_spill_data #(.W(16), .VARIANT(32'h299460a6)) u_hit_spill_result_ups (
-    .clk        (clk),
-    .load_first (s0_hit_spill_load_first),
-    .load_second(s0_hit_spill_load_second),
-    .rd_sel     (s0_hit_spill_rd_sel),
-    .in_data    (hit_ups),
-    .out_data   (s0_result_ups)
+  wire              s0_hit_last_valid;  // the delayed word counts
+  wire [LEVELS-1:0] s0_hit_i;
+  wire [LEVELS-1:0] s0_hit_j;
+  wire [FloatW-1:0] s0_hit_t;
+  wire              s0_hit_wall;
+  wire              s0_hit_limit;
+  wire [15:0]       s0_hit_steps;
+  wire [15:0]       s0_hit_crossings;
+  wire [15:0]       s0_hit_ups;
+  wire [TAG_W-1:0]  s0_hit_tag;
+  relief_hit_delay #(
+    .W(2 * LEVELS + TAG_W + FloatW + 50), .LATENCY(7), .VARIANT(32'h0069384e)
+  ) u_hit_delay (
+    .clk(clk), .ce(hit_ready), .rst(rst), .in_valid(s0_retire),
+    .in_data({s0_loop_x_q[LEVELS-1:0], s0_loop_y_q[LEVELS-1:0], s0_loop_t_q, s0_loop_wall_q,
+        s0_loop_limit_q, s0_loop_steps_q, s0_loop_crossings_q, s0_loop_ups_q, s0_loop_tag_q}),
+    .out_valid(s0_hit_last_valid),
+    .out_data({s0_hit_i, s0_hit_j, s0_hit_t, s0_hit_wall, s0_hit_limit, s0_hit_steps,
+        s0_hit_crossings, s0_hit_ups, s0_hit_tag})
   );
   wire [FRAC_W-1:0] s0_result_fu;
-  relief_spill_data #(.W(FRAC_W), .VARIANT(32'h299460a6)) u_hit_spill_result_fu (
-    .clk        (clk),
-    .load_first (s0_hit_spill_load_first),
-    .load_second(s0_hit_spill_load_second),
-    .rd_sel     (s0_hit_spill_rd_sel),
-    .in_data    (hit_fu),
-    .out_data   (s0_result_fu)
-  );
   wire [FRAC_W-1:0] s0_result_fv;
-  relief_spill_data #(.W(FRAC_W), .VARIANT(32'h299460a6)) u_hit_spill_result_fv (
-    .clk        (clk),
-    .load_first (s0_hit_spill_load_first),
-    .load_second(s0_hit_spill_load_second),
-    .rd_sel     (s0_hit_spill_rd_sel),
-    .in_data    (hit_fv),
-    .out_data   (s0_result_fv)
+  wire [LEVELS-1:0] s0_result_i;
+  wire [LEVELS-1:0] s0_result_j;
+  wire [FloatW-1:0] s0_result_t;
+  wire              s0_result_wall;
+  wire              s0_result_limit;
+  wire [15:0]       s0_result_steps;
+  wire [15:0]       s0_result_crossings;
+  wire [15:0]       s0_result_ups;
+  wire [TAG_W-1:0]  s0_result_tag;
+  relief_spill_register #(
+    .W(2 * FRAC_W + 2 * LEVELS + TAG_W + FloatW + 50), .VARIANT(32'h4b082ec9)
+  ) u_hit_buffer (
+    .clk(clk), .rst(rst), .in_valid(s0_hit_last_valid),
+    .in_data({s0_hit_fu, s0_hit_fv, s0_hit_i, s0_hit_j, s0_hit_t, s0_hit_wall, s0_hit_limit,
+        s0_hit_steps, s0_hit_crossings, s0_hit_ups, s0_hit_tag}),
+    .out_ready(out_ready),
+    .in_ready(hit_ready), .out_valid(hit_valid),
+    .out_data({s0_result_fu, s0_result_fv, s0_result_i, s0_result_j, s0_result_t, s0_result_wall,
+        s0_result_limit, s0_result_steps, s0_result_crossings, s0_result_ups, s0_result_tag})
   );
 
-  // ---- stage 1: registers ------------------------------------------------- traverse.rs
+  // ---- stage 1: registers -------------------------------------------------------------
   reg [TAG_W-1:0]  s1_loop_tag_q;
   reg [FloatW-1:0] s1_loop_p_x_q;
   reg [FloatW-1:0] s1_loop_pb_x_q;
@@ -666,7 +339,6 @@ module relief_traverse #(
   reg [IdxW-1:0]   s1_new_first_x;
   reg [IdxW-1:0]   s1_new_first_y;
   reg              s1_new_refused;
-  reg              s1_valid;
   always @(posedge clk) begin
     s1_loop_tag_q       <= s0_loop_tag_q;
     s1_loop_p_x_q       <= s0_loop_p_x_q;
@@ -711,15 +383,8 @@ module relief_traverse #(
     s1_new_first_y      <= s0_new_first_y;
     s1_new_refused      <= s0_new_refused;
   end
-  always @(posedge clk) begin
-    if (rst) begin
-      s1_valid <= 1'b0;
-    end else begin
-      s1_valid <= s0_slot_busy;
-    end
-  end
 
-  // ---- stage 1: slot ------------------------------------------------------ traverse.rs
+  // ---- stage 1: slot ------------------------------------------------------------------
   // Stage 0 holds the new ray, or the one that recirculates.
   wire [TAG_W-1:0]  s1_tag = s1_accept ? s1_new_tag : s1_loop_tag_q;
   wire [FloatW-1:0] s1_p_x = s1_accept ? s1_new_p_x : s1_loop_p_x_q;
@@ -746,9 +411,7 @@ module relief_traverse #(
   wire [15:0]       s1_ups = s1_accept ? 16'd0 : s1_loop_ups_q;
   wire              s1_has_crossed = s1_accept ? 1'b0 : s1_loop_crossed_q;
 
-  // ---- stage 2: registers ------------------------------------------------- traverse.rs
-  reg              s2_valid;
-  reg [TAG_W-1:0]  s2_tag;
+  // ---- stage 2: registers -------------------------------------------------------------
   reg              s2_neg_x;
   reg              s2_neg_y;
   reg [LevelW-1:0] s2_level;
@@ -758,7 +421,6 @@ module relief_traverse #(
   reg              s2_done;
   reg [15:0]       s2_steps;
   always @(posedge clk) begin
-    s2_tag   <= s1_tag;
     s2_neg_x <= s1_neg_x;
     s2_neg_y <= s1_neg_y;
     s2_level <= s1_level;
@@ -768,91 +430,54 @@ module relief_traverse #(
     s2_done  <= s1_done;
     s2_steps <= s1_steps;
   end
-  always @(posedge clk) begin
-    if (rst) begin
-      s2_valid <= 1'b0;
-    end else begin
-      s2_valid <= s1_valid;
-    end
-  end
 
-  // ---- stage 2: node ------------------------------------------------------ traverse.rs
+  // ---- stage 2: node ------------------------------------------------------------------
   // Extent and exit planes of the node, and its place in memory.
-  wire [IdxW-1:0] s2_x_low;
-  wire [IdxW-1:0] s2_x_high;
-  wire [IdxW-1:0] s2_x_plane;
-  wire [IdxW-1:0] s2_x_beyond;
-  wire            s2_x_even;
+  wire [IdxW-1:0] s2_x_low;     // least texel that a descent may go to: never behind x [texels]
+  wire [IdxW-1:0] s2_x_high;    // greatest texel that a descent may go to: never behind x [texels]
+  wire [IdxW-1:0] s2_x_plane;   // coordinate of the exit plane [texels]
+  wire [IdxW-1:0] s2_x_beyond;  // the texel just behind the exit plane [texels]
+  wire            s2_x_even;    // the plane also bounds the parent node
   relief_node_planes #(
-    .LEVELS (LEVELS),
-    .IDX_W  (IdxW),
-    .LATENCY(0),
-    .VARIANT(32'h2afa0fb3)
+    .LEVELS(LEVELS), .IDX_W(IdxW), .LATENCY(0), .VARIANT(32'h2afa0fb3)
   ) u_planes_x (
-    .level (s2_level),
-    .x     (s2_x),
-    .neg   (s2_neg_x),
-    .low   (s2_x_low),
-    .high  (s2_x_high),
-    .plane (s2_x_plane),
-    .beyond(s2_x_beyond),
-    .even  (s2_x_even)
+    .level(s2_level), .x(s2_x), .neg(s2_neg_x),
+    .low(s2_x_low), .high(s2_x_high), .plane(s2_x_plane), .beyond(s2_x_beyond), .even(s2_x_even)
   );
-  wire [IdxW-1:0] s2_y_low;
-  wire [IdxW-1:0] s2_y_high;
-  wire [IdxW-1:0] s2_y_plane;
-  wire [IdxW-1:0] s2_y_beyond;
-  wire            s2_y_even;
+  wire [IdxW-1:0] s2_y_low;     // least texel that a descent may go to: never behind x [texels]
+  wire [IdxW-1:0] s2_y_high;    // greatest texel that a descent may go to: never behind x [texels]
+  wire [IdxW-1:0] s2_y_plane;   // coordinate of the exit plane [texels]
+  wire [IdxW-1:0] s2_y_beyond;  // the texel just behind the exit plane [texels]
+  wire            s2_y_even;    // the plane also bounds the parent node
   relief_node_planes #(
-    .LEVELS (LEVELS),
-    .IDX_W  (IdxW),
-    .LATENCY(0),
-    .VARIANT(32'h2afa0fb3)
+    .LEVELS(LEVELS), .IDX_W(IdxW), .LATENCY(0), .VARIANT(32'h2afa0fb3)
   ) u_planes_y (
-    .level (s2_level),
-    .x     (s2_y),
-    .neg   (s2_neg_y),
-    .low   (s2_y_low),
-    .high  (s2_y_high),
-    .plane (s2_y_plane),
-    .beyond(s2_y_beyond),
-    .even  (s2_y_even)
+    .level(s2_level), .x(s2_y), .neg(s2_neg_y),
+    .low(s2_y_low), .high(s2_y_high), .plane(s2_y_plane), .beyond(s2_y_beyond), .even(s2_y_even)
   );
-  wire [2*LEVELS:0] s2_address;
+  wire [2*LEVELS:0] s2_address;  // level 0 first, the root last [words]
   relief_height_address #(.LEVELS(LEVELS), .LATENCY(0), .VARIANT(32'h23add022)) u_address (
-    .level  (s2_level),
-    .i      (s2_x[LEVELS-1:0]),
-    .j      (s2_y[LEVELS-1:0]),
+    .level(s2_level), .i(s2_x[LEVELS-1:0]), .j(s2_y[LEVELS-1:0]),
     .address(s2_address)
   );
 
-  // ---- stage 2: step limit ------------------------------------------------ traverse.rs
-  // A ray that is done takes no more steps. One that ends without a hit is given up: also in a
+  // ---- stage 2: step limit ------------------------------------------------------------
+  // A finished ray takes no more steps. One that ends without a hit is given up: also in a
   // simulation that does not know if it is one.
   wire        s2_moves = ~s2_done;
   wire [15:0] s2_steps_next = s2_steps + {15'd0, s2_moves};
   wire        s2_last_step = s2_steps == StepsBeforeLast[15:0];
 
-  // ---- stage 3: registers ------------------------------------------------- traverse.rs
+  // ---- stage 3: registers -------------------------------------------------------------
   reg [IdxW-1:0]   s3_x_plane;
   reg [IdxW-1:0]   s3_y_plane;
   reg [2*LEVELS:0] s3_address;
   reg [FloatW-1:0] s3_t;
-  reg              s3_valid;
-  reg [TAG_W-1:0]  s3_tag;
   always @(posedge clk) begin
     s3_x_plane <= s2_x_plane;
     s3_y_plane <= s2_y_plane;
     s3_address <= s2_address;
     s3_t       <= s2_t;
-    s3_tag     <= s2_tag;
-  end
-  always @(posedge clk) begin
-    if (rst) begin
-      s3_valid <= 1'b0;
-    end else begin
-      s3_valid <= s2_valid;
-    end
   end
   // Delay of 2 clocks: stage 1 to 3.
   reg [FloatW-1:0]   s3_p_x;
@@ -867,187 +492,87 @@ module relief_traverse #(
         {s1_to_s3, s1_p_x, s1_r_x, s1_never_x, s1_p_y, s1_r_y, s1_never_y};
   end
 
-  // ---- stage 3: height ---------------------------------------------------- traverse.rs
-  wire [HEIGHT_W-1:0] s5_height;
+  // ---- stage 3: height ----------------------------------------------------------------
+  wire [HEIGHT_W-1:0] s5_height;  // the word, two clocks later [bits]
   relief_height_banks #(
-    .ADDR_W  (2 * LEVELS + 1),
-    .DATA_W  (HEIGHT_W),
-    .DEPTH   (((1 << (2 * LEVELS + 2)) - 1) / 3),
-    .BANK_W  (13),
-    .MEM_INIT(MEM_INIT)
+    .ADDR_W(2 * LEVELS + 1), .DATA_W(HEIGHT_W), .DEPTH(((1 << (2 * LEVELS + 2)) - 1) / 3),
+    .BANK_W(13), .MEM_INIT(MEM_INIT)
   ) u_heights (
-    .clk       (clk),
-    .write_en  (load_en),
-    .write_addr(load_addr),
-    .write_data(load_data),
-    .read_addr (s3_address),
-    .read_data (s5_height)
+    .clk(clk), .write_en(load_en), .write_addr(load_addr), .write_data(load_data),
+    .read_addr(s3_address),
+    .read_data(s5_height)
   );
 
-  // ---- stage 3: plane parameters ------------------------------------------ traverse.rs
-  wire [FloatW-1:0] s11_t_x;
+  // ---- stage 3: plane parameters ------------------------------------------------------
+  wire [FloatW-1:0] s11_t_x;  // infinity if never [float, height codes]
   relief_plane_time #(
-    .EXP_W  (EXP_W),
-    .MAN_W  (MAN_W),
-    .IDX_W  (IdxW),
-    .LATENCY(8),
-    .VARIANT(32'h005a549c)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .LATENCY(8), .VARIANT(32'h005a549c)
   ) u_time_x (
-    .clk  (clk),
-    .ce   (1'b1),
-    .plane(s3_x_plane),
-    .p    (s3_p_x),
-    .r    (s3_r_x),
-    .never(s3_never_x),
-    .t    (s11_t_x)
+    .clk(clk), .ce(1'b1), .plane(s3_x_plane), .p(s3_p_x), .r(s3_r_x), .never(s3_never_x),
+    .t(s11_t_x)
   );
-  wire [FloatW-1:0] s11_t_y;
+  wire [FloatW-1:0] s11_t_y;  // infinity if never [float, height codes]
   relief_plane_time #(
-    .EXP_W  (EXP_W),
-    .MAN_W  (MAN_W),
-    .IDX_W  (IdxW),
-    .LATENCY(8),
-    .VARIANT(32'h005a549c)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .LATENCY(8), .VARIANT(32'h005a549c)
   ) u_time_y (
-    .clk  (clk),
-    .ce   (1'b1),
-    .plane(s3_y_plane),
-    .p    (s3_p_y),
-    .r    (s3_r_y),
-    .never(s3_never_y),
-    .t    (s11_t_y)
+    .clk(clk), .ce(1'b1), .plane(s3_y_plane), .p(s3_p_y), .r(s3_r_y), .never(s3_never_y),
+    .t(s11_t_y)
   );
 
-  // ---- stage 4: registers ------------------------------------------------- traverse.rs
+  // ---- stage 4: registers -------------------------------------------------------------
   reg [FloatW-1:0] s4_t;
-  reg              s4_valid;
-  reg [TAG_W-1:0]  s4_tag;
   always @(posedge clk) begin
-    s4_t   <= s3_t;
-    s4_tag <= s3_tag;
-  end
-  always @(posedge clk) begin
-    if (rst) begin
-      s4_valid <= 1'b0;
-    end else begin
-      s4_valid <= s3_valid;
-    end
+    s4_t <= s3_t;
   end
 
-  // ---- stage 5: registers ------------------------------------------------- traverse.rs
+  // ---- stage 5: registers -------------------------------------------------------------
   reg [FloatW-1:0] s5_t;
-  reg              s5_valid;
-  reg [TAG_W-1:0]  s5_tag;
   always @(posedge clk) begin
-    s5_t   <= s4_t;
-    s5_tag <= s4_tag;
-  end
-  always @(posedge clk) begin
-    if (rst) begin
-      s5_valid <= 1'b0;
-    end else begin
-      s5_valid <= s4_valid;
-    end
+    s5_t <= s4_t;
   end
 
-  // ---- stage 6: registers ------------------------------------------------- traverse.rs
+  // ---- stage 6: registers -------------------------------------------------------------
   reg [HEIGHT_W-1:0] s6_height;
   reg [FloatW-1:0]   s6_t;
-  reg                s6_valid;
-  reg [TAG_W-1:0]    s6_tag;
   always @(posedge clk) begin
     s6_height <= s5_height;
     s6_t      <= s5_t;
-    s6_tag    <= s5_tag;
-  end
-  always @(posedge clk) begin
-    if (rst) begin
-      s6_valid <= 1'b0;
-    end else begin
-      s6_valid <= s5_valid;
-    end
   end
 
-  // ---- stage 6: height test ----------------------------------------------- traverse.rs
+  // ---- stage 6: height test -----------------------------------------------------------
+  // the larger of t and the height plane's parameter [float, height codes]
   wire [FloatW-1:0] s10_m;
+  // the ray is below the node's height already: a hit would be on a wall
   wire              s10_below;
   relief_height_test #(
-    .EXP_W   (EXP_W),
-    .MAN_W   (MAN_W),
-    .HEIGHT_W(HEIGHT_W),
-    .LATENCY (4),
-    .VARIANT (32'h4c16b98b)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .HEIGHT_W(HEIGHT_W), .LATENCY(4), .VARIANT(32'h4c16b98b)
   ) u_height_test (
-    .clk   (clk),
-    .ce    (1'b1),
-    .height(s6_height),
-    .t     (s6_t),
-    .m     (s10_m),
-    .below (s10_below)
+    .clk(clk), .ce(1'b1), .height(s6_height), .t(s6_t),
+    .m(s10_m), .below(s10_below)
   );
 
-  // ---- stage 7: registers ------------------------------------------------- traverse.rs
+  // ---- stage 7: registers -------------------------------------------------------------
   reg [FloatW-1:0] s7_t;
-  reg              s7_valid;
-  reg [TAG_W-1:0]  s7_tag;
   always @(posedge clk) begin
-    s7_t   <= s6_t;
-    s7_tag <= s6_tag;
-  end
-  always @(posedge clk) begin
-    if (rst) begin
-      s7_valid <= 1'b0;
-    end else begin
-      s7_valid <= s6_valid;
-    end
+    s7_t <= s6_t;
   end
 
-  // ---- stage 8: registers ------------------------------------------------- traverse.rs
+  // ---- stage 8: registers -------------------------------------------------------------
   reg [FloatW-1:0] s8_t;
-  reg              s8_valid;
-  reg [TAG_W-1:0]  s8_tag;
   always @(posedge clk) begin
-    s8_t   <= s7_t;
-    s8_tag <= s7_tag;
-  end
-  always @(posedge clk) begin
-    if (rst) begin
-      s8_valid <= 1'b0;
-    end else begin
-      s8_valid <= s7_valid;
-    end
+    s8_t <= s7_t;
   end
 
-  // ---- stage 9: registers ------------------------------------------------- traverse.rs
+  // ---- stage 9: registers -------------------------------------------------------------
   reg [FloatW-1:0] s9_t;
-  reg              s9_valid;
-  reg [TAG_W-1:0]  s9_tag;
   always @(posedge clk) begin
-    s9_t   <= s8_t;
-    s9_tag <= s8_tag;
-  end
-  always @(posedge clk) begin
-    if (rst) begin
-      s9_valid <= 1'b0;
-    end else begin
-      s9_valid <= s8_valid;
-    end
+    s9_t <= s8_t;
   end
 
-  // ---- stage 10: registers ------------------------------------------------ traverse.rs
+  // ---- stage 10: registers ------------------------------------------------------------
   reg [FloatW-1:0] s10_t;
-  reg              s10_valid;
-  reg [TAG_W-1:0]  s10_tag;
   always @(posedge clk) begin
-    s10_t   <= s9_t;
-    s10_tag <= s9_tag;
-  end
-  always @(posedge clk) begin
-    if (rst) begin
-      s10_valid <= 1'b0;
-    end else begin
-      s10_valid <= s9_valid;
-    end
+    s10_t <= s9_t;
   end
   // Delay of 9 clocks: stage 1 to 10.
   reg [FloatW-1:0]    s10_pb_x;
@@ -1060,185 +585,82 @@ module relief_traverse #(
         {s1_to_s10, s1_pb_x, s1_d_x, s1_pb_y, s1_d_y};
   end
 
-  // ---- stage 10: predicted hit -------------------------------------------- traverse.rs
-  wire [IdxW-1:0] s17_x_hit;
+  // ---- stage 10: predicted hit --------------------------------------------------------
+  wire [IdxW-1:0] s17_x_hit;  // signed coordinate [texels]
   relief_predicted_hit #(
-    .EXP_W  (EXP_W),
-    .MAN_W  (MAN_W),
-    .IDX_W  (IdxW),
-    .LATENCY(7),
-    .VARIANT(32'h18f1ea56)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .LATENCY(7), .VARIANT(32'h18f1ea56)
   ) u_predict_x (
-    .clk   (clk),
-    .ce    (1'b1),
-    .p_back(s10_pb_x),
-    .d     (s10_d_x),
-    .m     (s10_m),
-    .e     (s17_x_hit)
+    .clk(clk), .ce(1'b1), .p_back(s10_pb_x), .d(s10_d_x), .m(s10_m),
+    .e(s17_x_hit)
   );
-  wire [IdxW-1:0] s17_y_hit;
+  wire [IdxW-1:0] s17_y_hit;  // signed coordinate [texels]
   relief_predicted_hit #(
-    .EXP_W  (EXP_W),
-    .MAN_W  (MAN_W),
-    .IDX_W  (IdxW),
-    .LATENCY(7),
-    .VARIANT(32'h18f1ea56)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .LATENCY(7), .VARIANT(32'h18f1ea56)
   ) u_predict_y (
-    .clk   (clk),
-    .ce    (1'b1),
-    .p_back(s10_pb_y),
-    .d     (s10_d_y),
-    .m     (s10_m),
-    .e     (s17_y_hit)
+    .clk(clk), .ce(1'b1), .p_back(s10_pb_y), .d(s10_d_y), .m(s10_m),
+    .e(s17_y_hit)
   );
 
-  // ---- stage 11: registers ------------------------------------------------ traverse.rs
+  // ---- stage 11: registers ------------------------------------------------------------
   reg [FloatW-1:0] s11_t;
   reg [FloatW-1:0] s11_m;
-  reg              s11_valid;
-  reg [TAG_W-1:0]  s11_tag;
   always @(posedge clk) begin
-    s11_t   <= s10_t;
-    s11_m   <= s10_m;
-    s11_tag <= s10_tag;
-  end
-  always @(posedge clk) begin
-    if (rst) begin
-      s11_valid <= 1'b0;
-    end else begin
-      s11_valid <= s10_valid;
-    end
+    s11_t <= s10_t;
+    s11_m <= s10_m;
   end
 
-  // ---- stage 11: node crossing -------------------------------------------- traverse.rs
-  wire              s13_is_inside;
-  wire              s13_x_first;
+  // ---- stage 11: node crossing --------------------------------------------------------
+  wire              s13_is_inside;  // the height is met before the ray leaves
+  wire              s13_x_first;    // the u plane comes first, or both at once
+  // parameter behind the exit plane, never before t [float, height codes]
   wire [FloatW-1:0] s13_t_next;
   relief_node_crossing #(
-    .EXP_W  (EXP_W),
-    .MAN_W  (MAN_W),
-    .LATENCY(2),
-    .VARIANT(32'h1a8ee4db)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(2), .VARIANT(32'h1a8ee4db)
   ) u_crossing (
-    .clk      (clk),
-    .ce       (1'b1),
-    .t        (s11_t),
-    .m        (s11_m),
-    .t_x      (s11_t_x),
-    .t_y      (s11_t_y),
-    .is_inside(s13_is_inside),
-    .x_first  (s13_x_first),
-    .t_next   (s13_t_next)
+    .clk(clk), .ce(1'b1), .t(s11_t), .m(s11_m), .t_x(s11_t_x), .t_y(s11_t_y),
+    .is_inside(s13_is_inside), .x_first(s13_x_first), .t_next(s13_t_next)
   );
 
-  // ---- stage 12: registers ------------------------------------------------ traverse.rs
-  reg             s12_valid;
-  reg [TAG_W-1:0] s12_tag;
-  always @(posedge clk) begin
-    s12_tag <= s11_tag;
-  end
-  always @(posedge clk) begin
-    if (rst) begin
-      s12_valid <= 1'b0;
-    end else begin
-      s12_valid <= s11_valid;
-    end
-  end
-
-  // ---- stage 13: registers ------------------------------------------------ traverse.rs
-  reg             s13_valid;
-  reg [TAG_W-1:0] s13_tag;
-  always @(posedge clk) begin
-    s13_tag <= s12_tag;
-  end
-  always @(posedge clk) begin
-    if (rst) begin
-      s13_valid <= 1'b0;
-    end else begin
-      s13_valid <= s12_valid;
-    end
-  end
+  // ---- stage 13: registers ------------------------------------------------------------
   // Delay of 11 clocks: stage 2 to 13.
   reg        s13_x_even;
   reg        s13_y_even;
   reg [19:0] s2_to_s13;
   always @(posedge clk) begin
-    {s13_x_even, s13_y_even, s2_to_s13} <=
-        {s2_to_s13, s2_x_even, s2_y_even};
+    {s13_x_even, s13_y_even, s2_to_s13} <= {s2_to_s13, s2_x_even, s2_y_even};
   end
 
-  // ---- stage 13: level up ------------------------------------------------- traverse.rs
+  // ---- stage 13: level up -------------------------------------------------------------
   wire s13_even = s13_x_first ? s13_x_even : s13_y_even;
 
-  // ---- stage 14: registers ------------------------------------------------ traverse.rs
-  reg             s14_even;
-  reg             s14_valid;
-  reg [TAG_W-1:0] s14_tag;
+  // ---- stage 14: registers ------------------------------------------------------------
+  reg s14_even;
   always @(posedge clk) begin
     s14_even <= s13_even;
-    s14_tag  <= s13_tag;
-  end
-  always @(posedge clk) begin
-    if (rst) begin
-      s14_valid <= 1'b0;
-    end else begin
-      s14_valid <= s13_valid;
-    end
   end
 
-  // ---- stage 15: registers ------------------------------------------------ traverse.rs
-  reg             s15_even;
-  reg             s15_valid;
-  reg [TAG_W-1:0] s15_tag;
+  // ---- stage 15: registers ------------------------------------------------------------
+  reg s15_even;
   always @(posedge clk) begin
     s15_even <= s14_even;
-    s15_tag  <= s14_tag;
-  end
-  always @(posedge clk) begin
-    if (rst) begin
-      s15_valid <= 1'b0;
-    end else begin
-      s15_valid <= s14_valid;
-    end
   end
 
-  // ---- stage 16: registers ------------------------------------------------ traverse.rs
-  reg             s16_even;
-  reg             s16_valid;
-  reg [TAG_W-1:0] s16_tag;
+  // ---- stage 16: registers ------------------------------------------------------------
+  reg s16_even;
   always @(posedge clk) begin
     s16_even <= s15_even;
-    s16_tag  <= s15_tag;
-  end
-  always @(posedge clk) begin
-    if (rst) begin
-      s16_valid <= 1'b0;
-    end else begin
-      s16_valid <= s15_valid;
-    end
   end
 
-  // ---- stage 17: registers ------------------------------------------------ traverse.rs
-  reg             s17_even;
-  reg             s17_valid;
-  reg [TAG_W-1:0] s17_tag;
+  // ---- stage 17: registers ------------------------------------------------------------
+  reg s17_even;
   always @(posedge clk) begin
     s17_even <= s16_even;
-    s17_tag  <= s16_tag;
-  end
-  always @(posedge clk) begin
-    if (rst) begin
-      s17_valid <= 1'b0;
-    end else begin
-      s17_valid <= s16_valid;
-    end
   end
   // Delay of 16 clocks: stage 1 to 17.
   reg        s17_has_crossed;
   reg [14:0] s1_to_s17;
   always @(posedge clk) begin
-    {s17_has_crossed, s1_to_s17} <=
-        {s1_to_s17, s1_has_crossed};
+    {s17_has_crossed, s1_to_s17} <= {s1_to_s17, s1_has_crossed};
   end
   // Delay of 15 clocks: stage 2 to 17.
   reg [IdxW-1:0]              s17_x_low;
@@ -1254,42 +676,27 @@ module relief_traverse #(
         {s2_to_s17, s2_x_low, s2_x_high, s2_y_low, s2_y_high, s2_level, s2_x, s2_y};
   end
 
-  // ---- stage 17: multi-level down ----------------------------------------- traverse.rs
-  wire [LevelW-1:0] s17_level_down;
-  wire [IdxW-1:0]   s17_x_down;
-  wire [IdxW-1:0]   s17_y_down;
+  // ---- stage 17: multi-level down -----------------------------------------------------
+  wire [LevelW-1:0] s17_level_down;  // level after the descent [levels]
+  wire [IdxW-1:0]   s17_x_down;      // predicted hit, kept between the two [texels]
+  wire [IdxW-1:0]   s17_y_down;      // predicted hit, kept between the two [texels]
   relief_multi_level_down #(
-    .LEVELS (LEVELS),
-    .IDX_W  (IdxW),
-    .LATENCY(0),
-    .VARIANT(32'h44b45e20)
+    .LEVELS(LEVELS), .IDX_W(IdxW), .LATENCY(0), .VARIANT(32'h44b45e20)
   ) u_down (
-    .level     (s17_level),
-    .crossed   (s17_has_crossed),
-    .x_low     (s17_x_low),
-    .x_high    (s17_x_high),
-    .x_hit     (s17_x_hit),
-    .y_low     (s17_y_low),
-    .y_high    (s17_y_high),
-    .y_hit     (s17_y_hit),
-    .level_down(s17_level_down),
-    .x_down    (s17_x_down),
-    .y_down    (s17_y_down)
+    .level(s17_level), .crossed(s17_has_crossed), .x_low(s17_x_low), .x_high(s17_x_high),
+    .x_hit(s17_x_hit), .y_low(s17_y_low), .y_high(s17_y_high), .y_hit(s17_y_hit),
+    .level_down(s17_level_down), .x_down(s17_x_down), .y_down(s17_y_down)
   );
 
-  // ---- stage 17: level up ------------------------------------------------- traverse.rs
-  wire s17_up;
+  // ---- stage 17: level up -------------------------------------------------------------
+  wire s17_up;  // one level up; never at the root
   relief_level_up #(.LEVELS(LEVELS), .IDX_W(IdxW), .LATENCY(0), .VARIANT(32'h63e9f1ef)) u_up (
-    .level(s17_level),
-    .even (s17_even),
-    .x_at (s17_x),
-    .x_hit(s17_x_hit),
-    .y_at (s17_y),
+    .level(s17_level), .even(s17_even), .x_at(s17_x), .x_hit(s17_x_hit), .y_at(s17_y),
     .y_hit(s17_y_hit),
-    .up   (s17_up)
+    .up(s17_up)
   );
 
-  // ---- stage 18: registers ------------------------------------------------ traverse.rs
+  // ---- stage 18: registers ------------------------------------------------------------
   reg              s18_up;
   reg [LevelW-1:0] s18_level_down;
   reg [IdxW-1:0]   s18_x_down;
@@ -1298,8 +705,6 @@ module relief_traverse #(
   reg [IdxW-1:0]   s18_x;
   reg [IdxW-1:0]   s18_y;
   reg              s18_has_crossed;
-  reg              s18_valid;
-  reg [TAG_W-1:0]  s18_tag;
   always @(posedge clk) begin
     s18_up          <= s17_up;
     s18_level_down  <= s17_level_down;
@@ -1309,24 +714,27 @@ module relief_traverse #(
     s18_x           <= s17_x;
     s18_y           <= s17_y;
     s18_has_crossed <= s17_has_crossed;
-    s18_tag         <= s17_tag;
   end
+  // Delay of 18 clocks: stage 0 to 18.
+  reg        s18_valid;
+  reg [16:0] s0_to_s18_valid;
   always @(posedge clk) begin
     if (rst) begin
-      s18_valid <= 1'b0;
+      {s18_valid, s0_to_s18_valid} <= 18'd0;
     end else begin
-      s18_valid <= s17_valid;
+      {s18_valid, s0_to_s18_valid} <= {s0_to_s18_valid, s0_slot_busy};
     end
   end
   // Delay of 17 clocks: stage 1 to 18.
-  reg         s18_wall;
-  reg         s18_limit;
-  reg [15:0]  s18_crossings;
-  reg [15:0]  s18_ups;
-  reg [543:0] s1_to_s18;
+  reg [TAG_W-1:0]      s18_tag;
+  reg                  s18_wall;
+  reg                  s18_limit;
+  reg [15:0]           s18_crossings;
+  reg [15:0]           s18_ups;
+  reg [16*TAG_W+543:0] s1_to_s18;
   always @(posedge clk) begin
-    {s18_wall, s18_limit, s18_crossings, s18_ups, s1_to_s18} <=
-        {s1_to_s18, s1_wall, s1_limit, s1_crossings, s1_ups};
+    {s18_tag, s18_wall, s18_limit, s18_crossings, s18_ups, s1_to_s18} <=
+        {s1_to_s18, s1_tag, s1_wall, s1_limit, s1_crossings, s1_ups};
   end
   // Delay of 16 clocks: stage 2 to 18.
   reg [IdxW-1:0]      s18_x_beyond;
@@ -1372,8 +780,7 @@ module relief_traverse #(
   reg [FloatW-1:0]    s18_t;
   reg [12*FloatW-1:0] s11_to_s18;
   always @(posedge clk) begin
-    {s18_m, s18_t, s11_to_s18} <=
-        {s11_to_s18, s11_m, s11_t};
+    {s18_m, s18_t, s11_to_s18} <= {s11_to_s18, s11_m, s11_t};
   end
   // Delay of 5 clocks: stage 13 to 18.
   reg                s18_is_inside;
@@ -1385,44 +792,26 @@ module relief_traverse #(
         {s13_to_s18, s13_is_inside, s13_x_first, s13_t_next};
   end
 
-  // ---- stage 18: level decision ------------------------------------------- traverse.rs
-  wire              s18_hit;
-  wire              s18_crosses;
-  wire [LevelW-1:0] s18_level_next;
-  wire [IdxW-1:0]   s18_x_next;
-  wire [IdxW-1:0]   s18_y_next;
+  // ---- stage 18: level decision -------------------------------------------------------
+  wire              s18_hit;         // the ray ends here
+  wire              s18_crosses;     // the ray goes to the neighbour
+  wire [LevelW-1:0] s18_level_next;  // level of the next iteration [levels]
+  wire [IdxW-1:0]   s18_x_next;      // texel of the next node [texels]
+  wire [IdxW-1:0]   s18_y_next;      // texel of the next node [texels]
+  // parameter of the next iteration, or of the hit [float, height codes]
   wire [FloatW-1:0] s18_t_after;
   relief_level_decision #(
-    .EXP_W  (EXP_W),
-    .MAN_W  (MAN_W),
-    .LEVELS (LEVELS),
-    .IDX_W  (IdxW),
-    .LATENCY(0),
-    .VARIANT(32'h4ae3ce84)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .LEVELS(LEVELS), .IDX_W(IdxW), .LATENCY(0), .VARIANT(32'h4ae3ce84)
   ) u_decision (
-    .is_inside (s18_is_inside),
-    .x_first   (s18_x_first),
-    .up        (s18_up),
-    .level     (s18_level),
-    .level_down(s18_level_down),
-    .m         (s18_m),
-    .t_next    (s18_t_next),
-    .x_at      (s18_x),
-    .x_down    (s18_x_down),
-    .x_beyond  (s18_x_beyond),
-    .y_at      (s18_y),
-    .y_down    (s18_y_down),
-    .y_beyond  (s18_y_beyond),
-    .hit       (s18_hit),
-    .crosses   (s18_crosses),
-    .level_next(s18_level_next),
-    .x_next    (s18_x_next),
-    .y_next    (s18_y_next),
-    .t_out     (s18_t_after)
+    .is_inside(s18_is_inside), .x_first(s18_x_first), .up(s18_up), .level(s18_level),
+    .level_down(s18_level_down), .m(s18_m), .t_next(s18_t_next), .x_at(s18_x), .x_down(s18_x_down),
+    .x_beyond(s18_x_beyond), .y_at(s18_y), .y_down(s18_y_down), .y_beyond(s18_y_beyond),
+    .hit(s18_hit), .crosses(s18_crosses), .level_next(s18_level_next), .x_next(s18_x_next),
+    .y_next(s18_y_next), .t_out(s18_t_after)
   );
 
-  // ---- stage 18: step limit ----------------------------------------------- traverse.rs
-  // A ray that is done takes no more steps. One that ends without a hit is given up: also in a
+  // ---- stage 18: step limit -----------------------------------------------------------
+  // A finished ray takes no more steps. One that ends without a hit is given up: also in a
   // simulation that does not know if it is one.
   wire s18_ends_now = s18_hit | s18_last_step;
   wire s18_given_up = s18_ends_now & ~s18_hit & s18_moves;
@@ -1486,8 +875,6 @@ module relief_traverse #(
     end
   end
 
-  assign hit_ready = hit_spill_ready;
-  assign setup_ready = setup_spill_ready;
   assign in_ready = setup_ready;
   assign slot_busy = s0_slot_busy;
   assign idle = s0_is_idle;
@@ -1495,14 +882,14 @@ module relief_traverse #(
   assign out_tag = s0_result_tag;
   assign out_i = s0_result_i;
   assign out_j = s0_result_j;
+  assign out_fu = s0_result_fu;
+  assign out_fv = s0_result_fv;
   assign out_t = s0_result_t;
   assign out_wall = s0_result_wall;
   assign out_limit = s0_result_limit;
   assign out_steps = s0_result_steps;
   assign out_crossings = s0_result_crossings;
   assign out_ups = s0_result_ups;
-  assign out_fu = s0_result_fu;
-  assign out_fv = s0_result_fv;
 endmodule
 `ifndef YOSYS
 `default_nettype wire

@@ -8,7 +8,6 @@
 ../rtl/relief_ray_setup.v
 ../rtl/relief_setup_delay.v
 ../rtl/relief_spill_register.v
-../rtl/relief_spill_data.v
 ../rtl/relief_node_planes.v
 ../rtl/relief_interleave.v
 ../rtl/relief_height_address.v
@@ -25,7 +24,6 @@
 ../rtl/relief_fp_to_fixed.v
 ../rtl/relief_hit_position.v
 ../rtl/relief_hit_delay.v
-../rtl/relief_hit_valid_delay.v
 ../rtl/relief_traverse.v
 relief_tb_traverse.v
 relief_tb_traverse_top.v

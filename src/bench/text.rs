@@ -1,7 +1,7 @@
 //! Text of the emitted benches, one pair of files a unit, from templates.
 use crate::emit::{Files, file_list};
 use crate::ir::{Expr, Module};
-use crate::verilog::Style;
+use crate::verilog::{Style, delayed_net};
 use minijinja::{Environment, context};
 use serde::Serialize;
 use std::sync::Arc;
@@ -15,6 +15,8 @@ struct Port {
     width: String,
     /// How a 64-bit word is cut to the port.
     select: String,
+    /// The valid port that says whether its word counts, if there is one.
+    valid: Option<String>,
 }
 
 #[derive(Serialize)]
@@ -55,9 +57,9 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Arc<Module>, u32)>,
     for m in units {
         let latency = m.latency.unwrap_or(0);
         let value = context! {
-            prefix, unit => m.name, dut => format!("{prefix}{}", m.name), params => params(m), terms => terms(m), latency, clocked => m.clk.is_some(),
+            has_state => m.latency.is_none(), prefix, unit => m.name, dut => format!("{prefix}{}", m.name), params => params(m), terms => terms(m), latency, clocked => m.clk.is_some(),
             travel_in => if latency == 0 { "1'b1" } else { "2" },
-            inputs => ports(m.data_inputs().map(|p| p.1)), outputs => ports(m.data_outputs().map(|p| p.1)),
+            inputs => ports(m.data_inputs().map(|p| p.1)), outputs => compared(m),
         };
         files.insert(format!("testbench/{prefix}tb_{}.v", m.name), render("unit", value.clone()));
         files.insert(format!("testbench/{prefix}tb_{}_top.v", m.name), render("top", value));
@@ -67,8 +69,11 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Arc<Module>, u32)>,
     let named = |names: &[&str]| ports(names.iter().map(|n| traverse.port(n).expect("traverse has its ports").1));
     // The stage at which a slot's ray is chosen: the first that has it whole.
     let chosen = traverse.nodes.iter().filter(|n| n.name.as_deref() == Some("done")).filter_map(|n| n.stage).min();
+    let enters = chosen.unwrap_or(0);
+    // Its valid bit may wait in a bundle from there on; the words have nets of their own, since the iteration reads them.
+    let valid = delayed_net(traverse, &traverse.default_binding(), "valid", enters, (0, 1));
     let value = context! {
-        enters => chosen.unwrap_or(0),
+        enters, valid => valid.unwrap_or_else(|| format!("s{enters}_valid")),
         prefix, unit => "traverse", dut => format!("{prefix}traverse"), params => params(traverse), terms => terms(traverse),
         files => files_of(traverse), warm_up,
         // The published datapath has rays that never end by themselves.
@@ -79,6 +84,12 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Arc<Module>, u32)>,
     files.insert(format!("testbench/{prefix}tb_traverse_top.v"), render("top", value));
     files.insert(format!("testbench/{prefix}tb_traverse.f"), list(traverse, prefix));
     files
+}
+
+/// The outputs of a unit: what stands beside a valid that is 0 is not compared.
+fn compared(m: &Module) -> Vec<Port> {
+    let valid = |p: Port| Port { valid: m.valid_of(&p.name).map(|v| v.name.clone()), ..p };
+    ports(m.data_outputs().map(|p| p.1)).into_iter().map(valid).collect()
 }
 
 /// The files of a bench and of what it tests, from where the list stands (`-F`).
@@ -109,6 +120,7 @@ fn ports<'a>(ports: impl Iterator<Item = &'a crate::ir::Port>) -> Vec<Port> {
             name: p.name.clone(),
             width: text(w.clone()),
             range: if one { String::new() } else { format!("[{}:0]", text(w.clone() - 1)) },
+            valid: None,
             select: if one { "[0]".into() } else { format!("[{}:0]", text(w - 1)) },
         }
     };

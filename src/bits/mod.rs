@@ -7,8 +7,11 @@ mod recip_table;
 pub use prim::{deinterleave, div_rows, interleave, lzc};
 pub use recip_table::{INDEX_W, SLOPE_W, START_W, recip_table};
 
-/// The widest word that the IR carries, in bits.
+/// The widest word that the IR computes with, in bits.
 pub const MAX_WIDTH: u32 = 64;
+
+/// The widest bundle that the IR carries: words beside each other, which are concatenated, sliced, selected and held, and no more.
+pub const MAX_BUNDLE: u32 = 4096;
 
 /// All ones in the low `w` bits (`w` up to 64).
 #[inline(always)]

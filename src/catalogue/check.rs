@@ -145,13 +145,7 @@ pub fn fits(m: &Module, set: &VectorSet) -> Result<()> {
         return Err(Error::input(format!("the vectors are those of {}, not of {}", set.unit, m.name)));
     }
     let b = m.binding_with(&set.params);
-    let (ins, outs) = match m.latency {
-        Some(_) => {
-            let column = |p: &crate::ir::Port| Column { name: p.name.clone(), width: p.width.eval(&b) as u32 };
-            (m.data_inputs().map(|p| column(p.1)).collect(), m.data_outputs().map(|p| column(p.1)).collect())
-        }
-        None => super::ray_columns(m, &b),
-    };
+    let (ins, outs) = if super::takes_rays(m) { super::ray_columns(m, &b) } else { super::columns(m, &b) };
     let text = |c: &[Column]| c.iter().map(|c| format!("{}[{}]", c.name, c.width)).collect::<Vec<_>>().join(" ");
     for (what, have, want) in [("inputs", &set.inputs, &ins), ("outputs", &set.outputs, &outs)] {
         if have != want {
@@ -173,7 +167,10 @@ pub fn fits(m: &Module, set: &VectorSet) -> Result<()> {
 pub fn check_interp(m: &Module, set: &VectorSet) -> Result<CheckReport> {
     let net = elaborate(m, &set.params)?;
     fits(m, set)?;
-    check_netlist(&net, m.latency.unwrap_or(0) as usize, set)
+    match m.latency {
+        Some(latency) => check_netlist(&net, latency as usize, set),
+        None => compare(set, "interp", &super::clocked::replay(&net, m, set)),
+    }
 }
 
 /// Replays `set` in an elaborated unit of fixed latency.

@@ -1,6 +1,7 @@
 //! One entry a unit ([`UNITS`]): its model, legal operands, stimulus, bindings, proofs. Here alone hardware and golden model meet.
 mod bindings;
 mod check;
+mod clocked;
 mod datapath;
 mod entries;
 mod events;
@@ -15,6 +16,7 @@ mod unit;
 
 pub use bindings::bindings;
 pub use check::{CheckReport, Mismatch, check_interp, check_netlist, compare, decoded, fits};
+pub use clocked::{Clocked, Step};
 pub use events::count_events;
 pub use limits::limit_sets;
 pub use modelled::Modelled;
@@ -33,14 +35,19 @@ use crate::vectors::{Campaign, Column, Counts, Kind, Plan, VectorSet, campaign_r
 use ray_stimulus::sample_rows;
 use std::sync::Arc;
 
-/// The units that have vectors of their own, leaves first: those whose entry has a model, and whose latency is fixed.
+/// The units that have rows of their own, leaves first: those whose entry has a model.
 pub fn units(d: &Design) -> Vec<Arc<Module>> {
-    units::all(d).into_iter().filter(|m| m.latency.is_some() && has_vectors(d, m)).collect()
+    units::all(d).into_iter().filter(|m| !takes_rays(m) && has_vectors(d, m)).collect()
 }
 
-/// Whether a unit has vectors of its own: rays, as `traverse`, whose latency is not fixed, or rows with the results of its model.
+/// Whether the vectors of a unit are rays through the whole traversal.
+pub fn takes_rays(m: &Module) -> bool {
+    m.name == units::traversal::TRAVERSE
+}
+
+/// Whether a unit has vectors of its own: rays, or rows with the results of its model.
 pub fn has_vectors(d: &Design, m: &Module) -> bool {
-    m.latency.is_none() || entry(d, &m.name).is_some_and(|u| u.model.is_some())
+    takes_rays(m) || entry(d, &m.name).is_some_and(|u| u.model.is_some() || u.clocked.is_some())
 }
 
 /// That these units have no vectors, and what checks them instead.
@@ -129,6 +136,9 @@ pub fn design_at(d: &Design, b: &Binding) -> Design {
 pub fn vector_set(d: &Design, m: &Module, over: &Binding, plan: Plan) -> VectorSet {
     let b = m.binding_with(over);
     let at = design_at(d, &b);
+    if let Some(model) = entry(&at, &m.name).and_then(|u| u.clocked) {
+        return clocked_set(m, &at, b, model, plan);
+    }
     let kinds = kinds(m, &at, &b);
     let (mut rows, mut counts) = plan_rows(&kinds, plan);
     if let Some(stimulus) = entry(&at, &m.name).and_then(|u| u.stimulus).filter(|_| counts.exhaustive == 0) {
@@ -149,6 +159,10 @@ pub fn vector_set(d: &Design, m: &Module, over: &Binding, plan: Plan) -> VectorS
 pub fn campaign_set(d: &Design, m: &Module, over: &Binding, plan: Plan, campaign: Campaign) -> VectorSet {
     let b = m.binding_with(over);
     let at = design_at(d, &b);
+    if let Some(model) = entry(&at, &m.name).and_then(|u| u.clocked) {
+        // Corners of a clock say little: what is tried is the load of both sides.
+        return clocked_set(m, &at, b, model, plan);
+    }
     let (rows, counts) = campaign_rows(&kinds(m, &at, &b), plan, campaign);
     let set = VectorSet { seed: plan.seed, counts, campaign: Some(campaign), stimulus: rows, ..VectorSet::default() };
     answered(m, &at, b, set)
@@ -163,11 +177,33 @@ fn kinds(m: &Module, at: &Design, b: &Binding) -> Vec<Kind> {
     m.data_inputs().map(|(_, p)| kind(p)).collect()
 }
 
+/// The vectors of a unit whose rows are clocks.
+fn clocked_set(m: &Module, at: &Design, b: Binding, model: Clocked, plan: Plan) -> VectorSet {
+    let (stimulus, expected) = clocked::clocks(m, &Context::new(*at, &b), model, plan);
+    let counts = Counts { random: stimulus.len(), ..Counts::default() };
+    let (inputs, outputs) = columns(m, &b);
+    VectorSet {
+        unit: m.name.clone(),
+        params: b,
+        seed: plan.seed,
+        counts,
+        inputs,
+        outputs,
+        stimulus,
+        expected,
+        ..VectorSet::default()
+    }
+}
+
+/// A column for each input and each output.
+fn columns(m: &Module, b: &Binding) -> (Vec<Column>, Vec<Column>) {
+    let column = |p: &Port| Column { name: p.name.clone(), width: p.width.eval(b) as u32 };
+    (m.data_inputs().map(|(_, p)| column(p)).collect(), m.data_outputs().map(|(_, p)| column(p)).collect())
+}
+
 /// A set with unit, columns and the golden model's results; rows that the unit does not allow are made such that it does.
 fn answered(m: &Module, at: &Design, b: Binding, set: VectorSet) -> VectorSet {
-    let column = |p: &Port| Column { name: p.name.clone(), width: p.width.eval(&b) as u32 };
-    let inputs: Vec<Column> = m.data_inputs().map(|(_, p)| column(p)).collect();
-    let outputs: Vec<Column> = m.data_outputs().map(|(_, p)| column(p)).collect();
+    let (inputs, outputs) = columns(m, &b);
     let (unit, c) = (Modelled::of(at, m), Context::new(*at, &b));
     let stimulus: Vec<Vec<u64>> = set.stimulus.into_iter().map(|r| unit.legal(&c, r)).collect();
     let expected = stimulus.iter().map(|r| unit.results(&c, r)).collect();

@@ -1,4 +1,5 @@
 //! An entry of the table of units: all that the project knows of a unit besides its hardware.
+use super::clocked::Clocked;
 use super::ray_stimulus::RaySample;
 use super::row::{Context, Row};
 use crate::config::DatapathKind;
@@ -36,6 +37,8 @@ pub struct Unit {
     pub datapath: Option<DatapathKind>,
     /// The golden model; `None`: rays through `traverse` are the unit's vectors, or it has a proof alone.
     pub model: Option<Model>,
+    /// The golden model of a unit with a state: its rows are clocks.
+    pub clocked: Option<Clocked>,
     /// Legal operands; `None`: all are.
     pub legal: Option<Legal>,
     /// What a ray brings to the inputs; `None`: the unit gets no rows of rays.
@@ -53,6 +56,7 @@ pub(super) const UNIT: Unit = Unit {
     name: "",
     datapath: None,
     model: None,
+    clocked: None,
     legal: None,
     stimulus: None,
     bindings: &[],

@@ -36,6 +36,8 @@ pub fn run(cli: &Cli) -> Result<()> {
         let latency = match m.latency {
             Some(0) => "comb.".to_string(),
             Some(k) => k.to_string(),
+            // A handshake takes as long as it is held.
+            None if m.name != t.module.name => "-".to_string(),
             None => format!("{}+{}n+{}", t.setup, t.slots, t.finish),
         };
         let vectors = if has_vectors(&design, m) { "own" } else { &t.module.name };

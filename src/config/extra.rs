@@ -16,13 +16,19 @@ pub enum ExtraUnit {
     /// Sum of three.
     #[serde(rename = "fp_add3")]
     Add3,
+    /// Synchronous FIFO.
+    #[serde(rename = "fifo")]
+    Fifo,
+    /// Round robin arbiter.
+    #[serde(rename = "arbiter")]
+    Arbiter,
 }
 
 impl ExtraUnit {
     /// All.
-    pub const ALL: [Self; 4] = [Self::Sqrt, Self::Recip, Self::Compare, Self::Add3];
+    pub const ALL: [Self; 6] = [Self::Sqrt, Self::Recip, Self::Compare, Self::Add3, Self::Fifo, Self::Arbiter];
     /// Their names, in the same order.
-    pub const WORDS: &'static [&'static str] = &["fp_sqrt", "fp_recip", "fp_compare", "fp_add3"];
+    pub const WORDS: &'static [&'static str] = &["fp_sqrt", "fp_recip", "fp_compare", "fp_add3", "fifo", "arbiter"];
 }
 
 /// A set of them.

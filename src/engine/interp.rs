@@ -1,7 +1,7 @@
 //! The interpreter as an engine: it runs what the emitted text is printed from.
 use super::run::{Checked, Engine, Replay, SlotLoad, Traced};
 use super::stored::{memory, pyramid_of, ray_of};
-use crate::catalogue::{CheckReport, check_interp, compare, design_at};
+use crate::catalogue::{CheckReport, check_interp, compare, design_at, takes_rays};
 use crate::config::Config;
 use crate::error::{Error, Result};
 use crate::golden::{Pyramid, RayInput};
@@ -31,7 +31,7 @@ impl Engine for Interp {
     }
 
     fn replay(&self, r: &Replay<'_>) -> Result<Checked> {
-        if r.unit.latency.is_none() {
+        if takes_rays(r.unit) {
             return rays(r);
         }
         let report = check_interp(r.unit, r.set)?;

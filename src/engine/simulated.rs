@@ -2,7 +2,7 @@
 use super::run::{Checked, Engine, Replay, SlotLoad, Traced};
 use super::stored::{memory, pyramid_of, ray_of};
 use crate::bench::{Outcome, Paths, Simulator, bench_files, run_bench_on};
-use crate::catalogue::{decoded, design_at, ray_set};
+use crate::catalogue::{decoded, design_at, ray_set, takes_rays};
 use crate::config::Config;
 use crate::emit::{hardware, write_tree};
 use crate::error::{Error, Result};
@@ -17,7 +17,7 @@ pub(super) struct Simulated(pub Simulator);
 
 /// The plusargs with which a bench of `traverse` runs its set once more in rough traffic.
 fn rough(m: &Module) -> &'static [&'static str] {
-    if m.latency.is_none() { &["again"] } else { &[] }
+    if takes_rays(m) { &["again"] } else { &[] }
 }
 
 impl Engine for Simulated {
@@ -41,7 +41,7 @@ impl Engine for Simulated {
             for (name, text) in set_files(r.set) {
                 crate::files::write_atomic(spoiled.path().join(name), text.as_bytes())?;
             }
-            if m.latency.is_none() {
+            if takes_rays(m) {
                 let memory = from.join("memory.hex");
                 std::fs::copy(&memory, spoiled.path().join("memory.hex"))
                     .map_err(|e| Error::file("copy", memory, e))?;
@@ -106,7 +106,7 @@ impl Simulated {
             let pyramid = pyramid_of(d, &memory(r.place)?)?;
             wrong_iteration(d, &pyramid, &ray_of(&r.set.stimulus[number]), number, &iterations)
         };
-        Error::Mismatch(match vector.filter(|_| m.latency.is_none()).map(again) {
+        Error::Mismatch(match vector.filter(|_| takes_rays(m)).map(again) {
             Some(Ok(more)) => found.and(more),
             // A tree without these signals (a netlist, say) has nothing more to tell.
             Some(Err(_)) | None => found,

@@ -1,8 +1,9 @@
 //! From modules to a flat netlist: parameters become numbers, hierarchy dissolves, equal operations are shared,
 //! constants are folded, operations are levelized.
+use super::bundle::Parts;
 use super::flat::Flat;
 use super::netlist::*;
-use crate::bits::mask;
+use crate::bits::{MAX_WIDTH, mask};
 use crate::error::{Error, Result};
 use crate::ir::{Binding, Body, Module, Names, NodeId, Op, Prim};
 use std::collections::BTreeMap;
@@ -23,20 +24,29 @@ pub fn elaborate(m: &Module, over: &Binding) -> Result<Netlist> {
     for (i, p) in m.ports.iter().enumerate() {
         if p.dir == crate::ir::Dir::In && Some(i) != m.clk {
             let width = p.width.eval(&binding) as u32;
+            narrow(m, &p.name, width)?;
             let s = f.source(width);
-            inputs.insert(i, s);
+            inputs.insert(i, Parts::from(s));
             f.name(&p.name, s);
             ports.push(FlatPort { name: p.name.clone(), slot: s, width });
         }
     }
     let outs = f.module(m, &binding, &inputs, "")?;
-    let outputs = m.data_outputs().map(|(i, p)| FlatPort {
-        name: p.name.clone(),
-        slot: outs[&i],
-        width: p.width.eval(&binding) as u32,
-    });
-    let outputs = outputs.collect();
+    let mut outputs = Vec::new();
+    for (i, p) in m.data_outputs() {
+        let width = p.width.eval(&binding) as u32;
+        narrow(m, &p.name, width)?;
+        outputs.push(FlatPort { name: p.name.clone(), slot: outs[&i].word(), width });
+    }
     f.levelize(binding, ports, outputs)
+}
+
+/// A bundle has no word at a port of its own.
+fn narrow(m: &Module, port: &str, width: u32) -> Result<()> {
+    match width {
+        0..=MAX_WIDTH => Ok(()),
+        _ => Err(Error::input(format!("{}.{port} has {width} bits: a word of a row has {MAX_WIDTH} at most", m.name))),
+    }
 }
 
 impl Flat {
@@ -45,9 +55,9 @@ impl Flat {
         &mut self,
         m: &Module,
         b: &Binding,
-        inputs: &BTreeMap<usize, Slot>,
+        inputs: &BTreeMap<usize, Parts>,
         path: &str,
-    ) -> Result<BTreeMap<usize, Slot>> {
+    ) -> Result<BTreeMap<usize, Parts>> {
         let failed = m.failed_checks(b);
         if !failed.is_empty() {
             return Err(Error::input(format!("illegal parameters: {}", failed.join("; "))));
@@ -58,8 +68,15 @@ impl Flat {
         }
     }
 
-    fn primitive(&mut self, p: Prim, m: &Module, b: &Binding, inputs: &BTreeMap<usize, Slot>) -> BTreeMap<usize, Slot> {
-        let i = |name: &str| inputs[&m.port(name).expect("primitive has its ports").0];
+    fn primitive(
+        &mut self,
+        p: Prim,
+        m: &Module,
+        b: &Binding,
+        inputs: &BTreeMap<usize, Parts>,
+    ) -> BTreeMap<usize, Parts> {
+        let parts = |name: &str| &inputs[&m.port(name).expect("primitive has its ports").0];
+        let i = |name: &str| parts(name).word();
         let o = |name: &str| {
             let (k, port) = m.port(name).expect("primitive has its ports");
             (k, port.width.eval(b) as u32)
@@ -67,18 +84,18 @@ impl Flat {
         match p {
             Prim::Lzc => {
                 let (k, w) = o("count");
-                BTreeMap::from([(k, self.op(Kind::Lzc, &[i("bits")], w, 0))])
+                BTreeMap::from([(k, self.op(Kind::Lzc, &[i("bits")], w, 0).into())])
             }
             Prim::Interleave => {
                 let (k, w) = o("result");
-                BTreeMap::from([(k, self.op(Kind::Interleave, &[i("a"), i("b")], w, 0))])
+                BTreeMap::from([(k, self.op(Kind::Interleave, &[i("a"), i("b")], w, 0).into())])
             }
             Prim::DivRows => {
                 let (rows, (kr, wr), (kq, wq)) = (b["ROWS"] as u32, o("rem_out"), o("quot"));
                 let args = [i("rem_in"), i("div")];
                 let r = self.op(Kind::DivRem, &args, wr, rows);
                 let q = self.op(Kind::DivQuot, &args, wq, rows);
-                BTreeMap::from([(kr, r), (kq, q)])
+                BTreeMap::from([(kr, r.into()), (kq, q.into())])
             }
             Prim::SqrtRows => {
                 let ((kr, _), (kq, w)) = (o("rem_out"), o("root_out"));
@@ -86,46 +103,50 @@ impl Flat {
                 for r in 0..b["ROWS"] as u32 {
                     (rem, root) = self.sqrt_row(rem, root, w, 1 << (w - 1 - b["FIRST"] as u32 - r));
                 }
-                BTreeMap::from([(kr, rem), (kq, root)])
+                BTreeMap::from([(kr, rem.into()), (kq, root.into())])
             }
             Prim::Memory | Prim::FifoMem | Prim::Banks => {
-                let (k, w) = o("read_data");
-                let read_data = self.source(w);
-                self.mems.push(FlatMem {
-                    write_en: i("write_en"),
-                    write_addr: i("write_addr"),
-                    write_data: i("write_data"),
-                    read_addr: i("read_addr"),
-                    read_data,
-                    depth: b["DEPTH"] as usize,
-                    own: p == Prim::FifoMem,
+                let (k, _) = o("read_data");
+                // A memory for each part of a bundle.
+                let read = parts("write_data").map(|write_data| {
+                    let read_data = self.source(self.width(write_data));
+                    self.mems.push(FlatMem {
+                        write_en: i("write_en"),
+                        write_addr: i("write_addr"),
+                        write_data,
+                        read_addr: i("read_addr"),
+                        read_data,
+                        depth: b["DEPTH"] as usize,
+                        own: p == Prim::FifoMem,
+                    });
+                    read_data
                 });
-                if p != Prim::Banks {
-                    return BTreeMap::from([(k, read_data)]);
-                }
-                let out = self.source(w);
-                self.regs.push(FlatReg { q: out, d: read_data, enable: None, reset: None, unknown: None });
+                let out = if p == Prim::Banks { self.registered(&read, None) } else { read };
                 BTreeMap::from([(k, out)])
             }
             Prim::DelayLine => {
-                let (k, w) = o("out_data");
-                let enable = m.ce.map(|ce| inputs[&ce]).filter(|e| self.value(*e) != Some(1));
-                let mut word = i("in_data");
-                for _ in 0..b["CLOCKS"] {
-                    let q = self.source(w);
-                    self.regs.push(FlatReg { q, d: word, enable, reset: None, unknown: None });
-                    word = q;
-                }
+                let (k, _) = o("out_data");
+                let enable = m.ce.map(|ce| inputs[&ce].word()).filter(|e| self.value(*e) != Some(1));
+                let word = (0..b["CLOCKS"]).fold(parts("in_data").clone(), |word, _| self.registered(&word, enable));
                 BTreeMap::from([(k, word)])
             }
             Prim::RecipTable => {
                 let (k, w) = o("word");
                 let (q, d) = (self.source(w), self.op(Kind::RecipTable, &[i("index")], w, 0));
-                let enable = m.ce.map(|ce| inputs[&ce]).filter(|e| self.value(*e) != Some(1));
+                let enable = m.ce.map(|ce| inputs[&ce].word()).filter(|e| self.value(*e) != Some(1));
                 self.regs.push(FlatReg { q, d, enable, reset: None, unknown: None });
-                BTreeMap::from([(k, q)])
+                BTreeMap::from([(k, q.into())])
             }
         }
+    }
+
+    /// `word` one clock later.
+    fn registered(&mut self, word: &Parts, enable: Option<Slot>) -> Parts {
+        word.map(|d| {
+            let q = self.source(self.width(d));
+            self.regs.push(FlatReg { q, d, enable, reset: None, unknown: None });
+            q
+        })
     }
 
     /// One row of square root: `mark` is the digit's place in the root's `w` bits.
@@ -148,57 +169,65 @@ impl Flat {
         &mut self,
         m: &Module,
         b: &Binding,
-        inputs: &BTreeMap<usize, Slot>,
+        inputs: &BTreeMap<usize, Parts>,
         path: &str,
-    ) -> Result<BTreeMap<usize, Slot>> {
+    ) -> Result<BTreeMap<usize, Parts>> {
         let names = Names::new(m);
-        let mut slot: Vec<Slot> = vec![Slot::MAX; m.nodes.len()];
-        let mut inst_outs: Vec<Option<BTreeMap<usize, Slot>>> = vec![None; m.insts.len()];
+        let mut slot: Vec<Parts> = vec![Parts::default(); m.nodes.len()];
+        let mut inst_outs: Vec<Option<BTreeMap<usize, Parts>>> = vec![None; m.insts.len()];
         let (mut pending, mut wires) = (Vec::new(), Vec::new());
         for (i, n) in m.nodes.iter().enumerate() {
             let width = n.width.eval(b) as u32;
             let s = match &n.op {
-                Op::Input(p) => inputs[p],
+                Op::Input(p) => inputs[p].clone(),
                 Op::Reg { reset, unknown, .. } => {
-                    let q = self.source(width);
-                    pending.push((q, n.args[0], *reset, *unknown));
+                    let q = self.sources(&self.shape(m, b, &slot, i));
+                    pending.push((q.clone(), n.args[0], *reset, *unknown));
                     q
                 }
                 Op::Wire => {
-                    let w = self.source(width);
-                    wires.push((w, n.args[0]));
+                    let w = self.sources(&self.shape(m, b, &slot, i));
+                    wires.push((w.clone(), n.args[0]));
                     w
                 }
                 Op::InstOut(k, port) => {
                     let inst = &m.insts[k.0 as usize];
                     if inst_outs[k.0 as usize].is_none() {
-                        let ins = inst.inputs.iter().map(|(p, id)| (*p, slot[id.0 as usize])).collect();
+                        let ins = inst.inputs.iter().map(|(p, id)| (*p, slot[id.0 as usize].clone())).collect();
                         let inner: Binding = inst.params.iter().map(|(n, e)| (n.clone(), e.eval(b))).collect();
                         let outs = self.module(&inst.module, &inner, &ins, &format!("{path}{}.", inst.name))?;
                         inst_outs[k.0 as usize] = Some(outs);
                     }
-                    inst_outs[k.0 as usize].as_ref().expect("just filled")[port]
+                    inst_outs[k.0 as usize].as_ref().expect("just filled")[port].clone()
+                }
+                Op::Concat | Op::Slice { .. } | Op::Mux
+                    if width > MAX_WIDTH || slot[n.args[0].0 as usize].is_bundle() =>
+                {
+                    let args: Vec<&Parts> = n.args.iter().map(|a| &slot[a.0 as usize]).collect();
+                    self.carried(&n.op, &args, width, b)
                 }
                 op => {
-                    let args: Vec<Slot> = n.args.iter().map(|a| slot[a.0 as usize]).collect();
-                    self.node(op, &args, width, b)
+                    let args: Vec<Slot> = n.args.iter().map(|a| slot[a.0 as usize].word()).collect();
+                    self.node(op, &args, width, b).into()
                 }
             };
-            slot[i] = s;
-            if let Some(net) = names.net(NodeId(i as u32)).filter(|_| !names.drives_wire(NodeId(i as u32))) {
-                self.name(&format!("{path}{net}"), s);
+            if let Some(net) = names.net(NodeId(i as u32)).filter(|_| names.owns_net(NodeId(i as u32))) {
+                self.name_parts(&format!("{path}{net}"), &s);
             }
+            slot[i] = s;
         }
         for (w, d) in wires {
-            self.copy(w, slot[d.0 as usize]);
+            let from = self.reshaped(&slot[d.0 as usize], &self.widths_of(&w));
+            w.iter().zip(from.iter()).for_each(|(to, from)| self.copy(to, from));
         }
-        let control = |p: Option<usize>| p.map(|p| inputs[&p]);
+        let control = |p: Option<usize>| p.map(|p| inputs[&p].word());
         let enable = control(m.ce).filter(|e| self.value(*e) != Some(1));
         for (q, d, reset, unknown) in pending {
             let reset = if reset { control(m.rst) } else { None };
-            self.regs.push(FlatReg { q, d: slot[d.0 as usize], enable, reset, unknown });
+            let from = self.reshaped(&slot[d.0 as usize], &self.widths_of(&q));
+            self.regs.extend(q.iter().zip(from.iter()).map(|(q, d)| FlatReg { q, d, enable, reset, unknown }));
         }
-        Ok(m.outputs.iter().map(|(p, id)| (*p, slot[id.0 as usize])).collect())
+        Ok(m.outputs.iter().map(|(p, id)| (*p, slot[id.0 as usize].clone())).collect())
     }
 
     fn node(&mut self, op: &Op, args: &[Slot], width: u32, b: &Binding) -> Slot {

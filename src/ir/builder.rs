@@ -47,7 +47,6 @@ impl Builder {
             insts: vec![],
             outputs: vec![],
             unused: vec![],
-            visible: vec![],
             sections: vec![Section::default()],
             latency: None,
             throughput: "one result per clock".into(),
@@ -128,11 +127,6 @@ impl Builder {
         if let Some(s) = st.plan.get(title).copied() {
             st.min_stage = s;
         }
-    }
-
-    /// Keeps the value of this base name a net in every stage through which it passes, where the text would otherwise let it wait in a bundle.
-    pub fn visible(&self, name: &str) {
-        self.st.borrow_mut().m.visible.push(name.into());
     }
 
     /// All zeros.
@@ -292,7 +286,7 @@ impl Builder {
     pub(super) fn push_at(&self, op: Op, args: Vec<NodeId>, width: Expr, stage: Stage) -> Sig<'_> {
         let mut st = self.st.borrow_mut();
         let section = st.section;
-        st.m.nodes.push(Node { op, args, width, name: None, stage, section, valid: false });
+        st.m.nodes.push(Node { op, args, width, name: None, stage, section, valid: false, doc: None });
         Sig { b: self, id: NodeId(st.m.nodes.len() as u32 - 1) }
     }
     /// `v` one register later; shared by all who ask.

@@ -271,8 +271,8 @@ impl fmt::Display for Atom {
             Self::Call(function, a) => {
                 let (x, y) = (operand(&a[0]), a.get(1).map(operand).unwrap_or_default());
                 match function {
-                    Func::Max => write!(f, "({x} > {y} ? {x} : {y})"),
-                    Func::Min => write!(f, "({x} < {y} ? {x} : {y})"),
+                    Func::Max => write!(f, "(({x} > {y}) ? {x} : {y})"),
+                    Func::Min => write!(f, "(({x} < {y}) ? {x} : {y})"),
                     Func::Mul => write!(f, "({x} * {y})"),
                     Func::Div => write!(f, "({x} / {y})"),
                     Func::Pow2 | Func::Clog2 => write!(f, "(1 << {x})"),

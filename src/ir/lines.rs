@@ -91,6 +91,7 @@ fn replace(m: &mut Module, waits: &[Wait], lines: &Lines) {
         stage: None,
         section: 0,
         valid: false,
+        doc: None,
     });
     let shift = always.is_some() as u32;
     for w in waits {

@@ -119,6 +119,11 @@ impl Op {
             Self::InstOut(..) => "instance output",
         }
     }
+    /// Whether it moves words as they are, so that a bundle of more than 64 bits may pass.
+    pub fn carries(&self) -> bool {
+        use Op::*;
+        matches!(self, Input(_) | InstOut(..) | Wire | Reg { .. } | Concat | Slice { .. } | Mux)
+    }
     /// Constants have no stage.
     pub fn is_const(&self) -> bool {
         matches!(self, Self::Zeros | Self::Ones | Self::Lit(_) | Self::Konst(_))
@@ -145,6 +150,8 @@ pub struct Node {
     pub section: usize,
     /// True for bits whose delays are cleared by reset.
     pub valid: bool,
+    /// What it is and in which unit, for a comment where its net is declared.
+    pub doc: Option<String>,
 }
 
 /// Direction of a port.
@@ -171,6 +178,16 @@ pub struct Port {
     pub unit: String,
     /// Stage at which an input is read or an output appears.
     pub stage: Stage,
+}
+
+impl Port {
+    /// What it means, with its unit in brackets.
+    pub fn meaning(&self) -> String {
+        match self.unit.as_str() {
+            "bit" | "clock" | "" => self.doc.clone(),
+            unit => format!("{} [{unit}]", self.doc),
+        }
+    }
 }
 
 /// A Verilog parameter.
@@ -295,8 +312,6 @@ pub struct Module {
     pub outputs: Vec<(usize, NodeId)>,
     /// Values (or parts of them) that are deliberately not used.
     pub unused: Vec<NodeId>,
-    /// Base names of values that have a net in every stage through which they pass, for waveforms and proofs.
-    pub visible: Vec<String>,
     /// Headings.
     pub sections: Vec<Section>,
     /// Clocks from input to output; `None` for handshaked modules.
@@ -331,6 +346,11 @@ impl Module {
     /// A port by name.
     pub fn port(&self, name: &str) -> Option<(usize, &Port)> {
         self.ports.iter().enumerate().find(|(_, p)| p.name == name)
+    }
+    /// Of a unit with a handshake, the output `x_valid` that says whether the word of the output `x_data` counts.
+    pub fn valid_of(&self, output: &str) -> Option<&Port> {
+        let valid = format!("{}_valid", output.strip_suffix("_data")?);
+        self.port(&valid).map(|p| p.1).filter(|p| p.dir == Dir::Out && self.latency.is_none())
     }
     /// The data inputs: all but clock, enable and reset.
     pub fn data_inputs(&self) -> impl Iterator<Item = (usize, &Port)> {

@@ -12,6 +12,8 @@ pub struct Names<'m> {
     pub stage: Vec<u32>,
     /// Of each instance output without a name that drives a wire: the wire, whose net it drives itself.
     drives: BTreeMap<NodeId, NodeId>,
+    /// Of each wire that a port or a register of a loop drives: that one, whose net is declared before all that reads it.
+    driven: BTreeMap<NodeId, NodeId>,
 }
 
 impl<'m> Names<'m> {
@@ -31,8 +33,10 @@ impl<'m> Names<'m> {
         let wires = m.nodes.iter().enumerate().filter(|(_, n)| n.op == Op::Wire);
         let direct = wires.filter_map(|(w, n)| n.args.first().map(|d| (*d, NodeId(w as u32))));
         let unnamed = |d: NodeId| matches!(m.node(d).op, Op::InstOut(..)) && m.node(d).name.is_none();
+        let early = |d: NodeId| matches!(m.node(d).op, Op::Reg { wrap: true, .. } | Op::Input(_));
+        let driven = direct.clone().filter(|(d, _)| early(*d)).map(|(d, wire)| (wire, d)).collect();
         let drives = direct.filter(|(d, _)| unnamed(*d)).collect();
-        Self { m, staged, stage, drives }
+        Self { m, staged, stage, drives, driven }
     }
 
     /// Whether an instance output drives the net of a wire, which is declared before it.
@@ -40,9 +44,19 @@ impl<'m> Names<'m> {
         self.drives.contains_key(&id)
     }
 
+    /// Whether a wire is another net, which is declared before it, so that it has none of its own.
+    pub fn is_driven_early(&self, wire: NodeId) -> bool {
+        self.driven.contains_key(&wire)
+    }
+
+    /// Whether the net of a node, if it has one, is called after it and not after another node.
+    pub fn owns_net(&self, id: NodeId) -> bool {
+        !self.drives_wire(id) && !self.is_driven_early(id)
+    }
+
     /// The net that carries a node, if it has one.
     pub fn net(&self, id: NodeId) -> Option<String> {
-        let n = self.m.node(self.drives.get(&id).copied().unwrap_or(id));
+        let n = self.m.node(self.drives.get(&id).or(self.driven.get(&id)).copied().unwrap_or(id));
         match (&n.op, &n.name) {
             (Op::Input(p), _) => Some(self.m.ports[*p].name.clone()),
             (op, _) if op.is_const() => None,

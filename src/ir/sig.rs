@@ -18,6 +18,11 @@ impl<'b> Sig<'b> {
         self.b.st.borrow_mut().m.nodes[self.id.0 as usize].name = Some(name.into());
         self
     }
+    /// Says what the value is and in which unit: a comment where its net is declared.
+    pub fn doc(self, text: &str) -> Self {
+        self.b.st.borrow_mut().m.nodes[self.id.0 as usize].doc = Some(text.into());
+        self
+    }
     /// Marks a valid bit: its delays are cleared by reset.
     pub fn valid(self) -> Self {
         self.b.st.borrow_mut().m.nodes[self.id.0 as usize].valid = true;

@@ -3,7 +3,7 @@ use super::expr::{Binding, Expr};
 use super::keywords::is_keyword;
 use super::loops::combinational_loop;
 use super::module::*;
-use crate::bits::MAX_WIDTH;
+use crate::bits::{MAX_BUNDLE, MAX_WIDTH};
 use std::collections::BTreeSet;
 
 /// Checks `m` at its defaults and at `bindings`; returns every problem found.
@@ -154,8 +154,13 @@ fn widths(m: &Module, b: &Binding, bad: &mut Vec<String>) {
         let width = n.width.eval(b);
         let a: Vec<i64> = n.args.iter().map(|x| w(*x)).collect();
         let mut fail = |why: String| bad.push(format!("{}: {why} (at {})", label(m, id), at()));
-        if width < 1 || width > i64::from(MAX_WIDTH) {
-            fail(format!("{width} bits; 1 to {MAX_WIDTH} are possible"));
+        let most = if n.op.carries() { MAX_BUNDLE } else { MAX_WIDTH };
+        if width < 1 || width > i64::from(most) {
+            fail(format!("{width} bits; 1 to {most} are possible"));
+            continue;
+        }
+        if let Some(wide) = a.iter().find(|w| !n.op.carries() && **w > i64::from(MAX_WIDTH)) {
+            fail(format!("an operand of {wide} bits; a bundle is carried, not computed with"));
             continue;
         }
         let ok = match &n.op {
@@ -182,7 +187,11 @@ fn widths(m: &Module, b: &Binding, bad: &mut Vec<String>) {
     }
     for inst in &m.insts {
         let map = inst.params.iter().cloned().collect();
+        let carries = matches!(inst.module.body, Body::Graph | Body::Prim(Prim::FifoMem | Prim::DelayLine));
         for (p, v) in &inst.inputs {
+            if !carries && w(*v) > i64::from(MAX_WIDTH) {
+                bad.push(format!("{} is no unit for a bundle of {} bits (at {})", inst.name, w(*v), at()));
+            }
             let want = inst.module.ports[*p].width.substitute(&map).eval(b);
             if want != w(*v) {
                 let port = &inst.module.ports[*p].name;

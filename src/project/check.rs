@@ -1,6 +1,6 @@
 //! Checks an emitted tree: every unit's vectors replayed by an engine.
 use super::same::{same_config, same_rows, same_text};
-use crate::catalogue::{check_interp, compare, design_at, fits, units, without_vectors};
+use crate::catalogue::{check_interp, compare, design_at, fits, takes_rays, units, without_vectors};
 use crate::config::{Config, Design};
 use crate::emit::Files;
 use crate::engine::stored::{memory, pyramid_of, ray_of};
@@ -108,7 +108,7 @@ pub fn check_tree_at(
     }
     same_config(c, dir)?;
     if !engine.reads_text() {
-        let whole = list.iter().any(|m| m.latency.is_none());
+        let whole = list.iter().any(|m| takes_rays(m));
         let text = if whole { super::hardware(c)?.files } else { text_of(c, &list)? };
         same_text(&text, dir)?;
     }
@@ -159,11 +159,11 @@ fn mismatch_wave(d: &Design, dir: &Path, m: &Arc<Module>, canary: Option<Canary>
         canary.spoil(&mut set);
     }
     let nothing = || Error::NothingRan(format!("{}: the mismatch did not come again", m.name));
-    if let Some(latency) = m.latency {
+    if !takes_rays(m) {
         let first = check_interp(m, &set)?.first.ok_or_else(nothing)?;
         let net = elaborate(m, &set.params)?;
         let ports: Vec<&str> = set.inputs.iter().map(|c| c.name.as_str()).collect();
-        return Ok(record_rows(&net, latency as usize, &ports, &set.stimulus, first.vector, MARGIN));
+        return Ok(record_rows(&net, m.latency, &ports, &set.stimulus, first.vector, MARGIN));
     }
     let (p, image) = (Pipeline::new(d, &Binding::new())?, memory(&place)?);
     let stream = p.stream();
@@ -192,7 +192,7 @@ fn unit(
 ) -> Result<Checked> {
     let place = dir.join("golden").join(&m.name);
     let mut checked = one_set(d, dir, m, &place, (given, &[]), engine, canary)?;
-    if m.latency.is_none() && canary.is_none() && given.is_empty() {
+    if takes_rays(m) && canary.is_none() && given.is_empty() {
         for name in further {
             let place = dir.join("golden").join(&m.name).join(name);
             checked.rows += one_set(d, dir, m, &place, (given, &["LEVELS", "STEP_LIMIT"]), engine, None)?.rows;

@@ -1,6 +1,6 @@
 //! Units at other parameter values than the configuration's, as the emitted text takes them: what a bench is given by `-P`.
 use super::Scene;
-use crate::catalogue::{count_events, design_at, find, has_vectors, ray_set, vector_set, without_vectors};
+use crate::catalogue::{count_events, design_at, find, has_vectors, ray_set, takes_rays, vector_set, without_vectors};
 use crate::config::Config;
 use crate::emit::Files;
 use crate::error::{Error, Result};
@@ -79,7 +79,7 @@ pub fn unit_vectors(c: &Config, name: &str, over: &Binding, map: Option<&Path>, 
         files.extend(super::digests::digests(&files));
         files
     };
-    if m.latency.is_some() {
+    if !takes_rays(&m) {
         if !has_vectors(&d, &m) {
             return Err(Error::NothingRan(without_vectors(&d, std::slice::from_ref(&m.name))));
         }

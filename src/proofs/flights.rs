@@ -1,5 +1,8 @@
 //! Where rays are inside of `traverse`, for the proofs that count them.
-use crate::units::traversal::{Decoupling, Traverse};
+use crate::ir::{Binding, Module};
+use crate::units::stream::Decoupling;
+use crate::units::traversal::Traverse;
+use crate::verilog::delayed_net;
 use std::fmt::Write;
 
 /// The registers of `traverse` that hold a ray, and how the script ties the harness to them.
@@ -12,19 +15,32 @@ pub(super) struct Flights {
     parts: [Vec<(String, String)>; 3],
 }
 
+/// The net, or the part of one, that carries the low `bits` of a value in a stage. Where a memory holds it instead (`latency.delay_line`), the
+/// name that a register would have.
+fn net(m: &Module, at: &Binding, value: &str, stage: u32, bits: u32) -> String {
+    delayed_net(m, at, value, stage, (0, bits)).unwrap_or_else(|| format!("s{stage}_{value}"))
+}
+
 impl Flights {
-    pub(super) fn of(t: &Traverse, handshake: u32) -> Self {
+    pub(super) fn of(t: &Traverse, handshake: u32, tag_w: u32) -> Self {
+        let top = t.module.default_binding();
         let slot = |k: u32| match k {
             0 => ("s0_loop_valid_q".into(), "s0_loop_tag_q".into()),
-            _ => (format!("s{k}_valid"), format!("s{k}_tag")),
+            _ => (net(&t.module, &top, "valid", k, 1), net(&t.module, &top, "tag", k, tag_w)),
         };
-        let mut setup: Vec<_> =
-            (1..=t.setup).map(|k| (format!("u_setup_delay.s{k}_valid"), format!("u_setup_delay.s{k}_data"))).collect();
-        let mut hit: Vec<_> =
-            (1..=t.finish).map(|k| (format!("u_hit_valid.s{k}_valid"), format!("u_hit_tag.s{k}_data"))).collect();
+        let below = |unit: &str, value: &str, k: u32, bits: u32| {
+            let inst = t.module.insts.iter().find(|i| i.name == unit);
+            let inst = inst.unwrap_or_else(|| panic!("{} has no instance {unit}", t.module.name));
+            let at: Binding = inst.params.iter().map(|(name, e)| (name.clone(), e.eval(&top))).collect();
+            format!("{unit}.{}", net(&inst.module, &at, value, k, bits))
+        };
+        // The tag is the last field of what is carried beside the units.
+        let pair = |unit: &str, k| (below(unit, "valid", k, 1), below(unit, "data", k, tag_w));
+        let mut setup: Vec<_> = (1..=t.setup).map(|k| pair("u_setup_delay", k)).collect();
+        let mut hit: Vec<_> = (1..=t.finish).map(|k| pair("u_hit_delay", k)).collect();
         let decoupling = Decoupling::of(handshake);
         if decoupling == Decoupling::SpillRegister {
-            for (list, unit) in [(&mut setup, "u_setup_spill"), (&mut hit, "u_hit_spill")] {
+            for (list, unit) in [(&mut setup, "u_setup_buffer"), (&mut hit, "u_hit_buffer")] {
                 // Their data are covered by the proof of spill_register.
                 list.extend(["first", "second"].map(|k| (format!("{unit}.{k}_valid"), String::new())));
             }
@@ -78,14 +94,12 @@ impl Flights {
                 part.iter().enumerate().for_each(|(k, (valid, _))| tie(format!("{name}_{k}"), valid));
             }
             tie("retire".into(), "s0_retire");
-            let (unit, registers): (_, &[&str]) = match self.decoupling {
-                Decoupling::CreditFifo => {
-                    ("fifo", &["reserved", "occupancy", "credit_q", "issued", "popped", "valid_q"])
-                }
-                _ => ("spill", &["ready_q", "valid_q", "out_of_reset", "wr_sel_q", "rd_sel_q"]),
+            let registers: &[&str] = match self.decoupling {
+                Decoupling::CreditFifo => &["reserved", "occupancy", "credit_q", "issued", "popped", "valid_q"],
+                _ => &["ready_q", "valid_q", "out_of_reset", "wr_sel_q", "rd_sel_q"],
             };
             for at in ["setup", "hit"] {
-                registers.iter().for_each(|r| tie(format!("{at}_{r}"), &format!("u_{at}_{unit}.{r}")));
+                registers.iter().for_each(|r| tie(format!("{at}_{r}"), &format!("u_{at}_buffer.{r}")));
             }
         }
         s

@@ -24,7 +24,7 @@ pub fn proof_files(
     let mut out = Files::new();
     for p in proofs {
         let over: Binding = p.over.iter().map(|(k, v)| ((*k).to_string(), *v)).collect();
-        let flights = Flights::of(t, d.latency.handshake);
+        let flights = Flights::of(t, d.latency.handshake, d.traverse.tag_bits);
         let mut env = Environment::new();
         env.set_keep_trailing_newline(true);
         let (copies, values, name) = (units.to_vec(), over.clone(), prefix.to_string());

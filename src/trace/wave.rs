@@ -89,15 +89,31 @@ pub fn record_ray(
 
 /// Replays `rows` (words of the inputs named in `ports`) in a unit of fixed latency, a row a clock from power-up, and records the clocks
 /// around the one in which row `at` comes out: as many as the unit has stages, and `margin` on both sides.
-pub fn record_rows(net: &Netlist, latency: usize, ports: &[&str], rows: &[Vec<u64>], at: usize, margin: usize) -> Wave {
+pub fn record_rows(
+    net: &Netlist,
+    latency: Option<u32>,
+    ports: &[&str],
+    rows: &[Vec<u64>],
+    at: usize,
+    margin: usize,
+) -> Wave {
+    let (latency, has_state) = (latency.unwrap_or(0) as usize, latency.is_none());
     let mut wave = Wave::new(net).window(latency + margin + 1);
     let mut sim = Tracked::new(net);
     if let Some(ce) = net.inputs.iter().find(|p| p.name == "ce") {
         sim.set(ce.slot, 1);
     }
     let slots: Vec<_> = ports.iter().map(|n| net.input(n)).collect();
-    // Rows long before have left the pipeline.
-    let first = at.saturating_sub(latency + margin + 1);
+    // Rows long before have left a pipeline; a state is that of all rows since reset.
+    let first = if has_state { 0 } else { at.saturating_sub(latency + margin + 1) };
+    if let Some(rst) = net.inputs.iter().find(|p| p.name == "rst") {
+        slots.iter().for_each(|s| sim.set(*s, 0));
+        for reset in [1, 0] {
+            sim.set(rst.slot, reset);
+            sim.eval();
+            sim.clock();
+        }
+    }
     for clock in 0.. {
         let row = rows.get(first + clock);
         for (k, s) in slots.iter().enumerate() {

@@ -7,6 +7,7 @@ pub mod interleave;
 pub mod lzc;
 pub mod recip_table;
 pub mod sqrt_rows;
+pub mod stream;
 pub mod traversal;
 
 use crate::config::{Design, ExtraUnits};
@@ -31,7 +32,7 @@ pub fn available(d: &Design) -> Vec<Arc<Module>> {
 }
 
 fn chosen(d: &Design, units: ExtraUnits) -> Vec<Arc<Module>> {
-    units.iter().flat_map(|unit| float::extra(d, unit)).collect()
+    units.iter().flat_map(|unit| float::extra(d, unit).into_iter().chain(stream::extra(unit))).collect()
 }
 
 /// Every unit of a design, leaves first, `traverse` last. What datapath and modes don't need is left out.

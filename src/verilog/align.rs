@@ -1,14 +1,17 @@
-//! Columns: names of neighbouring declarations, pins and assignments stand below each other.
+//! Columns: names of neighbouring declarations, their comments, and assignments stand below each other.
+use super::layout::COLUMNS;
 
 /// Ranges longer than this stand out instead of pushing their neighbours' names away.
 const LONGEST: usize = 24;
+
+/// What stands before a comment.
+const COMMENT: &str = "  // ";
 
 /// What is aligned in a line: its kind, what stands before the column, and what from there on.
 #[derive(PartialEq, Clone, Copy)]
 enum Kind {
     Wire,
     Reg,
-    Pin,
     Store(usize),
 }
 
@@ -23,11 +26,6 @@ fn parts(line: &str) -> Option<(Kind, &str, &str)> {
     };
     if let Some(found) = declared(Kind::Wire, "wire").or_else(|| declared(Kind::Reg, "reg")) {
         return Some(found);
-    }
-    let text = line.trim_start();
-    if text.starts_with('.') && indent == 4 {
-        let at = line.find('(')?;
-        return Some((Kind::Pin, line[..at].trim_end(), &line[at..]));
     }
     let at = line.find(" <= ")?;
     let is_name = line[indent..at].trim_end().chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
@@ -52,14 +50,26 @@ pub fn aligned(text: &str) -> String {
             .collect();
         let most = if matches!(kind, Kind::Wire | Kind::Reg) { LONGEST + "  wire ".len() } else { usize::MAX };
         let column = run.iter().map(|(before, _)| before.len()).filter(|n| *n <= most).max().unwrap_or(0);
-        for (before, after) in &run {
-            // Pins have their parenthesis at the column, all others a blank before it.
-            let gap = if kind == Kind::Pin { "" } else { " " };
-            out += &format!("{before:column$}{gap}{after}\n");
-        }
+        let lines: Vec<String> = run.iter().map(|(before, after)| format!("{before:column$} {after}")).collect();
+        out += &commented(&lines);
         i += run.len();
     }
     out
+}
+
+/// Lines of a run with their comments below each other; what has no room for its comment has it on a line before.
+fn commented(lines: &[String]) -> String {
+    let split = |l: &str| l.split_once(COMMENT).map(|(code, text)| (code.to_string(), text.to_string()));
+    let fits = |code: &str, text: &str, column: usize| code.len().max(column) + COMMENT.len() + text.len() <= COLUMNS;
+    let alone = lines.iter().filter_map(|l| split(l)).filter(|(code, text)| fits(code, text, 0));
+    let column = alone.map(|(code, _)| code.len()).max().unwrap_or(0);
+    let line = |l: &String| match split(l) {
+        None => format!("{l}\n"),
+        Some((code, text)) if fits(&code, &text, column) => format!("{code:column$}{COMMENT}{text}\n"),
+        Some((code, text)) if fits(&code, &text, 0) => format!("{code}{COMMENT}{text}\n"),
+        Some((code, text)) => format!("  // {text}\n{code}\n"),
+    };
+    lines.iter().map(line).collect()
 }
 
 #[cfg(test)]
@@ -68,10 +78,9 @@ mod tests {
 
     #[test]
     fn runs_are_aligned_and_nothing_else() {
-        let text = "  wire a;\n  wire [3:0] b = a <= c;\n  assign x = y;\n  reg [W-1:0] q;\n  reg r;\n  // c\n    .clk(clk),\n    \
-                    .in_data(x)\n      a <= b;\n      long_name <= c;\n";
-        let expected = "  wire       a;\n  wire [3:0] b = a <= c;\n  assign x = y;\n  reg [W-1:0] q;\n  reg         r;\n  // c\n    \
-                        .clk    (clk),\n    .in_data(x)\n      a         <= b;\n      long_name <= c;\n";
+        let text = "  wire a;\n  wire [3:0] b = a <= c;\n  assign x = y;\n  reg [W-1:0] q;\n  reg r;\n  // c\n      a <= b;\n      long_name <= c;\n";
+        let expected = "  wire       a;\n  wire [3:0] b = a <= c;\n  assign x = y;\n  reg [W-1:0] q;\n  reg         r;\n  // c\n      \
+                        a         <= b;\n      long_name <= c;\n";
         assert_eq!(aligned(text), expected);
         assert_eq!(aligned(expected), expected);
     }

@@ -4,6 +4,7 @@
 //! with a name stand on their own wire or in braces, a mixed pair of operators always has parentheses, a unary operator
 //! stands before a primary, and widening is written out.
 use super::layout::{fill, group, literal, range, tight};
+use super::widths::named;
 use crate::ir::{Expr, Names, Node, NodeId, Op};
 
 /// How tightly an expression binds.
@@ -62,8 +63,8 @@ impl Expressions for Names<'_> {
         };
         let width = |id: NodeId| self.m.node(id).width.clone();
         match &n.op {
-            Op::Zeros => (fill(&n.width, 0), Binds::Primary),
-            Op::Ones => (fill(&n.width, 1), Binds::Primary),
+            Op::Zeros => (fill(&named(self.m, &n.width), 0), Binds::Primary),
+            Op::Ones => (fill(&named(self.m, &n.width), 1), Binds::Primary),
             Op::Lit(v) => (literal(*v, &n.width), Binds::Primary),
             Op::Konst(_) => {
                 let name = konst_name(n);
@@ -93,12 +94,8 @@ impl Expressions for Names<'_> {
                 (format!("{{{zx}, {x}}} * {{{zy}, {y}}}"), Binds::Loose)
             }
             Op::Mux => {
-                let (t, bt) = self.operand(a(1));
-                let t = if matches!(bt, Binds::Primary | Binds::Unary) { t } else { format!("({t})") };
-                let (e, be) = self.operand(a(2));
-                let chain = self.net(a(2)).is_none() && self.m.node(a(2)).op == Op::Mux;
-                let e = if chain || matches!(be, Binds::Primary | Binds::Unary) { e } else { format!("({e})") };
-                (format!("{} ? {t} : {e}", self.tight(a(0), "")), Binds::Loose)
+                let [c, t, e] = [0, 1, 2].map(|i| self.tight(a(i), ""));
+                (format!("{c} ? {t} : {e}"), Binds::Loose)
             }
             Op::Concat => {
                 let parts: Vec<String> = n.args.iter().map(|x| self.operand(*x).0).collect();
@@ -128,11 +125,10 @@ impl Expressions for Names<'_> {
                 (format!("{{{{{}{{{top}}}}}, {net}}}", group(&(n.width.clone() - w))), Binds::Primary)
             }
             Op::Rep => {
-                let (x, _) = self.operand(a(0));
                 if n.width.as_const() == Some(1) {
-                    return (x, Binds::Loose);
+                    return self.operand(a(0));
                 }
-                (format!("{{{}{{{x}}}}}", group(&n.width)), Binds::Primary)
+                (format!("{{{}{{{}}}}}", group(&named(self.m, &n.width)), self.operand(a(0)).0), Binds::Primary)
             }
             Op::Reg { .. } | Op::Wire | Op::InstOut(..) | Op::Input(_) => {
                 unreachable!("{} always has a net", n.op.name())

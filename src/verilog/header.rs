@@ -1,39 +1,17 @@
 //! Everything that stands before a module's body: banner, parameters, ports, derived constants, conditions.
 use super::expr::konst_name;
-use super::layout::{COLUMNS, is_wide, range, wide, wrap};
+use super::layout::{COLUMNS, bare, is_wide, range, wide, wrap};
+use super::printer::{Printer, has_word};
 use super::style::SPDX;
-use super::text::Printer;
 use crate::ir::{Dir, Op};
 
-/// True if `word` occurs in `text` as a whole word.
-pub(super) fn has_word(text: &str, word: &str) -> bool {
-    text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).any(|w| w == word)
-}
-
 impl Printer<'_> {
-    /// A comment that starts with `head`; further lines stand under the text that follows it.
-    pub(super) fn comment(&mut self, indent: &str, head: &str, text: &str) {
-        let mut line = format!("{indent}// {head}");
-        for word in text.split_whitespace() {
-            if line.len() + 1 + word.len() > COLUMNS {
-                self.out += line.trim_end();
-                self.out.push('\n');
-                line = format!("{indent}// {}", " ".repeat(head.len()));
-            } else if !line.ends_with(' ') {
-                line.push(' ');
-            }
-            line += word;
-        }
-        self.out += line.trim_end();
-        self.out.push('\n');
-    }
-
-    /// What the module is, where it comes from, how long it takes.
+    /// What the module is, how long it takes, what was chosen.
     pub(super) fn banner(&mut self) {
         let m = self.m;
         self.out += &format!("// {SPDX}\n");
         self.comment("", &format!("{}{}: ", self.style.prefix, m.name), &m.summary);
-        self.comment("", "Source     ", &format!("{} (emitted: do not edit)", m.source));
+        self.comment("", "Emitted    ", &format!("by reliefrtl as its unit {}; do not edit", m.name));
         if !m.choices.is_empty() {
             let choices: Vec<String> = m.choices.iter().map(|(name, word)| format!("{name} {word}")).collect();
             self.comment("", "Chosen     ", &choices.join(", "));
@@ -88,12 +66,10 @@ impl Printer<'_> {
             let comma = if i + 1 < m.ports.len() { "," } else { "" };
             let dir = if p.dir == Dir::In { "input " } else { "output" };
             let name = format!("{}{comma}", p.name);
-            let unit =
-                if ["bit", "clock", ""].contains(&p.unit.as_str()) { String::new() } else { format!(" [{}]", p.unit) };
             let decl = format!("  {dir} wire {:rw$} {name:nw$}", ranges[i]);
-            let full = format!("{decl}  // {}{unit}", p.doc);
+            let full = format!("{decl}  // {}", p.meaning());
             if full.len() > COLUMNS {
-                self.comment("  ", "", &format!("{}{unit}", p.doc));
+                self.comment("  ", "", &p.meaning());
                 self.out += decl.trim_end();
             } else {
                 self.out += &full;
@@ -116,7 +92,7 @@ impl Printer<'_> {
             }
         }
         for (_, (name, e)) in m.locals.iter().enumerate().filter(|(i, _)| used[*i]) {
-            self.out += &wrap(&format!("  localparam integer {name} = {e};"));
+            self.out += &wrap(&format!("  localparam integer {name} = {};", bare(&e.to_string())));
         }
         let mut seen = Vec::new();
         for n in &m.nodes {
@@ -127,9 +103,9 @@ impl Printer<'_> {
             }
             // An integer has 32 bits, and a part-select beyond them is undefined.
             if is_wide(e) || n.width.as_const().is_some_and(|w| w > 32) {
-                self.out += &wrap(&format!("  localparam [63:0] {name} = {};", wide(e)));
+                self.out += &wrap(&format!("  localparam [63:0] {name} = {};", bare(&wide(e))));
             } else {
-                self.out += &wrap(&format!("  localparam integer {name} = {e};"));
+                self.out += &wrap(&format!("  localparam integer {name} = {};", bare(&e.to_string())));
             }
             seen.push(name);
         }

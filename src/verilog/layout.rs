@@ -110,7 +110,7 @@ pub fn wrap(line: &str) -> String {
     }
     match best {
         Some((_, at)) => {
-            let opens = ["wire", "assign", "localparam"].iter().any(|w| line.trim_start().starts_with(w));
+            let opens = ["wire", "assign", "localparam", "."].iter().any(|w| line.trim_start().starts_with(w));
             let rest = format!("{}{}", " ".repeat(indent + if opens { 4 } else { 0 }), &line[at + 1..]);
             format!("{}\n{}", line[..at].trim_end(), wrap(&rest))
         }

@@ -165,7 +165,7 @@ const PRELOAD: &str = r#"
 
 const DELAY_LINE: &str = r#"
   localparam integer Words = CLOCKS - 1;
-  localparam integer IndexW = Words > 8 ? 4 : (Words > 4 ? 3 : (Words > 2 ? 2 : 1));
+  localparam integer IndexW = (Words > 8) ? 4 : ((Words > 4) ? 3 : ((Words > 2) ? 2 : 1));
   localparam integer Last = Words - 1;
 
   // Circular buffer with read before write: a word is read one round after it was written. An index
@@ -175,7 +175,7 @@ const DELAY_LINE: &str = r#"
   reg [IndexW-1:0] index;
 
   wire              is_last = index >= Last[IndexW-1:0];
-  wire [IndexW-1:0] next    = is_last ? {IndexW{1'b0}} : index + {{(IndexW - 1) {1'b0}}, 1'b1};
+  wire [IndexW-1:0] next    = is_last ? {IndexW{1'b0}} : (index + {{(IndexW - 1) {1'b0}}, 1'b1});
 
   initial index = {IndexW{1'b0}};
 
@@ -191,7 +191,7 @@ const DELAY_LINE: &str = r#"
 "#;
 
 const BANKS: &str = r#"
-  localparam integer WordW = BANK_W < ADDR_W ? BANK_W : ADDR_W - 1;
+  localparam integer WordW = (BANK_W < ADDR_W) ? BANK_W : (ADDR_W - 1);
   localparam integer BankCount = (DEPTH + (1 << WordW) - 1) >> WordW;
 
   genvar g;

@@ -146,9 +146,10 @@ fn a_simulator_names_the_first_wrong_iteration() {
     assert_eq!(said(dir.path(), &[&["build"][..], &small].concat()).0, Some(0));
     let file = dir.path().join("out/rtl/relief_multi_level_down.v");
     let text = std::fs::read_to_string(&file).unwrap();
-    let right = "y_child = y_is_below ? y_low : y_is_above ? y_high";
+    let right = "y_child = y_is_below ? y_low : (y_is_above ? y_high";
     assert!(text.contains(right), "{text}");
-    std::fs::write(&file, text.replace(right, "y_child = (y_hit[2:0] == 3'd5) ? y_low : y_is_above ? y_high")).unwrap();
+    std::fs::write(&file, text.replace(right, "y_child = (y_hit[2:0] == 3'd5) ? y_low : (y_is_above ? y_high"))
+        .unwrap();
     for engine in ["icarus", "verilator"] {
         let args = ["check", "--dir", "out", "--unit", "traverse", "--engine", engine];
         let (code, told) = said(dir.path(), &[&args[..], &small].concat());

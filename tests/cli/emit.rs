@@ -42,6 +42,33 @@ fn arithmetic_stands_alone_with_every_choice() {
     refused(&["emit", "--set", "emit.units=fp_squirt"], "did you mean \"fp_sqrt\"?");
 }
 
+/// Streams, whose rows are clocks: each engine sees a flipped bit, and other parameter values have vectors, too.
+#[test]
+fn streams_stand_alone() {
+    let dir = tempfile::tempdir().unwrap();
+    let ask = |args: &[&str]| said(dir.path(), args);
+    for (unit, param) in [("fifo", "DEPTH=64"), ("arbiter", "W=16")] {
+        for part in ["emit", "vectors"] {
+            assert_eq!(ask(&[part, "--unit", unit, "--out", unit]).0, Some(0));
+        }
+        let bench = std::fs::read_to_string(dir.path().join(format!("{unit}/testbench/relief_tb_{unit}.v"))).unwrap();
+        assert!(bench.contains(".rst(rst)") && !bench.contains("lfsr") && !bench.contains(".ce("), "{bench}");
+        let mut engines = vec!["interp"];
+        if std::env::var("RELIEFRTL_NO_SIMULATORS").as_deref() != Ok("1") {
+            engines.extend(["icarus", "verilator"]);
+        }
+        for engine in engines {
+            let check = ["check", "--unit", unit, "--dir", unit, "--engine", engine];
+            let (code, text) = ask(&check);
+            assert!(code == Some(0) && text.contains("0 of 2000 mismatched"), "{engine}: {text}");
+            let (code, text) = ask(&[&check[..], &["--canary", "flip"]].concat());
+            assert!(code == Some(1) && text.contains("first: vector 1000"), "{engine}: {text}");
+        }
+        let (code, text) = ask(&["check", "--unit", unit, "--param", param]);
+        assert_eq!(code, Some(0), "{text}");
+    }
+}
+
 #[test]
 fn arithmetic_stands_alone_at_formats_that_no_map_fits() {
     let dir = tempfile::tempdir().unwrap();

@@ -62,7 +62,7 @@ const CUTS: &[Cut] = &[
     ("step limit", |dir, _| edit(dir, "rtl/relief_traverse.v", "_ends_now =", "_last_step;", "_last_step & 1'b0;")),
     ("back-pressure", |dir, handshake| match handshake {
         0 => edit(dir, "rtl/relief_traverse.v", "hit_ce =", "| out_ready", "| 1'b1"),
-        _ => edit(dir, "rtl/relief_traverse.v", ".out_ready  (out_ready)", "(out_ready)", "(1'b1)"),
+        _ => edit(dir, "rtl/relief_traverse.v", ".out_ready(out_ready)", "(out_ready)", "(1'b1)"),
     }),
     ("reset of the loop's valid bit", |dir, _| {
         let text = std::fs::read_to_string(dir.join("rtl/relief_traverse.v")).unwrap();
@@ -77,10 +77,10 @@ const CUTS: &[Cut] = &[
         keep_at_reset(dir, "rtl/relief_setup_delay.v", &text[last - 3..last + "_valid <= 1'b0;".len()]);
     }),
     ("reset of the first stage of results", |dir, _| {
-        keep_at_reset(dir, "rtl/relief_hit_valid_delay.v", "s1_valid <= 1'b0;");
+        keep_at_reset(dir, "rtl/relief_hit_delay.v", "s1_valid <= 1'b0;");
     }),
     ("all heights read as the same", |dir, _| {
-        edit(dir, "rtl/relief_traverse.v", ".write_en  (load_en)", "(load_en)", "(1'b0)");
+        edit(dir, "rtl/relief_traverse.v", ".write_en(load_en)", "(load_en)", "(1'b0)");
     }),
     ("slot_busy where rays are", |dir, _| slot_busy(dir, "1'b0")),
     ("slot_busy where none is", |dir, _| slot_busy(dir, "1'b1")),
@@ -101,7 +101,7 @@ fn cuts(sim: Simulator, handshake: u32, which: &[usize]) {
     let c = small(handshake);
     let whole = tree(&c);
     for (what, cut) in which.iter().map(|k| &CUTS[*k]) {
-        for file in ["traverse", "setup_delay", "hit_valid_delay"].map(|n| format!("rtl/relief_{n}.v")) {
+        for file in ["traverse", "setup_delay", "hit_delay"].map(|n| format!("rtl/relief_{n}.v")) {
             let kept = whole.path().join(&file).with_extension("kept");
             if !kept.exists() {
                 std::fs::copy(whole.path().join(&file), &kept).unwrap();

@@ -16,6 +16,7 @@ mod ops;
 mod preload;
 mod profiles;
 mod published;
+mod streams;
 mod tracked;
 mod traverse_interp;
 mod units_interp;

@@ -200,7 +200,7 @@ const SPREAD: &[&[&str]] = &[
     &["datapath.kind=fixed", "latency.add=0", "latency.mul=0", "latency.div=0", "latency.compare=0"],
     EXTRA,
     &[
-        "emit.units=fp_sqrt,fp_recip,fp_compare,fp_add3",
+        "emit.units=fp_sqrt,fp_recip,fp_compare,fp_add3,fifo,arbiter",
         "format.exp=8",
         "format.man=23",
         "latency.sqrt=27",

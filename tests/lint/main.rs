@@ -8,6 +8,7 @@ mod elaboration;
 mod linters;
 mod parse;
 mod style;
+mod text;
 mod tools;
 mod trees;
 

@@ -115,7 +115,7 @@ fn handshakes_are_proved() {
 /// Design, unit, proof, and a change of one token.
 const SPOILED_HANDSHAKES: [(&str, &str, &str, &str, &str); 9] = [
     ("1", "spill_register", "spill_register", "push_second | (", "push_second & ("),
-    ("1", "spill_data", "spill_register", "rd_sel ? second : first", "rd_sel ? first : second"),
+    ("1", "spill_register", "spill_register", "rd_sel_q ? second : first", "rd_sel_q ? first : second"),
     ("1", "traverse", "traverse", "(s0_loop_valid_q & ~s0_retire) |", "s0_loop_valid_q |"),
     ("2", "traverse", "traverse", "& hit_ready & ~hit_valid", "& hit_ready"),
     ("3", "traverse", "traverse", "& hit_ready & ~retire_now", "& hit_ready"),

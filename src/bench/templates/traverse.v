@@ -446,7 +446,7 @@ module {{ prefix }}tb_traverse #(
       low = (accepted || rst) ? next_tag + 1'b1 : next_tag;
       if (accepted || !in_valid || rst) begin
 {%- if lingers %}
-        // A ray that goes round until its limit keeps its tag; the others go on.
+        // A ray that recirculates until its limit keeps its tag; the others go on.
         for (b = 0; b < Tags; b = b + 1) if (tag_used[low]) low = low + 1'b1;
 {%- endif %}
         if (stim_left > 0 && !tag_used[low] && !(gaps && lfsr[9] && hold_left == 0)) begin
@@ -574,7 +574,7 @@ module {{ prefix }}tb_traverse #(
     end
   end
   always @(posedge clk) begin
-    if (it_fd != 0 && !done && !rst && dut.s{{ enters }}_valid && !dut.s{{ enters }}_done)
+    if (it_fd != 0 && !done && !rst && dut.{{ valid }} && !dut.s{{ enters }}_done)
       $fwrite(it_fd, "%0d %h %h %h %h\n", tag_ray[dut.s{{ enters }}_tag[TagBits-1:0]],
               dut.s{{ enters }}_level, dut.s{{ enters }}_x, dut.s{{ enters }}_y, dut.s{{ enters }}_t);
   end

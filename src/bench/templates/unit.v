@@ -1,4 +1,4 @@
-// {{ prefix }}tb_{{ unit }}: replays the golden vectors of {{ unit }} with random clock-enable gaps.
+// {{ prefix }}tb_{{ unit }}: replays the golden vectors of {{ unit }}{% if has_state %}, a row a clock from reset on{% else %} with random clock-enable gaps{% endif %}.
 //   +vectors=DIR   directory with stimulus.hex and expected.hex (default golden/{{ unit }})
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
 // 5 nothing ran, 6 a result never came, 7 a result that nobody expected.
@@ -32,10 +32,11 @@ module {{ prefix }}tb_{{ unit }}{% if params %} #(
   integer exp_bits;
   integer checked;
   integer wrong;
-  integer drain;
-  reg [31:0] lfsr;
+  integer drain;{% if not has_state %}
+  reg [31:0] lfsr;{% endif %}
 
-  reg        ce;
+{% if has_state %}  reg  [1:0] resets;
+  wire       rst = resets != 0;{% else %}  reg        ce;{% endif %}
   reg        in_valid;
   reg [Latency:0] travel;
 {%- for p in inputs %}
@@ -54,7 +55,10 @@ module {{ prefix }}tb_{{ unit }}{% if params %} #(
     .{{ t.name }}({{ t.value }}){% if not loop.last %},{% endif %}
 {%- endfor %}
   ){% endif %} dut (
-{%- if clocked %}
+{%- if has_state %}
+    .clk(clk),
+    .rst(rst),
+{%- elif clocked %}
     .clk(clk),
     .ce(ce),
 {%- endif %}
@@ -87,8 +91,8 @@ module {{ prefix }}tb_{{ unit }}{% if params %} #(
     checked = 0;
     wrong = 0;
     drain = 0;
-    lfsr = 32'h1234_5678;
-    ce = 1'b0;
+{% if has_state %}    resets = 2'd2;{% else %}    lfsr = 32'h1234_5678;
+    ce = 1'b0;{% endif %}
     in_valid = 1'b0;
     travel = 0;
 {%- for p in inputs %}
@@ -137,7 +141,7 @@ module {{ prefix }}tb_{{ unit }}{% if params %} #(
 {%- for p in outputs %}
         got = $fscanf(exp_fd, "%h", word);
         if (got != 1 || (word >> ({{ p.width }})) != 0) bad_out = 1'b1;
-        if (out_{{ p.name }} !== word{{ p.select }}) begin
+        if ({% if p.valid %}out_{{ p.valid }} !== 1'b0 && {% endif %}out_{{ p.name }} !== word{{ p.select }}) begin
           if (wrong < 10)
             $display("vector %0d, {{ p.name }}: expected %h, got %h",
                      checked, word{{ p.select }}, out_{{ p.name }});
@@ -198,9 +202,10 @@ module {{ prefix }}tb_{{ unit }}{% if params %} #(
 
   always @(posedge clk) begin
     if (!done) begin
-      lfsr <= {lfsr[30:0], lfsr[31] ^ lfsr[21] ^ lfsr[1] ^ lfsr[0]};
+{% if has_state %}      if (rst) resets <= resets - 2'd1;
+      else step;{% else %}      lfsr <= {lfsr[30:0], lfsr[31] ^ lfsr[21] ^ lfsr[1] ^ lfsr[0]};
       ce <= lfsr[3] | lfsr[7];
-      if (ce) step;
+      if (ce) step;{% endif %}
     end
   end
 `endif

@@ -1,11 +1,15 @@
 //! Delay lines, handshakes, memories, and `traverse`: what has proofs, or rays for its vectors.
+use super::super::clocked::Step;
+use super::super::row::{Context, Row};
 use super::super::unit::{UNIT, Unit};
 use super::WIDTHS;
+use crate::bits::mask;
 use crate::proofs::{BIT_LEVEL, Extra, PROOF, Proof, Reach};
+use std::collections::VecDeque;
 
 /// The entries.
 pub const UNITS: &[&Unit] =
-    &[&DELAY_LINE, &SPILL_REGISTER, &SPILL_DATA, &CREDIT_FIFO, &FIFO_MEM, &HEIGHT_MEMORY, &HEIGHT_BANKS, &TRAVERSE];
+    &[&DELAY_LINE, &SPILL_REGISTER, &CREDIT_FIFO, &FIFO_MEM, &FIFO, &ARBITER, &HEIGHT_MEMORY, &HEIGHT_BANKS, &TRAVERSE];
 
 static DELAY_LINE: Unit = Unit {
     name: "delay_line",
@@ -28,7 +32,7 @@ static SPILL_REGISTER: Unit = Unit {
     name: "spill_register",
     proofs: &[Proof {
         name: "spill_register",
-        units: &["spill_register", SPILL_DATA.name],
+        units: &["spill_register"],
         claim: "first in, first out, no word lost or duplicated, and a valid output is stable until it transfers, by induction",
         text: harness!("spill_register"),
         reach: Reach::Induction(10),
@@ -38,26 +42,28 @@ static SPILL_REGISTER: Unit = Unit {
             ("valid_q", "dut.valid_q"),
             ("wr_sel_q", "dut.wr_sel_q"),
             ("rd_sel_q", "dut.rd_sel_q"),
+            ("load_first_q", "dut.load_first_q"),
+            ("load_second_q", "dut.load_second_q"),
             ("out_of_reset", "dut.out_of_reset"),
-            ("first_word", "word.first"),
-            ("second_word", "word.second"),
+            ("first_word", "dut.first"),
+            ("second_word", "dut.second"),
         ]),
         ..PROOF
     }],
     ..UNIT
 };
 
-static SPILL_DATA: Unit = Unit { name: "spill_data", ..UNIT };
-
 static CREDIT_FIFO: Unit = Unit {
     name: "credit_fifo",
     proofs: &[Proof {
         name: "credit_fifo",
-        units: &["credit_fifo", FIFO_MEM.name],
+        units: &["credit_fifo"],
         claim: "first in, first out, no occupied slot is overwritten, and a valid output is stable until it transfers, after a pipeline of any length, by induction",
         text: harness!("credit_fifo"),
         reach: Reach::Induction(24),
         extra: Extra::Registers(&[
+            ("write_slot", "dut.write_ptr"),
+            ("read_slot", "dut.read_ptr"),
             ("reserved", "dut.reserved"),
             ("occupancy", "dut.occupancy"),
             ("credit_q", "dut.credit_q"),
@@ -71,6 +77,57 @@ static CREDIT_FIFO: Unit = Unit {
 };
 
 static FIFO_MEM: Unit = Unit { name: "fifo_mem", ..UNIT };
+
+static FIFO: Unit = Unit {
+    name: "fifo",
+    clocked: Some(queue),
+    bindings: &[&[("W", 1), ("DEPTH", 4)], &[("W", 64), ("DEPTH", 32)]],
+    ..UNIT
+};
+
+static ARBITER: Unit = Unit { name: "arbiter", clocked: Some(turns), bindings: &[&[("W", 1)], &[("W", 16)]], ..UNIT };
+
+/// Words in a queue, each with the clock in which it was pushed: at the output two clocks later, at the earliest.
+fn queue(c: &Context<'_>) -> Step {
+    let depth = c.param("DEPTH") as usize;
+    let (mut words, mut now) = (VecDeque::<(u64, u64)>::new(), 0);
+    Box::new(move |row, out| {
+        let oldest = words.front().copied().filter(|(_, pushed)| pushed + 2 <= now);
+        let ready = words.len() < depth;
+        out["in_ready"] = ready.into();
+        out["out_valid"] = oldest.is_some().into();
+        out["out_data"] = oldest.map_or(0, |w| w.0);
+        out["occupancy"] = words.len() as u64;
+        if oldest.is_some() && row.is_set("out_ready") {
+            words.pop_front();
+        }
+        if ready && row.is_set("in_valid") {
+            words.push_back((row["in_data"], now));
+        }
+        now += 1;
+    })
+}
+
+/// Who comes first moves on behind the input that was served; a grant stays until its word transfers.
+fn turns(c: &Context<'_>) -> Step {
+    const INPUTS: u32 = 4;
+    let w = c.param("W");
+    let (mut head, mut kept) = (0, None);
+    Box::new(move |row: &Row<'_>, out: &mut Row<'_>| {
+        let valid = |k: &u32| row["in_valid"] >> k & 1 == 1;
+        let granted = kept.or_else(|| (0..INPUTS).map(|k| (head + k) % INPUTS).find(valid));
+        let ready = row.is_set("out_ready");
+        let one_hot = granted.map_or(0, |k| 1 << k);
+        out["in_ready"] = if ready { one_hot } else { 0 };
+        out["out_grant"] = one_hot;
+        out["out_valid"] = granted.is_some().into();
+        out["out_data"] = granted.map_or(0, |k| row["in_data"] >> (k * w) & mask(w));
+        kept = granted.filter(|_| !ready);
+        if let Some(k) = granted.filter(|_| ready) {
+            head = (k + 1) % INPUTS;
+        }
+    })
+}
 
 static HEIGHT_MEMORY: Unit = Unit { name: "height_memory", ..UNIT };
 

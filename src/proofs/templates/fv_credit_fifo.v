@@ -9,18 +9,18 @@ module {{ prefix }}fv_credit_fifo (input wire clk);
   (* anyseq *) wire arrives;
   (* anyseq *) wire out_ready;
   wire credit, out_valid;
-  wire [3:0] write_slot, read_slot;
   reg [5:0] issues, pushes, pops;
   wire [5:0] in_flight = issues - pushes;
   wire [5:0] stored = pushes - pops;
   wire issue = wants && credit;
   wire in_valid = arrives && in_flight != 0;
-  {{ prefix }}credit_fifo{{ terms("credit_fifo", "") }} dut (
-    .clk(clk), .rst(rst), .issue(issue), .in_valid(in_valid), .credit(credit), .out_valid(out_valid),
-    .out_ready(out_ready), .write_slot(write_slot), .read_slot(read_slot)
+  {{ prefix }}credit_fifo{{ terms("credit_fifo", ".W(6)") }} dut (
+    .clk(clk), .rst(rst), .issue(issue), .in_valid(in_valid), .in_data(pushes), .credit(credit), .out_valid(out_valid),
+    .out_ready(out_ready)
   );
 
   // The script connects these to registers inside.
+  (* keep *) wire [3:0] write_slot, read_slot;
   (* keep *) wire [4:0] reserved, occupancy;
   (* keep *) wire credit_q, issued, popped, valid_q;
   wire pop = out_valid && out_ready;

@@ -46,5 +46,7 @@ pub fn extra(d: &Design, unit: ExtraUnit) -> Vec<Arc<Module>> {
         ExtraUnit::Recip => vec![fp_recip(f, l.div)],
         ExtraUnit::Compare => vec![fp_compare(f, l.compare)],
         ExtraUnit::Add3 => vec![fp_add3(f, l.add3)],
+        // Of streams.
+        ExtraUnit::Fifo | ExtraUnit::Arbiter => Vec::new(),
     }
 }

@@ -49,8 +49,8 @@ impl Datapath {
     }
 
     /// All that a ray carries: the datapath's constants of the ray, the state that every datapath has, and what the source adds.
-    pub fn fields(&self, s: &Sizes, d: &Design, source: &dyn HeightSource) -> Vec<Field> {
-        let mut list = fields(s, d, (self.constants)(s, d));
+    pub fn fields(&self, s: &Sizes, d: &Design, source: &dyn HeightSource, setup: &Module) -> Vec<Field> {
+        let mut list = fields(s, d, (self.constants)(s, d), setup);
         list.extend(source.fields(s));
         list
     }

@@ -1,6 +1,6 @@
 //! The state of a ray in the loop.
 use crate::config::{Design, LevelUp, Trim};
-use crate::ir::{Builder, Expr, Sig};
+use crate::ir::{Builder, Expr, Module, Sig};
 use crate::units::float::FormatParams;
 
 /// Parameters of `traverse`.
@@ -90,42 +90,59 @@ pub struct Field {
     pub width: Expr,
     /// Its value for a new ray.
     pub start: Start,
+    /// What it is, with its unit.
+    pub doc: String,
 }
 
 impl Field {
     /// A field whose net has its name.
     pub fn new(name: &'static str, width: &Expr, start: Start) -> Self {
-        Self { name, net: name, width: width.clone(), start }
+        Self { name, net: name, width: width.clone(), start, doc: String::new() }
+    }
+
+    /// The same, with what it is.
+    pub fn doc(self, text: impl Into<String>) -> Self {
+        Self { doc: text.into(), ..self }
     }
 }
 
-/// Tag, the datapath's constants of the ray, then the state that every datapath has.
-pub fn fields(s: &Sizes, d: &Design, constants: Vec<Field>) -> Vec<Field> {
+/// Tag, the datapath's constants of the ray, which are what the outputs of `setup` say, then the state that every datapath has.
+pub fn fields(s: &Sizes, d: &Design, constants: Vec<Field>, setup: &Module) -> Vec<Field> {
     let bit = Expr::from(1);
     let counter = Expr::from(16);
-    let mut list = vec![Field::new("tag", &s.tag, Start::Tag)];
-    list.extend(constants);
+    let mut list = vec![Field::new("tag", &s.tag, Start::Tag).doc("tag of the ray [bits]")];
+    list.extend(constants.into_iter().map(|f| match f.start {
+        Start::Setup(port) => {
+            let doc = setup.port(port).unwrap_or_else(|| panic!("{} has no {port}", setup.name)).1.meaning();
+            f.doc(doc)
+        }
+        _ => f,
+    }));
     list.extend([
-        Field::new("level", &s.level_w, Start::Setup("level")),
-        Field::new("x", &s.idx, Start::Setup("first_x")),
-        Field::new("y", &s.idx, Start::Setup("first_y")),
-        Field::new("t", &s.numbers.time.0, Start::Zero),
-        Field::new("done", &bit, Start::Refused),
-        Field::new("wall", &bit, Start::Zero),
-        Field::new("limit", &bit, Start::Refused),
-        Field::new("steps", &counter, Start::Zero),
-        Field::new("crossings", &counter, Start::Zero),
-        Field::new("ups", &counter, Start::Zero),
+        Field::new("level", &s.level_w, Start::Setup("level")).doc("level of the node [levels]"),
+        Field::new("x", &s.idx, Start::Setup("first_x")).doc("a texel of the node, column, unwrapped [texels]"),
+        Field::new("y", &s.idx, Start::Setup("first_y")).doc("a texel of the node, row, unwrapped [texels]"),
+        Field::new("t", &s.numbers.time.0, Start::Zero).doc(format!("ray parameter so far [{}]", s.numbers.time.1)),
+        Field::new("done", &bit, Start::Refused).doc("finished: recirculates until it retires"),
+        Field::new("wall", &bit, Start::Zero).doc("the hit is on the side of a texel"),
+        Field::new("limit", &bit, Start::Refused).doc("given up, or not a ray"),
+        Field::new("steps", &counter, Start::Zero).doc("nodes visited [iterations]"),
+        Field::new("crossings", &counter, Start::Zero).doc("of these, node crossings [iterations]"),
+        Field::new("ups", &counter, Start::Zero).doc("levels gone up [levels]"),
     ]);
-    list.extend(d.mode.lod.then(|| Field::new("lod", &s.level_w, Start::Setup("finest"))));
-    // A node boundary was crossed already: only several levels down ask. The iteration before was a crossing: only coherent level-up asks; it
-    // was a descent: only the trim of descents asks.
+    let finest = Field::new("lod", &s.level_w, Start::Setup("finest"));
+    list.extend(d.mode.lod.then(|| finest.doc("finest level at which the ray may end [levels]")));
+    // Only several levels down ask for the first, only coherent level-up for the second, only the trim of descents for the third.
     let flags = [
-        (d.mode.levels_down > 1, "crossed", "has_crossed"),
-        (d.mode.level_up == LevelUp::Coherent, "prev", "just_crossed"),
-        (d.mode.trim == Trim::Descent, "descended", "just_descended"),
+        (d.mode.levels_down > 1, "crossed", "has_crossed", "a node boundary was crossed already"),
+        (d.mode.level_up == LevelUp::Coherent, "prev", "just_crossed", "the iteration before was a crossing"),
+        (d.mode.trim == Trim::Descent, "descended", "just_descended", "the iteration before was a descent"),
     ];
-    list.extend(flags.iter().filter(|f| f.0).map(|f| Field { net: f.2, ..Field::new(f.1, &bit, Start::Zero) }));
+    let flag = |f: &(bool, &'static str, &'static str, &str)| Field {
+        net: f.2,
+        ..Field::new(f.1, &bit, Start::Zero).doc(f.3)
+    };
+    list.extend(flags.iter().filter(|f| f.0).map(flag));
     list
 }
 
@@ -147,9 +164,12 @@ impl<'b> Ray<'b> {
                 Start::Refused => b.loop_decision(&name, false, true),
                 _ => b.loop_reg(&name, f.width.clone(), false),
             };
-            (f.name, word)
+            (f.name, word.doc(&f.doc))
         };
-        Ray { valid: b.loop_reg("loop_valid_q", 1, true), words: fields.iter().map(word).collect() }
+        Ray {
+            valid: b.loop_reg("loop_valid_q", 1, true).doc("the slot holds a ray"),
+            words: fields.iter().map(word).collect(),
+        }
     }
 
     /// A new ray; `setup` gives the outputs of the datapath's setup by name. Whether the slot is filled is for [`Ray::or_new`] to say.

@@ -1,9 +1,7 @@
 //! The traversal's units, one file each, and `traverse` on top. Units of one datapath stand in a folder of its name.
 pub mod bilinear;
 mod chord_trim;
-mod credit_fifo;
 mod datapath;
-mod elastic_boundary;
 mod finest_level;
 pub mod fixed;
 mod height_address;
@@ -24,18 +22,15 @@ mod plane_iteration;
 mod plane_units;
 pub mod published;
 mod registry;
-mod spill_register;
+mod result;
 mod start_level;
-mod stream_delay;
 mod traverse;
 mod trim;
 mod trim_return;
 pub mod watertight;
 
 pub use chord_trim::chord_trim;
-pub use credit_fifo::{credit_fifo, fifo_mem};
 pub use datapath::Datapath;
-pub use elastic_boundary::Decoupling;
 pub use finest_level::finest_level;
 pub use height_address::height_address;
 pub use height_banks::height_banks;
@@ -49,8 +44,6 @@ pub use node_address::node_address;
 pub use node_hit::node_hit;
 pub use node_planes::node_planes;
 pub use on_chip::{OnChip, memory};
-pub use spill_register::{spill_data, spill_register};
 pub use start_level::start_level;
-pub use stream_delay::stream_delay;
 pub use traverse::{NAME as TRAVERSE, Traverse, traverse, traverse_from};
 pub use trim_return::trim_return;

@@ -133,7 +133,7 @@ pub fn plane_iteration<'b>(
 
     b.section(
         "step limit",
-        "A ray that is done takes no more steps. One that ends without a hit is given up: also in a simulation that does not know if it is one.",
+        "A finished ray takes no more steps. One that ends without a hit is given up: also in a simulation that does not know if it is one.",
     );
     // Nor does one whose height is not there yet.
     let waits = heights.missed;
@@ -148,7 +148,7 @@ pub fn plane_iteration<'b>(
     let crossed_now = (crosses & moves).named("crossed_now");
     let up_now = done((grown & crossed_now).named("up_now"));
     let crossed_now = done(crossed_now);
-    b.section("write back", "A ray that is done goes round unchanged.");
+    b.section("write back", "A finished ray recirculates unchanged.");
     let keep = |new: Sig<'b>, old: &str| stays.mux(ray.get(old), new).id();
     let [level, x, y, t] =
         [(n[0], "level"), (n[1], "x"), (n[2], "y"), (n[3], "t")].map(|(new, old)| b.sig(keep(new, old)));

@@ -74,7 +74,7 @@ const LIVE: &[(u32, &str, &str)] = &[
 ];
 
 /// Parts of `traverse` that hold nothing but valid bits, words and handshakes.
-const BESIDE: [&str; 4] = ["setup_delay", "hit_valid_delay", "hit_delay", "spill_register"];
+const BESIDE: [&str; 3] = ["setup_delay", "hit_delay", "spill_register"];
 
 fn config(handshake: u32) -> Config {
     let mut c = Config::default();

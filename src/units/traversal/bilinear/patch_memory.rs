@@ -50,7 +50,8 @@ pub fn patch_memory(t: &TraverseConfig) -> Arc<Module> {
     let mut banks: Vec<Sig<'_>> = Vec::new();
     for (k, address) in addresses.into_iter().enumerate() {
         let address = address.named(&format!("address_{k}"));
-        let held = b.loop_reg(&format!("held_{k}"), word.clone(), false);
+        let held =
+            b.loop_reg(&format!("held_{k}"), word.clone(), false).doc("address read in the clock before [words]");
         loops.push((held, address));
         let (column, row) = (load_addr.bit(0), load_addr.bit(1));
         let mine = if k % 2 == 1 { column } else { !column } & if k / 2 == 1 { row } else { !row };

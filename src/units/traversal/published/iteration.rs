@@ -116,7 +116,7 @@ pub(super) fn iteration<'b>(
     let x = b.sig(texel("x", "next", x_at));
     let y = b.sig(texel("y", "next", y_at));
 
-    b.section("end", "A ray that is done goes round unchanged; mode 1 changes the level alone.");
+    b.section("end", "A finished ray recirculates unchanged; mode 1 changes the level alone.");
     let end = x.stage().unwrap_or(0);
     let [hit, crosses, level_next, t_after] = [hit, crosses, level_next, t_after].map(|v| v.at(end));
     // A ray whose height is not there yet recirculates unchanged too, in mode 1 as well.

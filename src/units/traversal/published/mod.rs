@@ -87,7 +87,11 @@ fn constants(s: &Sizes, d: &Design) -> Vec<Field> {
     let float = s.numbers.time.0.clone();
     let mut list: Vec<Field> =
         ["p_x", "d_x", "p_y", "d_y"].map(|name| Field::new(name, &float, Start::Setup(name))).into();
-    list.extend(d.mode.start_level.then(|| Field::new("first", &Expr::from(1), Start::One)));
+    list.extend(
+        d.mode
+            .start_level
+            .then(|| Field::new("first", &Expr::from(1), Start::One).doc("this iteration finds the start level")),
+    );
     list
 }
 

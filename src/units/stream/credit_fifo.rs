@@ -1,39 +1,45 @@
 //! FIFO at the end of a pipeline without a clock enable. A word is issued into the pipeline only against a credit, so the FIFO has a free slot
 //! when the word arrives and the pipeline never has to stall.
 //!
-//! `credit_fifo` is the control: pointers, occupancy, credits. A `fifo_mem` for each word holds the data.
-use crate::ir::{Builder, Module, Prim, Sig};
-use crate::units::lzc::finish_primitive;
+//! Pointers, occupancy and credits; a `fifo_mem` holds the data.
+use super::fifo_mem::fifo_mem;
+use crate::ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
 /// Address bits of a slot: 16 slots, as a distributed memory of look-up tables has.
 const SLOT_W: u32 = 4;
 /// Slots: words in a FIFO and in the pipeline before it, at most.
-pub(super) const SLOTS: u32 = 1 << SLOT_W;
+pub const SLOTS: u32 = 1 << SLOT_W;
 
-/// Builds `credit_fifo`: the control.
+/// Builds `credit_fifo` (parameter W).
 pub fn credit_fifo() -> Arc<Module> {
-    let b = Builder::new("credit_fifo", file!(), "control of a 16-slot FIFO after a pipeline without a clock enable");
+    let b = Builder::new("credit_fifo", file!(), "16-slot FIFO after a pipeline without a clock enable");
     b.note("First in, first out. in_valid has no ready: issue a word only while credit is 1. Not ready in the first clock after reset.");
     b.note("A slot is reserved from issue to pop. One credit is two words early, because credit is registered.");
     b.throughput("one result in three clocks");
+    let w = b.param("W", 8, "bits of a word");
+    b.require(1, &w);
     b.clock();
     b.reset();
     let issue = b.input("issue", 1, "bit", "a word enters the pipeline: reserve a slot; only while credit is 1");
     let push = b.input("in_valid", 1, "bit", "input valid: a word leaves the pipeline and is written");
+    let data = b.input("in_data", &w, "bits", "input word");
     let o_credit = b.output("credit", 1, "bit", "a slot is free: a word may be issued");
     let o_valid = b.output("out_valid", 1, "bit", "output valid");
     let out_ready = b.input("out_ready", 1, "bit", "output ready (transfer when valid && ready)");
-    let o_write = b.output("write_slot", SLOT_W, "slots", "write pointer");
-    let o_read = b.output("read_slot", SLOT_W, "slots", "read pointer");
+    let o_data = b.output("out_data", &w, "bits", "output word");
 
-    let count = |name: &str| b.loop_reg(name, SLOT_W + 1, true);
-    let pointer = |name: &str| b.loop_reg(name, SLOT_W, true);
-    let bit = |name: &str| b.loop_reg(name, 1, true);
-    let (reserved, occupancy) = (count("reserved"), count("occupancy"));
-    let (write, read) = (pointer("write_ptr"), pointer("read_ptr"));
-    let (credit, valid) = (bit("credit_q"), bit("valid_q"));
-    let (issued, popped) = (bit("issued"), bit("popped"));
+    let count = |name: &str, doc: &str| b.loop_reg(name, SLOT_W + 1, true).doc(doc);
+    let pointer = |name: &str, doc: &str| b.loop_reg(name, SLOT_W, true).doc(doc);
+    let bit = |name: &str, doc: &str| b.loop_reg(name, 1, true).doc(doc);
+    let reserved = count("reserved", "slots from issue to pop [slots]");
+    let occupancy = count("occupancy", "slots from write to pop [slots]");
+    let write = pointer("write_ptr", "slot that the next word is written to");
+    let read = pointer("read_ptr", "slot that is read");
+    let credit = bit("credit_q", "a word may be issued");
+    let valid = bit("valid_q", "the output is valid");
+    let issued = bit("issued", "a word was issued in the clock before");
+    let popped = bit("popped", "a word was popped in the clock before");
 
     b.section("count", "Reserved slots, from issue to pop; and occupied slots, from write to pop.");
     let pop = (valid & out_ready).named("pop");
@@ -67,26 +73,11 @@ pub fn credit_fifo() -> Arc<Module> {
     ]);
     b.drive(o_credit, credit, None);
     b.drive(o_valid, valid, None);
-    b.drive(o_write, write, None);
-    b.drive(o_read, read, None);
-    b.finish(None, &[])
-}
 
-/// Builds `fifo_mem` (parameters ADDR_W, DATA_W, DEPTH): the data of a `credit_fifo`, simple dual-port.
-pub fn fifo_mem() -> Arc<Module> {
-    let b = Builder::new("fifo_mem", file!(), "data memory of a credit_fifo: one write port, one registered read port");
-    let addr_w = b.param("ADDR_W", SLOT_W, "address bits");
-    let data_w = b.param("DATA_W", 8, "bits of a word");
-    let depth = b.param("DEPTH", 1 << SLOT_W, "slots");
-    for least in [&addr_w, &data_w, &depth] {
-        b.require(1, least);
-    }
-    b.require(&depth, addr_w.pow2());
-    b.clock();
-    b.input_static("write_en", 1, "bit", "write enable");
-    b.input_static("write_addr", &addr_w, "slots", "write address");
-    b.input_static("write_data", &data_w, "bits", "write data");
-    b.input("read_addr", &addr_w, "slots", "read address");
-    b.output("read_data", &data_w, "bits", "read data, one clock later");
-    finish_primitive(b, Prim::FifoMem, 1)
+    b.section("data", "The word at the read pointer is read in every clock.");
+    let params = [("ADDR_W", SLOT_W.into()), ("DATA_W", w), ("DEPTH", SLOTS.into())];
+    let ins = [("write_en", push), ("write_addr", write), ("write_data", data), ("read_addr", read)];
+    let o = b.instance(&fifo_mem(), "u_words", &params, &ins);
+    b.drive(o_data, o["read_data"].rebase_stage(0).named("word"), None);
+    b.finish(None, &[])
 }

@@ -1,1 +1,0 @@
-relief_hit_valid_delay.v

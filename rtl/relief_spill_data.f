@@ -1,1 +1,0 @@
-relief_spill_data.v

@@ -1,0 +1,23 @@
+//! `fifo_mem`: the words of a FIFO, one write port and one read port with a register behind it.
+use crate::ir::{Builder, Module, Prim};
+use crate::units::lzc::finish_primitive;
+use std::sync::Arc;
+
+/// Builds `fifo_mem` (parameters ADDR_W, DATA_W, DEPTH), simple dual-port.
+pub fn fifo_mem() -> Arc<Module> {
+    let b = Builder::new("fifo_mem", file!(), "data memory of a FIFO: one write port, one registered read port");
+    let addr_w = b.param("ADDR_W", 4, "address bits");
+    let data_w = b.param("DATA_W", 8, "bits of a word");
+    let depth = b.param("DEPTH", 16, "slots");
+    for least in [&addr_w, &data_w, &depth] {
+        b.require(1, least);
+    }
+    b.require(&depth, addr_w.pow2());
+    b.clock();
+    b.input_static("write_en", 1, "bit", "write enable");
+    b.input_static("write_addr", &addr_w, "slots", "write address");
+    b.input_static("write_data", &data_w, "bits", "write data");
+    b.input("read_addr", &addr_w, "slots", "read address");
+    b.output("read_data", &data_w, "bits", "read data, one clock later");
+    finish_primitive(b, Prim::FifoMem, 1)
+}

@@ -1,0 +1,32 @@
+//! Delay beside a pipeline with a clock enable: a word's valid bit, and what it carries along.
+use crate::ir::{Builder, Module};
+use std::sync::Arc;
+
+/// Builds a delay of `clocks` under the name `name` (parameter W): a word, and its valid bit, which reset clears.
+pub fn stream_delay(name: &str, clocks: u32) -> Arc<Module> {
+    build(name, clocks, true)
+}
+
+/// Builds a delay of `clocks` for a word alone (parameter W).
+pub fn word_delay(name: &str, clocks: u32) -> Arc<Module> {
+    build(name, clocks, false)
+}
+
+fn build(name: &str, clocks: u32, with_valid: bool) -> Arc<Module> {
+    let what = if with_valid { "a word and its valid bit" } else { "a word" };
+    let b = Builder::new(name, file!(), &format!("{what}, delayed beside a pipeline"));
+    let w = b.param("W", 8, "bits of the word");
+    b.require(1, &w);
+    b.clock();
+    b.clock_enable();
+    if with_valid {
+        b.reset();
+        let valid = b.input("in_valid", 1, "bit", "the word counts").named("valid").valid();
+        let port = b.output("out_valid", 1, "bit", "the delayed word counts");
+        b.drive(port, valid, Some(clocks));
+    }
+    let data = b.input("in_data", &w, "bits", "the word").named("data");
+    let port = b.output("out_data", &w, "bits", "the delayed word");
+    b.drive(port, data, Some(clocks));
+    b.finish(Some(clocks), &[])
+}

@@ -1,0 +1,127 @@
+//! The result of a ray that retires: its position in the texel, what is carried beside, the bilinear refinement; as one stream.
+use super::bilinear::bilinear_hit;
+use super::datapath::Datapath;
+use super::height_source::Load;
+use super::loop_state::{Ray, Sizes};
+use crate::config::Design;
+use crate::ir::{Builder, Expr, Record, Sig};
+use crate::units::stream::{Pipeline, word_delay};
+
+/// What a hit is, wherever it was found: texel, position in it, ray parameter.
+const HIT: [&str; 5] = ["i", "j", "fu", "fv", "t"];
+
+/// The fields of a result in the order of their ports, each with its width, unit and meaning.
+pub(super) fn result_fields<'a>(b: &Builder, s: &Sizes, d: &Design) -> Vec<(&'a str, Expr, &'a str, &'a str)> {
+    let (texel, position, one) = (|| s.levels.clone(), || s.frac.clone(), || Expr::from(1));
+    let (time, unit) = s.numbers.time.clone();
+    const FRACTION: &str = "1/2^FRAC_W texel";
+    let mut list = vec![
+        ("tag", s.tag.clone(), "bits", "tag of the ray"),
+        ("i", texel(), "texels", "hit texel, column (u)"),
+        ("j", texel(), "texels", "hit texel, row (v)"),
+        ("fu", position(), FRACTION, "position in the texel along u"),
+        ("fv", position(), FRACTION, "position in the texel along v"),
+        ("t", time.clone(), unit, "ray parameter: 0 at the top plane"),
+        ("wall", one(), "bit", "the hit is on the side of a texel"),
+        ("limit", one(), "bit", "given up: STEP_LIMIT reached, or not a ray (steps 0)"),
+        ("steps", 16.into(), "iterations", "nodes visited"),
+        ("crossings", 16.into(), "iterations", "of these, node crossings"),
+        ("ups", 16.into(), "levels", "levels gone up"),
+    ];
+    if d.mode.bilinear {
+        b.require(&s.height + s.frac.clone() * 2 + &s.numbers.float.as_ref().expect("the watertight datapath").man, 60);
+        list.extend([
+            (
+                "patch",
+                2.into(),
+                "code",
+                "surface between texel centres: 0 given up, 1 hit; not met: 2 above it, 3 below it",
+            ),
+            ("bi", texel(), "texels", "texel of the refined hit, column (u); not met: of the hit"),
+            ("bj", texel(), "texels", "texel of the refined hit, row (v); not met: of the hit"),
+            ("bfu", position(), FRACTION, "position of the refined hit in its texel along u"),
+            ("bfv", position(), FRACTION, "position of the refined hit in its texel along v"),
+            ("bt", time, unit, "ray parameter of the refined hit"),
+        ]);
+    }
+    list
+}
+
+/// What a result is made of.
+pub(super) struct Result<'a, 'b> {
+    pub b: &'b Builder,
+    pub d: &'a Design,
+    pub path: &'a Datapath,
+    pub sizes: &'a Sizes,
+    /// The loop's registers.
+    pub held: &'a Ray<'b>,
+    pub load: &'a Load<'b>,
+    /// Clocks from the loop to the output.
+    pub clocks: u32,
+}
+
+impl<'b> Result<'_, 'b> {
+    /// Sends the ray of the loop registers through `hit` where `retire` is 1; the words of [`result_fields`] at its end.
+    pub fn pass(&self, hit: &Pipeline<'b>, retire: Sig<'b>) -> Record<'b> {
+        let (b, held) = (self.b, self.held);
+        b.section("result", "The ray that retires, from the loop registers.");
+        let mut computed = self.position(hit.enable(b));
+        // In a node of a coarser level, the hit position says which texel it is.
+        let texel: Record<'b> = match self.d.mode.lod {
+            true => Record::default(),
+            false => [("i", "x"), ("j", "y")].map(|(i, x)| (i, held.get(x).slice(0, &self.sizes.levels))).into(),
+        };
+        let carried = ["t", "wall", "limit", "steps", "crossings", "ups", "tag"].map(|n| (n, held.get(n)));
+        if self.d.mode.bilinear {
+            computed = computed.and(self.refined(hit.enable(b)));
+        }
+        let result = hit.pass(b, self.clocks, retire, (computed, texel.and(carried)), ["hit", "result"]);
+        if self.d.mode.bilinear { refined_where_met(&result) } else { result }
+    }
+
+    /// Position of the hit in its texel, `fu` and `fv`; with a level of detail the texel, `i` and `j`, after it.
+    fn position(&self, ce: Sig<'b>) -> Record<'b> {
+        let (b, hit) = (self.b, (self.path.hit)(self.d));
+        let axis = |name: &str, axis: &str| {
+            let mut ins = (self.path.hit_inputs)(self.held, axis);
+            ins.push(("ce", ce));
+            let o = b.instance(&hit, &format!("u_hit_{name}"), &[("IDX_W", self.sizes.idx.clone())], &ins);
+            o.map(|_, v| v.rebase_stage(0))
+        };
+        let (u, v) = (axis("u", "x"), axis("v", "y"));
+        let mut place: Record<'b> = [("fu", u["fraction"]), ("fv", v["fraction"])].into();
+        let early = self.clocks - (self.path.hit_clocks)(self.d);
+        if early > 0 {
+            // The refinement takes longer.
+            let place_early = place.named("block");
+            let ins = [("in_data", place_early.bundle(b)), ("ce", ce)];
+            let o = b.instance(&word_delay("fraction_delay", early), "u_hit_fraction", &[("W", place.width())], &ins);
+            place = place_early.unbundle(o["out_data"].rebase_stage(0));
+        }
+        let texel = [("i", u.get("texel")), ("j", v.get("texel"))];
+        place.and(texel.into_iter().filter_map(|(n, v)| Some((n, v?))).collect::<Record<'b>>())
+    }
+
+    /// The refinement beside the hit position: code of the patch, texel, position in it, ray parameter.
+    fn refined(&self, ce: Sig<'b>) -> Record<'b> {
+        let (b, load) = (self.b, self.load);
+        b.section("refine", "Bilinear refinement: moves the hit to the surface interpolated between texel centres.");
+        let mut ins = vec![("load_en", load.en), ("load_addr", load.addr), ("load_data", load.data), ("ce", ce)];
+        ins.extend(["p_x", "d_x", "r_x", "p_y", "d_y", "r_y", "t"].map(|n| (n, self.held.get(n))));
+        let o = b.instance(&bilinear_hit(self.d), "u_bilinear", &[("IDX_W", self.sizes.idx.clone())], &ins);
+        let ports = [("patch", "patch"), ("bi", "i"), ("bj", "j"), ("bfu", "fu"), ("bfv", "fv"), ("bt", "t_refined")];
+        ports.map(|(field, port)| (field, o[port].rebase_stage(0))).into()
+    }
+}
+
+/// The refined hit, or the hit itself where no surface is met; no patch where there is no hit at all.
+fn refined_where_met<'b>(found: &Record<'b>) -> Record<'b> {
+    let has_hit = (!found["limit"]).named("has_hit");
+    let patch = (found["patch"] & has_hit.rep(2)).named("patch");
+    let is_met = (patch.bit(0) & !patch.bit(1)).named("is_met");
+    found.map(|field, v| match field.strip_prefix('b').filter(|old| HIT.contains(old)) {
+        Some(old) => is_met.mux(v, found[old]),
+        None if field == "patch" => patch,
+        None => v,
+    })
+}
