@@ -3,6 +3,20 @@ use super::{DatapathConfig, ExtraUnits};
 use crate::format::FloatFormat;
 use serde::{Deserialize, Serialize};
 
+/// The words of `Self::ALL`, in its order.
+macro_rules! words_of_all {
+    () => {
+        &{
+            let (mut words, mut k) = ([""; Self::ALL.len()], 0);
+            while k < words.len() {
+                words[k] = Self::ALL[k].word();
+                k += 1;
+            }
+            words
+        }
+    };
+}
+
 /// When a crossing goes one pyramid level up (`docs/datapath.md`; PIDM-HW section 3.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
@@ -22,6 +36,8 @@ pub enum LevelUp {
 impl LevelUp {
     /// All rules.
     pub const ALL: [Self; 5] = [Self::None, Self::Tevs, Self::Selective, Self::Coherent, Self::Always];
+    /// The words of all, in the order of [`Self::ALL`].
+    pub const WORDS: &'static [&'static str] = words_of_all!();
     /// The word in the TOML file.
     pub const fn word(self) -> &'static str {
         match self {
@@ -50,6 +66,8 @@ pub enum Trim {
 impl Trim {
     /// All.
     pub const ALL: [Self; 3] = [Self::None, Self::Descent, Self::Always];
+    /// The words of all, in the order of [`Self::ALL`].
+    pub const WORDS: &'static [&'static str] = words_of_all!();
     /// The word in the TOML file.
     pub const fn word(self) -> &'static str {
         match self {

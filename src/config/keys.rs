@@ -1,7 +1,7 @@
 //! Every key of the configuration in one table: its meaning, its legal values.
 //!
 //! The commented file, the schema's ranges, the checks and their sentences all come from here.
-use super::{Border, ByteOrder, DefaultNettype, ExtraUnit, MapKind, Rounding, Specials, Subnormals, View};
+use super::{Border, ByteOrder, DefaultNettype, ExtraUnit, LevelUp, MapKind, Rounding, Specials, Subnormals, Trim, View};
 use std::fmt;
 
 /// What a key accepts.
@@ -177,12 +177,12 @@ pub const KEYS: &[Key] = &[
     key(
         "mode.level_up",
         "when a crossing goes one level up",
-        Legal::Word(&["none", "tevs", "selective", "coherent", "always"]),
+        Legal::Word(LevelUp::WORDS),
     ),
     key(
         "mode.trim",
         "exchange a node for the smallest one that holds the ray's way through it, before its height is read",
-        Legal::Word(&["none", "descent", "always"]),
+        Legal::Word(Trim::WORDS),
     ),
     key("mode.lod", "the finest level is an input of each ray", Legal::Flag),
     key(
