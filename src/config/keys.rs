@@ -1,7 +1,9 @@
 //! Every key of the configuration in one table: its meaning, its legal values.
 //!
 //! The commented file, the schema's ranges, the checks and their sentences all come from here.
-use super::{Border, ByteOrder, DefaultNettype, ExtraUnit, LevelUp, MapKind, Rounding, Specials, Subnormals, Trim, View};
+use super::{
+    Border, ByteOrder, DefaultNettype, ExtraUnit, LevelUp, MapKind, Rounding, Specials, Subnormals, Trim, View,
+};
 use std::fmt;
 
 /// What a key accepts.
@@ -174,11 +176,7 @@ pub const KEYS: &[Key] = &[
     key("datapath.reciprocal_bits", "fixed: significant bits of the travel's reciprocal", Legal::Whole(8, 32)),
     key("mode.start_level", "start at the lowest level whose node holds the whole ray, not at the root", Legal::Flag),
     key("mode.levels_down", "levels per descent until the first crossing", Legal::Whole(1, 4)),
-    key(
-        "mode.level_up",
-        "when a crossing goes one level up",
-        Legal::Word(LevelUp::WORDS),
-    ),
+    key("mode.level_up", "when a crossing goes one level up", Legal::Word(LevelUp::WORDS)),
     key(
         "mode.trim",
         "exchange a node for the smallest one that holds the ray's way through it, before its height is read",

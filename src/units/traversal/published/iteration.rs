@@ -43,10 +43,9 @@ pub(super) fn iteration<'b>(
     let when = |axis: &str, plane: Sig<'b>, neg: Sig<'b>| {
         let (p, dir) = (ray.get(&format!("p_{axis}")), ray.get(&format!("d_{axis}")));
         let ins = [("plane", plane.reg()), ("neg", neg), ("p", p), ("d", dir)];
-        b.inst(&boundary_time(d), &format!("u_time_{axis}"), &idx(), &ins)[0].named(&format!("t_{axis}")).id()
+        b.inst(&boundary_time(d), &format!("u_time_{axis}"), &idx(), &ins)[0].named(&format!("t_{axis}"))
     };
-    let t_x = b.sig(when("x", planes[0], neg[0]));
-    let t_y = b.sig(when("y", planes[1], neg[1]));
+    let (t_x, t_y) = (when("x", planes[0], neg[0]), when("y", planes[1], neg[1]));
 
     b.section("surface", "Mode 1 asks for the ray's end instead.");
     let mut ins = vec![("height", heights.single()), ("t", ray.get("t"))];
@@ -84,23 +83,11 @@ pub(super) fn iteration<'b>(
     let level_down = b.inst(&descent_level(t, &d.mode), "u_down", &[], &ins)[0].named("level_down");
     let texel = |axis: &str, what: &str, at: Sig<'b>| {
         let to = fp_to_int(d.format, t.idx_bits(), l.to_int);
-        b.inst(&to, &format!("u_{what}_texel_{axis}"), &int, &[("a", at)])[0].named(&format!("{axis}_{what}")).id()
+        b.inst(&to, &format!("u_{what}_texel_{axis}"), &int, &[("a", at)])[0].named(&format!("{axis}_{what}"))
     };
-    let up = match level_up(d, 0) {
-        None => b.zeros(1),
-        Some(unit) => {
-            let mut ins = vec![("level", ray.get("level"))];
-            ins.extend(x_first.map(|x| ("even", x.mux(evens[0], evens[1]).named("even"))));
-            ins.extend(ray.find("prev").map(|p| ("prev_crossed", p)));
-            let mut params = Vec::new();
-            if d.mode.level_up == LevelUp::Selective {
-                let near = ["x", "y"].map(|a| texel(a, "hit", hit[usize::from(a == "y")])).map(|id| b.sig(id));
-                ins.extend([("x_at", ray.get("x")), ("x_hit", near[0]), ("y_at", ray.get("y")), ("y_hit", near[1])]);
-                params.extend(idx());
-            }
-            b.inst(&unit, "u_up", &params, &ins)[0].named("up")
-        }
-    };
+    let even = || x_first.map(|x| x.mux(evens[0], evens[1]).named("even"));
+    let near = || ["x", "y"].map(|a| texel(a, "hit", hit[usize::from(a == "y")]));
+    let up = climbs(b, s, d, ray, &even, &near);
 
     b.section("level decision", "");
     let mut ins = vec![("leaves", leaves), ("up", up), ("level", ray.get("level")), ("level_down", level_down)];
@@ -113,14 +100,71 @@ pub(super) fn iteration<'b>(
     let [hit, crosses, level_next, x_at, y_at, t_after] = o[..] else { unreachable!("as many as names") };
 
     b.section("address conversion", "");
-    let x = b.sig(texel("x", "next", x_at));
-    let y = b.sig(texel("y", "next", y_at));
+    let at = [texel("x", "next", x_at), texel("y", "next", y_at)];
 
+    write_back(b, s, d, ray, heights.missed, Decided { hit, crosses, below, up, level: level_next, at, t: t_after })
+}
+
+/// Whether a crossing goes one level up (1 bit); `near` makes the texel of the hit on both axes, where the rule asks for it.
+fn climbs<'b>(
+    b: &'b Builder,
+    s: &Sizes,
+    d: &Design,
+    ray: &Ray<'b>,
+    even: &dyn Fn() -> Option<Sig<'b>>,
+    near: &dyn Fn() -> [Sig<'b>; 2],
+) -> Sig<'b> {
+    match level_up(d, 0) {
+        None => b.zeros(1),
+        Some(unit) => {
+            let mut ins = vec![("level", ray.get("level"))];
+            ins.extend(even().map(|e| ("even", e)));
+            ins.extend(ray.find("prev").map(|p| ("prev_crossed", p)));
+            let mut params = Vec::new();
+            if d.mode.level_up == LevelUp::Selective {
+                let near = near();
+                ins.extend([("x_at", ray.get("x")), ("x_hit", near[0]), ("y_at", ray.get("y")), ("y_hit", near[1])]);
+                params.push(("IDX_W", s.idx.clone()));
+            }
+            b.inst(&unit, "u_up", &params, &ins)[0].named("up")
+        }
+    }
+}
+
+/// What an iteration decided, at the stages at which it was known.
+struct Decided<'b> {
+    /// The ray ends at a hit.
+    hit: Sig<'b>,
+    /// It crosses a plane.
+    crosses: Sig<'b>,
+    /// Its height parameter lies before it: the hit would be a wall.
+    below: Sig<'b>,
+    /// The level rises if it crosses.
+    up: Sig<'b>,
+    /// Level after the iteration.
+    level: Sig<'b>,
+    /// Texel after it.
+    at: [Sig<'b>; 2],
+    /// Parameter after it.
+    t: Sig<'b>,
+}
+
+/// Counts the step, ends the ray at its limit, and keeps a finished ray, or one whose height is `missed`, as it is.
+fn write_back<'b>(
+    b: &'b Builder,
+    s: &Sizes,
+    d: &Design,
+    ray: &Ray<'b>,
+    missed: Option<Sig<'b>>,
+    decided: Decided<'b>,
+) -> Ray<'b> {
+    let (first, [x, y]) = (ray.find("first"), decided.at);
     b.section("end", "A finished ray recirculates unchanged; mode 1 changes the level alone.");
     let end = x.stage().unwrap_or(0);
-    let [hit, crosses, level_next, t_after] = [hit, crosses, level_next, t_after].map(|v| v.at(end));
+    let [hit, crosses, level_next, t_after] =
+        [decided.hit, decided.crosses, decided.level, decided.t].map(|v| v.at(end));
     // A ray whose height is not there yet recirculates unchanged too, in mode 1 as well.
-    let (waits, done) = (heights.missed, ray.get("done"));
+    let (waits, done) = (missed, ray.get("done"));
     let keeps = waits.map_or(done, |missed| (done | missed).named("keeps"));
     let stays = first.map_or(keeps, |f| (keeps | f).named("stays"));
     let moves = (!stays).named("moves");
@@ -128,7 +172,8 @@ pub(super) fn iteration<'b>(
         None => level_next,
         Some(first) => {
             let ins = [("x", ray.get("x")), ("y", ray.get("y")), ("x_end", x), ("y_end", y)];
-            let start = b.inst(&start_level(t), "u_start_level", &idx(), &ins)[0].named("start");
+            let start =
+                b.inst(&start_level(&d.traverse), "u_start_level", &[("IDX_W", s.idx.clone())], &ins)[0].named("start");
             first.mux(start, level_next)
         }
     };
@@ -138,7 +183,7 @@ pub(super) fn iteration<'b>(
     let ends_now = ((hit | last_step) & moves).named("ends_now");
     let given_up = (ends_now & !hit).named("given_up");
     let crossed_now = (crosses & moves).named("crossed_now");
-    let up_now = (up & crossed_now).named("up_now");
+    let up_now = (decided.up & crossed_now).named("up_now");
     let has_crossed = ray.find("crossed").map_or(crossed_now, |c| c | crossed_now);
     let mut next = vec![
         ("level", keeps.mux(ray.get("level"), level)),
@@ -146,7 +191,7 @@ pub(super) fn iteration<'b>(
         ("y", stays.mux(ray.get("y"), y)),
         ("t", stays.mux(ray.get("t"), t_after)),
         ("done", done | ends_now),
-        ("wall", keeps.mux(ray.get("wall"), hit & below)),
+        ("wall", keeps.mux(ray.get("wall"), hit & decided.below)),
         ("limit", ray.get("limit") | given_up),
         ("steps", steps),
         ("crossings", ray.get("crossings") + crossed_now.zext(16)),
