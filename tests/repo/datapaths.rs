@@ -24,6 +24,20 @@ fn modes_are_listed_in_one_file() {
     assert_eq!(naming("LevelUp::ALL", &files()), [Path::new("config/modes.rs")]);
 }
 
+/// `coherent` is a rule that asks for more than the crossing: what names it is what CONTRIBUTING says that such a rule takes.
+#[test]
+fn a_level_up_rule_stands_where_contributing_says() {
+    let mut found = naming("LevelUp::Coherent", &files());
+    // The enumeration itself says `Self::Coherent`.
+    found.push("config/design.rs".into());
+    found.sort();
+    let page = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("CONTRIBUTING.md")).expect("text");
+    let row = page.lines().find(|l| l.starts_with("| a level-up rule |")).expect("a row of the table");
+    let mut said: Vec<PathBuf> = row.split('`').skip(1).step_by(2).map(PathBuf::from).collect();
+    said.sort();
+    assert_eq!(found, said);
+}
+
 #[test]
 fn a_comment_names_nothing() {
     let file = |name: &str, text: &str| (PathBuf::from(name), text.to_owned());
