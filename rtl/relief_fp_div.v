@@ -491,7 +491,7 @@ module relief_fp_div #(
   wire [QuotW-1:0] s18_quot_18 = {s18_quot_17, s18_digits_18};
 
   // ---- stage 18: pick -----------------------------------------------------------------
-  // The quotient lies in (1/2, 2): its integer bit says where the significand stands.
+  // The quotient lies in (1/2, 2): its integer bit selects the bits of the significand.
   wire               s18_top = s18_quot_18[QuotW-1];
   wire [ExpSumW-1:0] s18_norm_exp = s18_quot_exp - {{(ExpSumW - 1){1'b0}}, ~s18_top};
   wire [MAN_W-1:0]   s18_frac = s18_top ? s18_quot_18[MAN_W+1:2] : s18_quot_18[MAN_W:1];

@@ -13,7 +13,7 @@ module relief_fp_from_fixed #(
   parameter integer EXP_W   = 7,   // exponent bits
   parameter integer MAN_W   = 16,  // fraction bits, the hidden one not counted
   parameter integer INT_W   = 26,  // bits of the signed operand
-  parameter integer FRAC_W  = 12,  // of these, bits behind the point
+  parameter integer FRAC_W  = 12,  // of these, fraction bits
   parameter integer LATENCY = 2,   // clocks it was generated for; checked
   parameter integer VARIANT = 32'h4b4b87bd  // digest of all else it was generated for; checked
 ) (

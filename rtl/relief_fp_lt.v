@@ -38,7 +38,7 @@ module relief_fp_lt #(
 
   // ---- stage 0: compare ---------------------------------------------------------------
   // Of magnitudes: below, or for a negative a, below or equal. An exponent of 0 is zero whatever
-  // its fraction says, but two of them are told apart from the rest without touching the chain.
+  // its fraction says, but two zeros are detected beside the comparator, not in its carry chain.
   wire                   s0_a_sign = a[FloatW-1];
   wire [EXP_W-1:0]       s0_a_exp = a[EXP_W+MAN_W-1:MAN_W];
   wire [MAN_W-1:0]       s0_a_frac = a[MAN_W-1:0];

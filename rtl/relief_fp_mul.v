@@ -92,7 +92,7 @@ module relief_fp_mul #(
 
   // ---- stage 1: round -----------------------------------------------------------------
   // A product of two numbers in [1, 2) lies in [1, 4): low below 2, high from 2 on. A carry out of
-  // the fraction goes on into the exponent, and from the largest number to infinity, by itself.
+  // the fraction continues into the exponent, and from the largest number to infinity, by itself.
   wire                   s1_low_guard = s1_prod[SigW-2];
   wire                   s1_low_tie = s1_low_guard & ~(|s1_prod[SigW-3:0]);
   wire [EXP_W+MAN_W-1:0] s1_low_sum = {s1_exp_low[EXP_W-1:0], s1_prod[MAN_W+SigW-2:SigW-1]} +

@@ -14,14 +14,14 @@ module relief_multi_level_down #(
   // 1 .. LEVELS (the result is not used at 0) [levels]
   input  wire [$clog2(LEVELS+1)-1:0] level,
   input  wire                        crossed,     // the ray has crossed a node boundary already
-  // least texel of the node that is not behind the ray [texels]
+  // least texel of the node that the ray has not passed [texels]
   input  wire [IDX_W-1:0]            x_low,
-  // greatest texel of the node that is not behind the ray [texels]
+  // greatest texel of the node that the ray has not passed [texels]
   input  wire [IDX_W-1:0]            x_high,
   input  wire [IDX_W-1:0]            x_hit,       // predicted hit [texels]
-  // least texel of the node that is not behind the ray [texels]
+  // least texel of the node that the ray has not passed [texels]
   input  wire [IDX_W-1:0]            y_low,
-  // greatest texel of the node that is not behind the ray [texels]
+  // greatest texel of the node that the ray has not passed [texels]
   input  wire [IDX_W-1:0]            y_high,
   input  wire [IDX_W-1:0]            y_hit,       // predicted hit [texels]
   output wire [$clog2(LEVELS+1)-1:0] level_down,  // level after the descent [levels]

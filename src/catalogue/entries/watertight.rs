@@ -7,7 +7,7 @@ use super::float::FP_MUL;
 use super::some_level;
 use super::traversal::kept_in_node;
 use crate::bits::mask;
-use crate::config::{Design, TraverseConfig};
+use crate::config::{Design, TraverseConfig, Trim};
 use crate::format::FloatFormat;
 use crate::golden::float as gf;
 use crate::golden::{Datapath, RayInput, Watertight};
@@ -109,9 +109,8 @@ static AXIS_SCALE: Unit = Unit {
 static AXIS_SLOPE: Unit = Unit {
     name: "axis_slope",
     model: Some(|c, row, out| {
-        let levels = c.param("LEVELS");
-        // Tiles and the hit position are no matter of this unit, but of the bits of an index.
-        let tile_bits = c.idx_w.saturating_sub(levels + 2).max(1);
+        // The hit position is no matter of this unit, and how far a ray may travel only of one that trims.
+        let tile_bits = if c.design.mode.trim == Trim::None { 1 } else { c.param("TILE_W") };
         let traverse = TraverseConfig { frac_bits: 1, tile_bits, ..c.design.traverse };
         let g = Watertight::prepare(&Design { traverse, ..c.design }).expect("the set's parameters are legal");
         let a = g.scaled_axis(row["p"], row["dn"]);

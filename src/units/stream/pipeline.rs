@@ -83,7 +83,8 @@ impl<'b> Pipeline<'b> {
         );
         let last_valid = o["out_valid"].rebase_stage(0);
         let delayed = beside.unbundle(o["out_data"].rebase_stage(0));
-        let words = computed.and(delayed.map(|field, v| v.doc(&format!("{field}, delayed beside {name}"))));
+        let words =
+            computed.and(delayed.map(|field, v| v.doc(&format!("{field}, delayed to the end of the {name} pipeline"))));
         if self.decoupling == Decoupling::Combinational {
             b.connect(self.valid, last_valid);
             return words.named(outer);

@@ -1,5 +1,5 @@
 //! `node_planes`: along one axis, the texels that a descent may go to, the plane by which the ray can leave,
-//! and the texel behind it (PIDM-HW section 3.2, node crossing).
+//! and the texel beyond it (PIDM-HW section 3.2, node crossing).
 use super::params::{LevelParams, bindings, index_width};
 use crate::config::{Design, TraverseConfig};
 use crate::ir::{Builder, Module};

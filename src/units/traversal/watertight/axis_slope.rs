@@ -3,7 +3,7 @@
 use crate::config::{Design, LatencyConfig, Trim};
 use crate::ir::{Binding, Builder, Expr, Module, Sig};
 use crate::units::float::{FormatParams, fp_add, fp_div, fp_mul, fp_to_int};
-use crate::units::traversal::params::{LevelParams, index_width};
+use crate::units::traversal::params::LevelParams;
 use std::sync::Arc;
 
 /// Clocks through `axis_slope`.
@@ -26,8 +26,16 @@ pub fn axis_slope(d: &Design) -> Arc<Module> {
     let f = FormatParams::declare(&b, d.format);
     let levels = LevelParams::declare(&b, t).levels;
     let height = b.param("HEIGHT_W", t.height_bits, "bits of a height code");
-    let trims = d.mode.trim != Trim::None;
-    let idx = trims.then(|| index_width(&b, t, None));
+    let idx = (d.mode.trim != Trim::None).then(|| {
+        let tile = b.param("TILE_W", t.tile_bits, "a ray travels less than 2^TILE_W tiles along each axis");
+        b.require(1, &tile);
+        b.require(&tile, 8);
+        b.require(&levels + &tile + 2, 24);
+        b.require(&levels + &tile + 1, f.bias());
+        // What underflows must stay below the bias of a chord's end.
+        b.require(&f.man + 4, f.bias());
+        b.local("IdxW", &levels + &tile + 2)
+    });
     b.require(2, &height);
     b.require(&height, 16);
     b.require(&height, &f.man + 1);
@@ -35,12 +43,6 @@ pub fn axis_slope(d: &Design) -> Arc<Module> {
     b.require(&height + 2, f.bias());
     b.require(&f.man, f.bias() + &levels);
     b.require(&levels + 2, f.bias());
-    if let Some(idx) = &idx {
-        b.require(2, idx);
-        b.require(idx - 1, f.bias());
-        // What underflows must stay below the bias of a chord's end.
-        b.require(&f.man + 4, f.bias());
-    }
     let div = fp_div(d.format, &d.latency);
     // A divider of many stages needs as many rows to cut: what it asks of MAN_W holds here too.
     b.require_as(&div);

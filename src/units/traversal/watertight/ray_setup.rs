@@ -119,8 +119,7 @@ fn axis<'b>(b: &'b Builder, d: &Design, idx: &Expr, name: &str, p: Sig<'b>, trav
     let cut = |v: Sig<'b>| if scale_clocks(&d.latency) > 0 { v.reg() } else { v };
     let (p, dn) = (cut(o["p_texels"].named(&n("p"))), cut(o["d_texels"].named(&n("dn"))));
 
-    let params = if d.mode.trim == Trim::None { vec![] } else { int("IDX_W").to_vec() };
-    let o = b.instance(&axis_slope(d), &format!("u_slope_{name}"), &params, &[("p", p), ("dn", dn)]);
+    let o = b.instance(&axis_slope(d), &format!("u_slope_{name}"), &[], &[("p", p), ("dn", dn)]);
     let ports = [("pb", "p_back"), ("d", "d"), ("r", "r"), ("never", "never"), ("pf", "p_ahead"), ("le", "farthest")];
     let slope = ports.iter().filter_map(|(word, port)| Some((*word, o.get(port)?.named(&n(word)))));
 
