@@ -27,7 +27,7 @@ module relief_fp_div #(
   localparam integer QuotW = SigW + 2;
   localparam integer Bias = (1 << (EXP_W - 1)) - 1;
 
-  // Parameter checks: an illegal value ends elaboration at a missing module, whose name is the rule.
+  // Parameter checks: an illegal value ends elaboration at a missing module that names the rule.
   generate
     if (EXP_W < 2) begin : gen_illegal_0 EXP_W_must_be_at_least_2 u_illegal (); end
     if (EXP_W > 11) begin : gen_illegal_1 EXP_W_must_be_at_most_11 u_illegal (); end

@@ -30,7 +30,7 @@ module relief_multi_level_down #(
 );
   localparam integer LevelW = $clog2(LEVELS + 1);
 
-  // Parameter checks: an illegal value ends elaboration at a missing module, whose name is the rule.
+  // Parameter checks: an illegal value ends elaboration at a missing module that names the rule.
   generate
     if (LEVELS < 2) begin : gen_illegal_0 LEVELS_must_be_at_least_2 u_illegal (); end
     if (LEVELS > 12) begin : gen_illegal_1 LEVELS_must_be_at_most_12 u_illegal (); end

@@ -18,7 +18,7 @@ module relief_setup_delay #(
   output wire [W-1:0] out_data    // the delayed word [bits]
 );
 
-  // Parameter checks: an illegal value ends elaboration at a missing module, whose name is the rule.
+  // Parameter checks: an illegal value ends elaboration at a missing module that names the rule.
   generate
     if (W < 1) begin : gen_illegal_0 W_must_be_at_least_1 u_illegal (); end
     if (LATENCY != 21) begin : gen_other_latency

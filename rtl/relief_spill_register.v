@@ -19,7 +19,7 @@ module relief_spill_register #(
   output wire [W-1:0] out_data    // output word [bits]
 );
 
-  // Parameter checks: an illegal value ends elaboration at a missing module, whose name is the rule.
+  // Parameter checks: an illegal value ends elaboration at a missing module that names the rule.
   generate
     if (W < 1) begin : gen_illegal_0 W_must_be_at_least_1 u_illegal (); end
     if (VARIANT != 32'h4b082ec9) begin : gen_other_variant
