@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-// Proof harness: extent, exit plane and the texel behind it are those of the node.
+// Proof harness: extent, exit plane and the texel beyond it are those of the node.
 `default_nettype none
 module relief_fv_node_planes;
   localparam integer LEVELS = 8;

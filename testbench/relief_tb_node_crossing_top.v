@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-// relief_tb_node_crossing_top: makes the clock of relief_tb_node_crossing for event-driven simulators.
+// relief_tb_node_crossing_top: clock of relief_tb_node_crossing,
+// for event-driven simulators.
 `default_nettype none
 module relief_tb_node_crossing_top #(
   parameter integer EXP_W = 7,
@@ -18,7 +19,7 @@ module relief_tb_node_crossing_top #(
     .exit_code(exit_code)
   );
 
-  // Yosys knows no delays: to it this is the bench, without a clock.
+  // Yosys has no delays: it sees the bench without a clock.
 `ifndef YOSYS
   initial begin
     clk = 1'b0;

@@ -248,7 +248,7 @@ pub const KEYS: &[Key] = &[
     ),
     key(
         "convert.frac_bits",
-        "FRAC_W of a conversion alone, where it has one, bits of convert.int_bits behind the point",
+        "FRAC_W of a conversion alone, where it has one, fraction bits among convert.int_bits",
         Legal::Whole(0, 59),
     ),
     key("map.kind", "a procedural map, or file", Legal::Word(MapKind::WORDS)),

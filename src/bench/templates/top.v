@@ -1,4 +1,5 @@
-// {{ prefix }}tb_{{ unit }}_top: makes the clock of {{ prefix }}tb_{{ unit }} for event-driven simulators.
+// {{ prefix }}tb_{{ unit }}_top: clock of {{ prefix }}tb_{{ unit }},
+// for event-driven simulators.
 `default_nettype none
 module {{ prefix }}tb_{{ unit }}_top{% if params %} #(
 {%- for p in params %}
@@ -25,7 +26,7 @@ module {{ prefix }}tb_{{ unit }}_top{% if params %} #(
     .exit_code(exit_code)
   );
 
-  // Yosys knows no delays: to it this is the bench, without a clock.
+  // Yosys has no delays: it sees the bench without a clock.
 `ifndef YOSYS
   initial begin
     clk = 1'b0;

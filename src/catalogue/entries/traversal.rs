@@ -86,7 +86,7 @@ static NODE_PLANES: Unit = Unit {
     proofs: &[Proof {
         name: "node_planes",
         units: &["node_planes"],
-        claim: "extent, exit plane and the texel behind it are those of the node",
+        claim: "extent, exit plane and the texel beyond it are those of the node",
         text: harness!("node_planes"),
         ..PROOF
     }],

@@ -62,7 +62,7 @@ fn by_rows(format: FloatFormat, latency: u32) -> Arc<Module> {
     b.unused(rem);
     let quot = quot.expect("at least one chunk of rows");
 
-    b.section("pick", "The quotient lies in (1/2, 2): its integer bit says where the significand stands.");
+    b.section("pick", "The quotient lies in (1/2, 2): its integer bit selects the bits of the significand.");
     let top = quot.msb().named("top");
     let exp = (x.exp - (!top).zext(&e_w)).named("norm_exp");
     let frac = top.mux(quot.slice(2, &f.man), quot.slice(1, &f.man)).named("frac");

@@ -12,7 +12,7 @@ pub fn fp_from_int(format: FloatFormat, int_w: u32, latency: u32) -> Arc<Module>
     build(format, int_w, None, latency, format.is_plain())
 }
 
-/// Builds `fp_from_fixed`: `a` is signed, INT_W bits of which FRAC_W stand behind the point.
+/// Builds `fp_from_fixed`: `a` is signed, INT_W bits of which FRAC_W are fraction bits.
 pub fn fp_from_fixed(format: FloatFormat, int_w: u32, frac_w: u32, latency: u32) -> Arc<Module> {
     build(format, int_w, Some(frac_w), latency, format.is_plain())
 }
@@ -35,7 +35,7 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32, fas
     let frac = match frac_w {
         None => Expr::from(0),
         Some(k) => {
-            let frac = b.param("FRAC_W", k, "of these, bits behind the point");
+            let frac = b.param("FRAC_W", k, "of these, fraction bits");
             b.require(0, &frac);
             b.require(&frac, &int);
             frac

@@ -25,7 +25,7 @@ pub fn fp_lt(format: FloatFormat, latency: u32) -> Arc<Module> {
     b.section(
         "compare",
         "Of magnitudes: below, or for a negative a, below or equal. An exponent of 0 is zero whatever its fraction says, \
-         but two of them are told apart from the rest without touching the chain.",
+         but two zeros are detected beside the comparator, not in its carry chain.",
     );
     let (fa, fb) = (Fields::split(&f, a_in, "a"), Fields::split(&f, b_in, "b"));
     let mag_w = &f.exp + &f.man;

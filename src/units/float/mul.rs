@@ -65,7 +65,7 @@ pub fn fp_mul(format: FloatFormat, latency: u32) -> Arc<Module> {
     b.section(
         "round",
         "A product of two numbers in [1, 2) lies in [1, 4): low below 2, high from 2 on. A carry out of the fraction \
-         goes on into the exponent, and from the largest number to infinity, by itself.",
+         continues into the exponent, and from the largest number to infinity, by itself.",
     );
     let low = candidate(&b, &f, prod, &(&p - 1), exp_low, "low");
     let high = candidate(&b, &f, prod, &p, exp_high, "high");

@@ -10,7 +10,7 @@ pub fn fp_to_int(format: FloatFormat, int_w: u32, latency: u32) -> Arc<Module> {
     build(format, int_w, None, latency)
 }
 
-/// Builds `fp_to_fixed`: the result is signed, INT_W bits of which FRAC_W stand behind the point.
+/// Builds `fp_to_fixed`: the result is signed, INT_W bits of which FRAC_W are fraction bits.
 pub fn fp_to_fixed(format: FloatFormat, int_w: u32, frac_w: u32, latency: u32) -> Arc<Module> {
     build(format, int_w, Some(frac_w), latency)
 }
@@ -31,7 +31,7 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32) -> 
     let frac = match frac_w {
         None => Expr::from(0),
         Some(k) => {
-            let frac = b.param("FRAC_W", k, "of these, bits behind the point");
+            let frac = b.param("FRAC_W", k, "of these, fraction bits");
             b.require(0, &frac);
             b.require(&frac, &int);
             frac

@@ -26,11 +26,16 @@ pub fn chord_trim(d: &Design) -> Arc<Module> {
         axes.push(Axis {
             name: axis,
             at: of("at", &idx, "texels", "the current texel"),
-            low: of("low", &idx, "texels", "least texel of the node that is not behind the ray"),
-            high: of("high", &idx, "texels", "greatest texel of the node that is not behind the ray"),
+            low: of("low", &idx, "texels", "least texel of the node that the ray has not passed"),
+            high: of("high", &idx, "texels", "greatest texel of the node that the ray has not passed"),
             neg: of("neg", &Expr::from(1), "bit", "the ray runs toward smaller coordinates"),
-            reach: of("reach", &idx, "texels", "not behind the ray when it leaves by the other axis' plane"),
-            last: of("last", &idx, "texels", "not behind the ray at its end"),
+            reach: of(
+                "reach",
+                &idx,
+                "texels",
+                "texel of the ray, or one ahead of it, where it leaves by the other axis' plane",
+            ),
+            last: of("last", &idx, "texels", "a texel that the ray does not get beyond"),
         });
     }
     let outs = ["x", "y"].map(|a| b.output(&format!("{a}_chord"), &idx, "texels", "the chord's far end"));

@@ -32,9 +32,10 @@ pub fn multi_level_down(d: &Design) -> Arc<Module> {
     let lod = mode.lod.then(|| b.input("lod", &level_w, "levels", "the finest level to go to"));
     let mut axes = Vec::new();
     for axis in ["x", "y"] {
-        let low = b.input(&format!("{axis}_low"), &idx, "texels", "least texel of the node that is not behind the ray");
+        let low =
+            b.input(&format!("{axis}_low"), &idx, "texels", "least texel of the node that the ray has not passed");
         let high =
-            b.input(&format!("{axis}_high"), &idx, "texels", "greatest texel of the node that is not behind the ray");
+            b.input(&format!("{axis}_high"), &idx, "texels", "greatest texel of the node that the ray has not passed");
         let e = b.input(&format!("{axis}_hit"), &idx, "texels", "predicted hit");
         axes.push((axis, low, high, e));
     }

@@ -106,7 +106,7 @@ fn read_heights<'b>(
 
 /// Extent and exit planes of the ray's node, along x and along y: low, high, plane, beyond, and whether the plane is even where the rule asks.
 fn node<'b>(b: &'b Builder, s: &Sizes, d: &Design, ray: &Ray<'b>) -> [Vec<Sig<'b>>; 2] {
-    b.section("node", "Extent and exit planes of the node, and its place in memory.");
+    b.section("node", "Extent and exit planes of the node, and its address in memory.");
     let parity = reads_parity(d);
     ["x", "y"].map(|axis| {
         let ins = [("level", ray.get("level")), ("x", ray.get(axis)), ("neg", ray.get(&format!("neg_{axis}")))];
@@ -195,7 +195,7 @@ fn write_back<'b>(
     let Decided { hit, crosses, below, grown, next } = decided;
     b.section(
         "step limit",
-        "A finished ray takes no more steps. One that ends without a hit is given up: also in a simulation that does not know if it is one.",
+        "A finished ray takes no more steps. One that ends without a hit is given up, in simulation also one whose hit is unknown (x).",
     );
     // Nor does one whose height is not there yet.
     let waits = missed;

@@ -50,7 +50,7 @@ pub fn fp_div(format: FloatFormat, latency: u32) -> Arc<Module> {
     }
     let quot = quot.expect("at least one group of rows");
 
-    b.section("pick", "The quotient lies in (1/2, 2): its integer bit says where the significand stands.");
+    b.section("pick", "The quotient lies in (1/2, 2): its integer bit selects the bits of the significand.");
     let top = quot.msb().named("top");
     let exp = (exp0 - (!top).zext(&e_w)).named("norm_exp");
     let norm = top.mux(quot, b.cat(&[quot.slice(0, &p + 1), b.zeros(1)])).named("norm");

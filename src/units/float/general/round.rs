@@ -46,7 +46,7 @@ pub fn round<'b>(b: &'b Builder, f: &FormatParams, x: Exact<'b>, range: Range, c
     let x = if gradual && range == Range::Any { denormalize(b, f, x) } else { x };
     b.section(
         "round",
-        "Exponent and fraction round as one number: a carry out of the fraction goes on into the exponent.",
+        "Exponent and fraction round as one number: a carry out of the fraction continues into the exponent.",
     );
     // A place above the exponent's, where nothing else tells that the largest number was rounded up.
     let e_w = if f.format.is_finite() && range != Range::Normal { &f.exp + 1 } else { f.exp.clone() };

@@ -26,8 +26,11 @@ pub fn chord_end(d: &Design) -> Arc<Module> {
     let neg = b.input("neg", 1, "bit", "the ray runs toward smaller coordinates");
     let t = b.input("t", &f.width, "float, height codes", "parameter of the other axis' exit plane");
     let out = b.output("reach", &idx, "texels", "signed coordinate; the farthest one if t is infinite");
-    b.section("way", "The position is rounded down to its texel; the bias keeps it from lying behind the ray.");
-    let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", t)])[0].named("way");
+    b.section(
+        "displacement",
+        "The position is rounded down to its texel; the bias keeps it from lying behind the ray.",
+    );
+    let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", t)])[0].named("displacement");
     let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)])[0].named("position");
     let to = fp_to_int(d.format, d.traverse.idx_bits(), d.latency.to_int);
     let texel = b.inst(&to, "u_to_int", &[("INT_W", idx.clone())], &[("a", pos)])[0].named("texel");

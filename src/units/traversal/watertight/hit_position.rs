@@ -46,7 +46,7 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
     let o_texel = levels.as_ref().map(|l| b.output("texel", &l.levels, "texels", "texel of the hit, wrapped"));
     let coarse = lod.zip(o_texel);
     b.section("position", "");
-    let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", t)])[0].named("way");
+    let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", t)])[0].named("displacement");
     let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)])[0].named("position");
     let to =
         fp_to_fixed(d.format, d.traverse.idx_bits() + d.traverse.frac_bits, d.traverse.frac_bits, d.latency.to_int);

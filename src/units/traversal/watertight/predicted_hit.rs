@@ -24,8 +24,11 @@ pub fn predicted_hit(d: &Design) -> Arc<Module> {
     let dir = b.input("d", &f.width, "float, texels per height code", "direction");
     let m = b.input("m", &f.width, "float, height codes", "parameter");
     let out = b.output("e", &idx, "texels", "signed coordinate");
-    b.section("way", "The position is rounded down to its texel; the bias keeps it from lying ahead of the ray.");
-    let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", m)])[0].named("way");
+    b.section(
+        "displacement",
+        "The position is rounded down to its texel; the bias keeps it from lying ahead of the ray.",
+    );
+    let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", m)])[0].named("displacement");
     let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)])[0].named("position");
     let to = fp_to_int(d.format, d.traverse.idx_bits(), d.latency.to_int);
     let e = b.inst(&to, "u_to_int", &[("INT_W", idx)], &[("a", pos)])[0].named("texel");
