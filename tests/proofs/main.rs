@@ -2,6 +2,7 @@
 mod mutants;
 mod roundings;
 mod stored;
+mod streams;
 mod yosys;
 
 #[path = "../support/files.rs"]
