@@ -4,6 +4,9 @@
 # Says the clock that it reached; ends with an error if that is less than 84 MHz, or if the part is too small.
 set part [expr {$argc > 0 ? [lindex $argv 0] : "xc7a200tfbg676-2"}]
 foreach file {
+  rtl/relief_axis_ends.v
+  rtl/relief_axis_scale.v
+  rtl/relief_axis_slope.v
   rtl/relief_div_rows.v
   rtl/relief_fp_add.v
   rtl/relief_fp_div.v

@@ -16,6 +16,9 @@ rtl/relief_plane_time.v
 rtl/relief_height_test.v
 rtl/relief_predicted_hit.v
 rtl/relief_node_crossing.v
+rtl/relief_axis_scale.v
+rtl/relief_axis_slope.v
+rtl/relief_axis_ends.v
 rtl/relief_multi_level_down.v
 rtl/relief_level_up.v
 rtl/relief_level_decision.v

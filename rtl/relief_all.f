@@ -16,6 +16,9 @@ relief_plane_time.v
 relief_height_test.v
 relief_predicted_hit.v
 relief_node_crossing.v
+relief_axis_scale.v
+relief_axis_slope.v
+relief_axis_ends.v
 relief_multi_level_down.v
 relief_level_up.v
 relief_level_decision.v

@@ -14,7 +14,7 @@ module relief_div_rows #(
   output wire [ROWS-1:0] quot      // quotient bits, the first on top [bits]
 );
 
-  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
+  // Parameter checks: an illegal value ends elaboration at a missing module, whose name is the rule.
   generate
     if (W < 2) begin : gen_illegal_0 W_must_be_at_least_2 u_illegal (); end
     if (W > 62) begin : gen_illegal_1 W_must_be_at_most_62 u_illegal (); end

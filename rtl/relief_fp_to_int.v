@@ -7,15 +7,15 @@
 // Note       Infinities saturate; NaN gives 0.
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
 //            0 reads as zero of its sign; results below the smallest normal, after rounding, become
-//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
-//            out); nearest, ties to even; x - x is +0.
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (every NaN
+//            result has the same bits); nearest, ties to even; x - x is +0.
 `default_nettype none
 module relief_fp_to_int #(
   parameter integer EXP_W   = 7,   // exponent bits
   parameter integer MAN_W   = 16,  // fraction bits, the hidden one not counted
   parameter integer INT_W   = 14,  // bits of the signed result
-  parameter integer LATENCY = 2,   // clocks that it was generated for
-  parameter integer VARIANT = 32'h097a7d26  // digest of what is no parameter
+  parameter integer LATENCY = 2,   // clocks it was generated for; checked
+  parameter integer VARIANT = 32'h097a7d26  // digest of all else it was generated for; checked
 ) (
   input  wire                 clk,     // rising edge
   input  wire                 ce,      // clock enable: registers hold while 0
@@ -29,7 +29,7 @@ module relief_fp_to_int #(
   localparam integer Full = INT_W + MAN_W + (1 << (EXP_W - 1)) - 1;
   localparam integer Least = MAN_W + 2;
 
-  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
+  // Parameter checks: an illegal value ends elaboration at a missing module, whose name is the rule.
   generate
     if (EXP_W < 2) begin : gen_illegal_0 EXP_W_must_be_at_least_2 u_illegal (); end
     if (EXP_W > 11) begin : gen_illegal_1 EXP_W_must_be_at_most_11 u_illegal (); end
@@ -109,7 +109,7 @@ module relief_fp_to_int #(
     end
   end
 
-  // Bits that nothing needs, named so that no lint has to be switched off for the rest.
+  // Bits that nothing reads, gathered so that the lint for unused bits stays on for all others.
   // verilator lint_off UNUSED
   wire unused_0 = &{1'b0, s1_shifted[INT_W+MAN_W:INT_W]};
   // verilator lint_on UNUSED

@@ -5,8 +5,8 @@
 `default_nettype none
 module relief_height_address #(
   parameter integer LEVELS  = 8,  // the map has 2^LEVELS x 2^LEVELS texels
-  parameter integer LATENCY = 0,  // clocks that it was generated for
-  parameter integer VARIANT = 32'h23add022  // digest of what is no parameter
+  parameter integer LATENCY = 0,  // clocks it was generated for; checked
+  parameter integer VARIANT = 32'h23add022  // digest of all else it was generated for; checked
 ) (
   input  wire [$clog2(LEVELS+1)-1:0] level,    // 0 .. LEVELS [levels]
   input  wire [LEVELS-1:0]           i,        // u of a texel in the node [texels]
@@ -16,7 +16,7 @@ module relief_height_address #(
   localparam integer LevelW = $clog2(LEVELS + 1);
   localparam integer Root = LEVELS;
 
-  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
+  // Parameter checks: an illegal value ends elaboration at a missing module, whose name is the rule.
   generate
     if (LEVELS < 2) begin : gen_illegal_0 LEVELS_must_be_at_least_2 u_illegal (); end
     if (LEVELS > 12) begin : gen_illegal_1 LEVELS_must_be_at_most_12 u_illegal (); end
@@ -34,7 +34,7 @@ module relief_height_address #(
   wire [2*LEVELS+1:0] morton;  // b[W-1] a[W-1] .. b[0] a[0] [bits]
   relief_interleave #(.W(LEVELS + 1)) u_morton (.a(even), .b(odd), .result(morton));
 
-  // Bits that nothing needs, named so that no lint has to be switched off for the rest.
+  // Bits that nothing reads, gathered so that the lint for unused bits stays on for all others.
   // verilator lint_off UNUSED
   wire unused_0 = &{1'b0, morton[2*LEVELS+1]};
   // verilator lint_on UNUSED

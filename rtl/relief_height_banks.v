@@ -20,10 +20,10 @@ module relief_height_banks #(
   input  wire [ADDR_W-1:0] write_addr,  // where [words]
   input  wire [DATA_W-1:0] write_data,  // what [bits]
   input  wire [ADDR_W-1:0] read_addr,   // where to read [words]
-  output wire [DATA_W-1:0] read_data    // the word, two clocks later [bits]
+  output wire [DATA_W-1:0] read_data    // the word read, two clocks after its address [bits]
 );
 
-  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
+  // Parameter checks: an illegal value ends elaboration at a missing module, whose name is the rule.
   generate
     if (ADDR_W < 2) begin : gen_illegal_0 ADDR_W_must_be_at_least_2 u_illegal (); end
     if (DATA_W < 1) begin : gen_illegal_1 DATA_W_must_be_at_least_1 u_illegal (); end

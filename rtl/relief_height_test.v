@@ -6,15 +6,15 @@
 // Throughput one result per clock
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
 //            0 reads as zero of its sign; results below the smallest normal, after rounding, become
-//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
-//            out); nearest, ties to even; x - x is +0.
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (every NaN
+//            result has the same bits); nearest, ties to even; x - x is +0.
 `default_nettype none
 module relief_height_test #(
   parameter integer EXP_W    = 7,   // exponent bits
   parameter integer MAN_W    = 16,  // fraction bits, the hidden one not counted
   parameter integer HEIGHT_W = 8,   // bits of a height code
-  parameter integer LATENCY  = 4,   // clocks that it was generated for
-  parameter integer VARIANT  = 32'h4c16b98b  // digest of what is no parameter
+  parameter integer LATENCY  = 4,   // clocks it was generated for; checked
+  parameter integer VARIANT  = 32'h4c16b98b  // digest of all else it was generated for; checked
 ) (
   input  wire                 clk,     // rising edge
   input  wire                 ce,      // clock enable: registers hold while 0
@@ -27,7 +27,7 @@ module relief_height_test #(
 );
   localparam integer FloatW = EXP_W + MAN_W + 1;
 
-  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
+  // Parameter checks: an illegal value ends elaboration at a missing module, whose name is the rule.
   generate
     if (EXP_W < 2) begin : gen_illegal_0 EXP_W_must_be_at_least_2 u_illegal (); end
     if (EXP_W > 11) begin : gen_illegal_1 EXP_W_must_be_at_most_11 u_illegal (); end

@@ -11,7 +11,7 @@ module relief_interleave #(
   output wire [2*W-1:0] result   // b[W-1] a[W-1] .. b[0] a[0] [bits]
 );
 
-  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
+  // Parameter checks: an illegal value ends elaboration at a missing module, whose name is the rule.
   generate
     if (W < 1) begin : gen_illegal_0 W_must_be_at_least_1 u_illegal (); end
     if (W > 32) begin : gen_illegal_1 W_must_be_at_most_32 u_illegal (); end

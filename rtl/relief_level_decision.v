@@ -5,16 +5,16 @@
 // Latency    none, combinational
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
 //            0 reads as zero of its sign; results below the smallest normal, after rounding, become
-//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
-//            out); nearest, ties to even; x - x is +0.
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (every NaN
+//            result has the same bits); nearest, ties to even; x - x is +0.
 `default_nettype none
 module relief_level_decision #(
   parameter integer EXP_W   = 7,   // exponent bits
   parameter integer MAN_W   = 16,  // fraction bits, the hidden one not counted
   parameter integer LEVELS  = 8,   // the map has 2^LEVELS x 2^LEVELS texels
   parameter integer IDX_W   = 14,  // bits of a signed, unwrapped texel coordinate
-  parameter integer LATENCY = 0,   // clocks that it was generated for
-  parameter integer VARIANT = 32'h4ae3ce84  // digest of what is no parameter
+  parameter integer LATENCY = 0,   // clocks it was generated for; checked
+  parameter integer VARIANT = 32'h4ae3ce84  // digest of all else it was generated for; checked
 ) (
   input  wire                        is_inside,   // the node's height is met before the ray leaves
   input  wire                        x_first,     // it leaves by the u plane
@@ -26,10 +26,10 @@ module relief_level_decision #(
   input  wire [EXP_W+MAN_W:0]        t_next,      // parameter of a crossing [float, height codes]
   input  wire [IDX_W-1:0]            x_at,        // a texel of this node [texels]
   input  wire [IDX_W-1:0]            x_down,      // texel of the child [texels]
-  input  wire [IDX_W-1:0]            x_beyond,    // texel behind the exit plane [texels]
+  input  wire [IDX_W-1:0]            x_beyond,    // first texel beyond the exit plane [texels]
   input  wire [IDX_W-1:0]            y_at,        // a texel of this node [texels]
   input  wire [IDX_W-1:0]            y_down,      // texel of the child [texels]
-  input  wire [IDX_W-1:0]            y_beyond,    // texel behind the exit plane [texels]
+  input  wire [IDX_W-1:0]            y_beyond,    // first texel beyond the exit plane [texels]
   output wire                        hit,         // the ray ends here
   output wire                        crosses,     // the ray goes to the neighbour
   output wire [$clog2(LEVELS+1)-1:0] level_next,  // level of the next iteration [levels]
@@ -40,7 +40,7 @@ module relief_level_decision #(
 );
   localparam integer LevelW = $clog2(LEVELS + 1);
 
-  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
+  // Parameter checks: an illegal value ends elaboration at a missing module, whose name is the rule.
   generate
     if (EXP_W < 2) begin : gen_illegal_0 EXP_W_must_be_at_least_2 u_illegal (); end
     if (EXP_W > 11) begin : gen_illegal_1 EXP_W_must_be_at_most_11 u_illegal (); end

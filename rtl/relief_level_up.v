@@ -8,8 +8,8 @@
 module relief_level_up #(
   parameter integer LEVELS  = 8,   // the map has 2^LEVELS x 2^LEVELS texels
   parameter integer IDX_W   = 14,  // bits of a signed, unwrapped texel coordinate
-  parameter integer LATENCY = 0,   // clocks that it was generated for
-  parameter integer VARIANT = 32'h63e9f1ef  // digest of what is no parameter
+  parameter integer LATENCY = 0,   // clocks it was generated for; checked
+  parameter integer VARIANT = 32'h63e9f1ef  // digest of all else it was generated for; checked
 ) (
   input  wire [$clog2(LEVELS+1)-1:0] level,  // level of the crossed node [levels]
   input  wire                        even,   // the crossed plane also bounds the parent
@@ -22,7 +22,7 @@ module relief_level_up #(
   localparam integer LevelW = $clog2(LEVELS + 1);
   localparam integer Root = LEVELS;
 
-  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
+  // Parameter checks: an illegal value ends elaboration at a missing module, whose name is the rule.
   generate
     if (LEVELS < 2) begin : gen_illegal_0 LEVELS_must_be_at_least_2 u_illegal (); end
     if (LEVELS > 12) begin : gen_illegal_1 LEVELS_must_be_at_most_12 u_illegal (); end

@@ -11,7 +11,7 @@ module relief_lzc #(
 );
   localparam integer CountW = $clog2(W + 1);
 
-  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
+  // Parameter checks: an illegal value ends elaboration at a missing module, whose name is the rule.
   generate
     if (W < 1) begin : gen_illegal_0 W_must_be_at_least_1 u_illegal (); end
     if (W > 64) begin : gen_illegal_1 W_must_be_at_most_64 u_illegal (); end

@@ -8,8 +8,8 @@
 module relief_multi_level_down #(
   parameter integer LEVELS  = 8,   // the map has 2^LEVELS x 2^LEVELS texels
   parameter integer IDX_W   = 14,  // bits of a signed, unwrapped texel coordinate
-  parameter integer LATENCY = 0,   // clocks that it was generated for
-  parameter integer VARIANT = 32'h44b45e20  // digest of what is no parameter
+  parameter integer LATENCY = 0,   // clocks it was generated for; checked
+  parameter integer VARIANT = 32'h44b45e20  // digest of all else it was generated for; checked
 ) (
   // 1 .. LEVELS (the result is not used at 0) [levels]
   input  wire [$clog2(LEVELS+1)-1:0] level,
@@ -30,7 +30,7 @@ module relief_multi_level_down #(
 );
   localparam integer LevelW = $clog2(LEVELS + 1);
 
-  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
+  // Parameter checks: an illegal value ends elaboration at a missing module, whose name is the rule.
   generate
     if (LEVELS < 2) begin : gen_illegal_0 LEVELS_must_be_at_least_2 u_illegal (); end
     if (LEVELS > 12) begin : gen_illegal_1 LEVELS_must_be_at_most_12 u_illegal (); end
@@ -55,7 +55,7 @@ module relief_multi_level_down #(
   wire              y_is_above = $signed(y_high) < $signed(y_hit);
   wire [IDX_W-1:0]  y_child = y_is_below ? y_low : (y_is_above ? y_high : y_hit);
 
-  // Bits that nothing needs, named so that no lint has to be switched off for the rest.
+  // Bits that nothing reads, gathered so that the lint for unused bits stays on for all others.
   // verilator lint_off UNUSED
   wire unused_0 = &{1'b0, jumped[LevelW+2:LevelW]};
   // verilator lint_on UNUSED

@@ -6,22 +6,22 @@
 module relief_node_planes #(
   parameter integer LEVELS  = 8,   // the map has 2^LEVELS x 2^LEVELS texels
   parameter integer IDX_W   = 14,  // bits of a signed, unwrapped texel coordinate
-  parameter integer LATENCY = 0,   // clocks that it was generated for
-  parameter integer VARIANT = 32'h2afa0fb3  // digest of what is no parameter
+  parameter integer LATENCY = 0,   // clocks it was generated for; checked
+  parameter integer VARIANT = 32'h2afa0fb3  // digest of all else it was generated for; checked
 ) (
   input  wire [$clog2(LEVELS+1)-1:0] level,   // 0 .. LEVELS [levels]
   input  wire [IDX_W-1:0]            x,       // any texel of the node [texels]
   input  wire                        neg,     // the ray runs toward smaller coordinates
-  // least texel that a descent may go to: never behind x [texels]
+  // least texel that a descent may enter: none that the ray has passed [texels]
   output wire [IDX_W-1:0]            low,
-  // greatest texel that a descent may go to: never behind x [texels]
+  // greatest texel that a descent may enter: none that the ray has passed [texels]
   output wire [IDX_W-1:0]            high,
   output wire [IDX_W-1:0]            plane,   // coordinate of the exit plane [texels]
-  output wire [IDX_W-1:0]            beyond,  // the texel just behind the exit plane [texels]
+  output wire [IDX_W-1:0]            beyond,  // the first texel beyond the exit plane [texels]
   output wire                        even     // the plane also bounds the parent node
 );
 
-  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
+  // Parameter checks: an illegal value ends elaboration at a missing module, whose name is the rule.
   generate
     if (LEVELS < 2) begin : gen_illegal_0 LEVELS_must_be_at_least_2 u_illegal (); end
     if (LEVELS > 12) begin : gen_illegal_1 LEVELS_must_be_at_most_12 u_illegal (); end

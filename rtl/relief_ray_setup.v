@@ -7,8 +7,8 @@
 // Note       A ray that can't be traced (see ok) has all other outputs 0.
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
 //            0 reads as zero of its sign; results below the smallest normal, after rounding, become
-//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
-//            out); nearest, ties to even; x - x is +0.
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (every NaN
+//            result has the same bits); nearest, ties to even; x - x is +0.
 `default_nettype none
 module relief_ray_setup #(
   parameter integer EXP_W    = 7,   // exponent bits
@@ -16,8 +16,8 @@ module relief_ray_setup #(
   parameter integer LEVELS   = 8,   // the map has 2^LEVELS x 2^LEVELS texels
   parameter integer HEIGHT_W = 8,   // bits of a height code
   parameter integer TILE_W   = 4,   // a ray travels less than 2^TILE_W tiles along each axis
-  parameter integer LATENCY  = 21,  // clocks that it was generated for
-  parameter integer VARIANT  = 32'h32708489  // digest of what is no parameter
+  parameter integer LATENCY  = 21,  // clocks it was generated for; checked
+  parameter integer VARIANT  = 32'h726afe08  // digest of all else it was generated for; checked
 ) (
   input  wire                        clk,      // rising edge
   input  wire                        ce,       // clock enable: registers hold while 0
@@ -32,39 +32,32 @@ module relief_ray_setup #(
   // the ray can be traced: finite, entry in the tile, direction below 2^TILE_W
   output wire                        ok,
   output wire [$clog2(LEVELS+1)-1:0] level,    // level of the first iteration [levels]
-  output wire [EXP_W+MAN_W:0]        p_x,      // entry point [float, texels]
-  output wire [EXP_W+MAN_W:0]        pb_x,     // entry point, biased backwards [float, texels]
-  output wire [EXP_W+MAN_W:0]        d_x,      // direction [float, texels per height code]
-  // reciprocal direction [float, height codes per texel]
+  output wire [EXP_W+MAN_W:0]        p_x,      // entry point along x [float, texels]
+  // entry point along x, biased against the direction [float, texels]
+  output wire [EXP_W+MAN_W:0]        pb_x,
+  output wire [EXP_W+MAN_W:0]        d_x,      // direction along x [float, texels per height code]
+  // reciprocal of the direction along x [float, height codes per texel]
   output wire [EXP_W+MAN_W:0]        r_x,
-  output wire                        never_x,  // the ray does not move along this axis
-  output wire                        neg_x,    // it runs toward smaller coordinates
-  output wire [LEVELS+TILE_W+1:0]    first_x,  // texel of the entry point [texels]
-  output wire [EXP_W+MAN_W:0]        p_y,      // entry point [float, texels]
-  output wire [EXP_W+MAN_W:0]        pb_y,     // entry point, biased backwards [float, texels]
-  output wire [EXP_W+MAN_W:0]        d_y,      // direction [float, texels per height code]
-  // reciprocal direction [float, height codes per texel]
+  output wire                        never_x,  // the ray does not move along x
+  output wire                        neg_x,    // the ray runs toward smaller x coordinates
+  // x coordinate of the texel of the entry point [texels]
+  output wire [LEVELS+TILE_W+1:0]    first_x,
+  output wire [EXP_W+MAN_W:0]        p_y,      // entry point along y [float, texels]
+  // entry point along y, biased against the direction [float, texels]
+  output wire [EXP_W+MAN_W:0]        pb_y,
+  output wire [EXP_W+MAN_W:0]        d_y,      // direction along y [float, texels per height code]
+  // reciprocal of the direction along y [float, height codes per texel]
   output wire [EXP_W+MAN_W:0]        r_y,
-  output wire                        never_y,  // the ray does not move along this axis
-  output wire                        neg_y,    // it runs toward smaller coordinates
-  output wire [LEVELS+TILE_W+1:0]    first_y   // texel of the entry point [texels]
+  output wire                        never_y,  // the ray does not move along y
+  output wire                        neg_y,    // the ray runs toward smaller y coordinates
+  // y coordinate of the texel of the entry point [texels]
+  output wire [LEVELS+TILE_W+1:0]    first_y
 );
   localparam integer FloatW = EXP_W + MAN_W + 1;
   localparam integer LevelW = $clog2(LEVELS + 1);
   localparam integer IdxW = LEVELS + TILE_W + 2;
-  localparam integer OneExp = (1 << (EXP_W - 1)) - 1;
-  localparam integer FarExp = TILE_W + (1 << (EXP_W - 1)) - 1;
-  localparam integer Grow = LEVELS;
-  localparam integer MExp = HEIGHT_W + (1 << (EXP_W - 1)) - 2;
-  localparam integer MFrac = (1 << MAN_W) - (1 << (MAN_W - HEIGHT_W + 1));
-  localparam integer RecipExp = (1 << (EXP_W - 1)) - HEIGHT_W - 1;
-  localparam [63:0] RecipFrac =
-      ((64'd1 << HEIGHT_W) +
-      (64'd1 << (HEIGHT_W + MAN_W + 1)) - 64'd1) / (64'd2 * (64'd1 << HEIGHT_W) - 64'd2);
-  localparam integer Least = LEVELS + (1 << (EXP_W - 1)) + 1;
-  localparam integer Ulps = MAN_W + 1;
 
-  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
+  // Parameter checks: an illegal value ends elaboration at a missing module, whose name is the rule.
   generate
     if (EXP_W < 2) begin : gen_illegal_0 EXP_W_must_be_at_least_2 u_illegal (); end
     if (EXP_W > 11) begin : gen_illegal_1 EXP_W_must_be_at_most_11 u_illegal (); end
@@ -93,74 +86,34 @@ module relief_ray_setup #(
     end
     if (LATENCY != 21) begin : gen_other_latency
       relief_ray_setup_has_LATENCY_21_not_the_one_asked_for u_illegal ();
-    end else if (VARIANT != 32'h32708489) begin : gen_other_variant
-      relief_ray_setup_has_VARIANT_32708489_nearest_even_flush_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h726afe08) begin : gen_other_variant
+      relief_ray_setup_has_VARIANT_726afe08_nearest_even_flush_not_the_one_asked_for u_illegal ();
     end
   endgenerate
 
-  // ---- stage 0: x_scale ---------------------------------------------------------------
-  // Times 2^LEVELS: the exponent grows; zeros stay zeros.
-  wire              s0_x_p_in_sign = u[FloatW-1];
-  wire [EXP_W-1:0]  s0_x_p_in_exp = u[EXP_W+MAN_W-1:MAN_W];
-  wire [MAN_W-1:0]  s0_x_p_in_frac = u[MAN_W-1:0];
-  wire              s0_x_p_in_is_zero = ~(|s0_x_p_in_exp);
-  wire              s0_x_p_in_exp_ones = &s0_x_p_in_exp;
-  wire              s0_x_p_in_frac_some = |s0_x_p_in_frac;
-  wire              s0_x_p_in_is_inf = s0_x_p_in_exp_ones & ~s0_x_p_in_frac_some;
-  wire              s0_x_p_in_is_nan = s0_x_p_in_exp_ones & s0_x_p_in_frac_some;
-  wire              s0_x_d_in_sign = du[FloatW-1];
-  wire [EXP_W-1:0]  s0_x_d_in_exp = du[EXP_W+MAN_W-1:MAN_W];
-  wire [MAN_W-1:0]  s0_x_d_in_frac = du[MAN_W-1:0];
-  wire              s0_x_d_in_is_zero = ~(|s0_x_d_in_exp);
-  wire              s0_x_d_in_exp_ones = &s0_x_d_in_exp;
-  wire              s0_x_d_in_frac_some = |s0_x_d_in_frac;
-  wire              s0_x_d_in_is_inf = s0_x_d_in_exp_ones & ~s0_x_d_in_frac_some;
-  wire              s0_x_d_in_is_nan = s0_x_d_in_exp_ones & s0_x_d_in_frac_some;
-  wire              s0_x_ok =
-      (s0_x_p_in_is_zero | (~s0_x_p_in_sign & (s0_x_p_in_exp < OneExp[EXP_W-1:0]))) &
-      (s0_x_d_in_exp < FarExp[EXP_W-1:0]);
-  wire [FloatW-1:0] s0_x_p =
-      {1'b0, {s0_x_p_in_exp + Grow[EXP_W-1:0], s0_x_p_in_frac} &
-      {(EXP_W + MAN_W){~s0_x_p_in_is_zero}}};
-  wire [FloatW-1:0] s0_x_dn =
-      {s0_x_d_in_sign, {s0_x_d_in_exp + Grow[EXP_W-1:0], s0_x_d_in_frac} &
-      {(EXP_W + MAN_W){~s0_x_d_in_is_zero}}};
+  // ---- stage 0: axis x ----------------------------------------------------------------
+  wire              s0_x_ok;  // can be traced: 0 <= p < 1 and |d| < 2^TILE_W
+  wire [FloatW-1:0] s0_x_p;   // entry point, without its sign [float, texels]
+  wire [FloatW-1:0] s0_x_dn;  // travel [float, texels]
+  relief_axis_scale #(
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .LEVELS(LEVELS), .TILE_W(TILE_W), .LATENCY(0),
+    .VARIANT(32'h23f2236f)
+  ) u_scale_x (
+    .p(u), .d(du),
+    .ok(s0_x_ok), .p_texels(s0_x_p), .d_texels(s0_x_dn)
+  );
 
-  // ---- stage 0: x_bias ----------------------------------------------------------------
-  // A power of two above the position estimate's error, subtracted against the direction.
-  wire s0_x_forward = ~s0_x_d_in_sign;
-
-  // ---- stage 0: y_scale ---------------------------------------------------------------
-  // Times 2^LEVELS: the exponent grows; zeros stay zeros.
-  wire              s0_y_p_in_sign = v[FloatW-1];
-  wire [EXP_W-1:0]  s0_y_p_in_exp = v[EXP_W+MAN_W-1:MAN_W];
-  wire [MAN_W-1:0]  s0_y_p_in_frac = v[MAN_W-1:0];
-  wire              s0_y_p_in_is_zero = ~(|s0_y_p_in_exp);
-  wire              s0_y_p_in_exp_ones = &s0_y_p_in_exp;
-  wire              s0_y_p_in_frac_some = |s0_y_p_in_frac;
-  wire              s0_y_p_in_is_inf = s0_y_p_in_exp_ones & ~s0_y_p_in_frac_some;
-  wire              s0_y_p_in_is_nan = s0_y_p_in_exp_ones & s0_y_p_in_frac_some;
-  wire              s0_y_d_in_sign = dv[FloatW-1];
-  wire [EXP_W-1:0]  s0_y_d_in_exp = dv[EXP_W+MAN_W-1:MAN_W];
-  wire [MAN_W-1:0]  s0_y_d_in_frac = dv[MAN_W-1:0];
-  wire              s0_y_d_in_is_zero = ~(|s0_y_d_in_exp);
-  wire              s0_y_d_in_exp_ones = &s0_y_d_in_exp;
-  wire              s0_y_d_in_frac_some = |s0_y_d_in_frac;
-  wire              s0_y_d_in_is_inf = s0_y_d_in_exp_ones & ~s0_y_d_in_frac_some;
-  wire              s0_y_d_in_is_nan = s0_y_d_in_exp_ones & s0_y_d_in_frac_some;
-  wire              s0_y_ok =
-      (s0_y_p_in_is_zero | (~s0_y_p_in_sign & (s0_y_p_in_exp < OneExp[EXP_W-1:0]))) &
-      (s0_y_d_in_exp < FarExp[EXP_W-1:0]);
-  wire [FloatW-1:0] s0_y_p =
-      {1'b0, {s0_y_p_in_exp + Grow[EXP_W-1:0], s0_y_p_in_frac} &
-      {(EXP_W + MAN_W){~s0_y_p_in_is_zero}}};
-  wire [FloatW-1:0] s0_y_dn =
-      {s0_y_d_in_sign, {s0_y_d_in_exp + Grow[EXP_W-1:0], s0_y_d_in_frac} &
-      {(EXP_W + MAN_W){~s0_y_d_in_is_zero}}};
-
-  // ---- stage 0: y_bias ----------------------------------------------------------------
-  // A power of two above the position estimate's error, subtracted against the direction.
-  wire s0_y_forward = ~s0_y_d_in_sign;
+  // ---- stage 0: axis y ----------------------------------------------------------------
+  wire              s0_y_ok;  // can be traced: 0 <= p < 1 and |d| < 2^TILE_W
+  wire [FloatW-1:0] s0_y_p;   // entry point, without its sign [float, texels]
+  wire [FloatW-1:0] s0_y_dn;  // travel [float, texels]
+  relief_axis_scale #(
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .LEVELS(LEVELS), .TILE_W(TILE_W), .LATENCY(0),
+    .VARIANT(32'h23f2236f)
+  ) u_scale_y (
+    .p(v), .d(dv),
+    .ok(s0_y_ok), .p_texels(s0_y_p), .d_texels(s0_y_dn)
+  );
 
   // ---- stage 0: level -----------------------------------------------------------------
   wire s0_is_ok = s0_x_ok & s0_y_ok;
@@ -168,22 +121,18 @@ module relief_ray_setup #(
   // ---- stage 1: registers -------------------------------------------------------------
   reg [FloatW-1:0] s1_x_p;
   reg [FloatW-1:0] s1_x_dn;
-  reg              s1_x_forward;
   reg [FloatW-1:0] s1_y_p;
   reg [FloatW-1:0] s1_y_dn;
-  reg              s1_y_forward;
   reg              s1_is_ok;
   always @(posedge clk) begin
     if (ce) begin
-      s1_x_p       <= s0_x_p;
-      s1_x_dn      <= s0_x_dn;
-      s1_x_forward <= s0_x_forward;
-      s1_y_p       <= s0_y_p;
-      s1_y_dn      <= s0_y_dn;
-      s1_y_forward <= s0_y_forward;
+      s1_x_p  <= s0_x_p;
+      s1_x_dn <= s0_x_dn;
+      s1_y_p  <= s0_y_p;
+      s1_y_dn <= s0_y_dn;
     end
   end
-  // An unknown bit of a simulation counts as 0: none reaches a handshake.
+  // In simulation an unknown bit (x) counts as 0, so that no x reaches a handshake.
   always @(posedge clk) begin
     if (ce) begin
       if (s0_is_ok) begin
@@ -194,132 +143,49 @@ module relief_ray_setup #(
     end
   end
 
-  // ---- stage 1: x_slope ---------------------------------------------------------------
-  // In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.
-  wire [FloatW-1:0] s21_x_r;  // a / b [float]
-  relief_fp_div #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(20), .VARIANT(32'h168f7dd3)) u_x_div (
-    .clk(clk), .ce(ce), .a({1'b0, MExp[EXP_W-1:0], MFrac[MAN_W-1:0]}), .b(s1_x_dn),
-    .result(s21_x_r)
+  // ---- stage 1: axis x ----------------------------------------------------------------
+  wire [FloatW-1:0] s21_x_pb;     // entry point, biased against the direction [float, texels]
+  wire [FloatW-1:0] s21_x_d;      // direction [float, texels per height code]
+  wire [FloatW-1:0] s21_x_r;      // reciprocal direction [float, height codes per texel]
+  wire              s21_x_never;  // the ray does not move along this axis
+  relief_axis_slope #(
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .LEVELS(LEVELS), .HEIGHT_W(HEIGHT_W), .LATENCY(20),
+    .VARIANT(32'h1795c488)
+  ) u_slope_x (
+    .clk(clk), .ce(ce), .p(s1_x_p), .dn(s1_x_dn),
+    .p_back(s21_x_pb), .d(s21_x_d), .r(s21_x_r), .never(s21_x_never)
   );
-  wire [FloatW-1:0] s3_x_d;  // a * b [float]
-  relief_fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(2), .VARIANT(32'h5bd17165)) u_x_mul (
-    .clk(clk), .ce(ce), .a(s1_x_dn), .b({1'b0, RecipExp[EXP_W-1:0], RecipFrac[MAN_W-1:0]}),
-    .result(s3_x_d)
+  wire [IdxW-1:0] s6_x_first;  // texel of the entry point [texels]
+  wire [IdxW-1:0] s6_x_last;   // texel of the rounded end point p + dn [texels]
+  relief_axis_ends #(
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .LATENCY(5), .VARIANT(32'h3eeb03e4)
+  ) u_ends_x (
+    .clk(clk), .ce(ce), .p(s1_x_p), .dn(s1_x_dn),
+    .first(s6_x_first), .last(s6_x_last)
   );
+  wire s1_x_neg = s1_x_dn[EXP_W+MAN_W];
 
-  // ---- stage 1: x_bias ----------------------------------------------------------------
-  // A power of two above the position estimate's error, subtracted against the direction.
-  wire [EXP_W:0]    s1_x_reach = {1'b0, s1_x_dn[EXP_W+MAN_W-1:MAN_W]} + {{(EXP_W - 2){1'b0}}, 3'd5};
-  wire [EXP_W:0]    s1_x_bias_top = (Least[EXP_W:0] < s1_x_reach) ? s1_x_reach : Least[EXP_W:0];
-  wire [EXP_W:0]    s1_x_bias_exp = s1_x_bias_top - Ulps[EXP_W:0];
-  wire [FloatW-1:0] s1_x_bias = {s1_x_forward, s1_x_bias_exp[EXP_W-1:0], {MAN_W{1'b0}}};
-
-  // ---- stage 1: x_texels --------------------------------------------------------------
-  wire [IdxW-1:0] s3_x_first;  // floor of a, saturated [integer]
-  relief_fp_to_int #(
-    .EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW), .LATENCY(2), .VARIANT(32'h097a7d26)
-  ) u_x_first (
-    .clk(clk), .ce(ce), .a(s1_x_p),
-    .result(s3_x_first)
+  // ---- stage 1: axis y ----------------------------------------------------------------
+  wire [FloatW-1:0] s21_y_pb;     // entry point, biased against the direction [float, texels]
+  wire [FloatW-1:0] s21_y_d;      // direction [float, texels per height code]
+  wire [FloatW-1:0] s21_y_r;      // reciprocal direction [float, height codes per texel]
+  wire              s21_y_never;  // the ray does not move along this axis
+  relief_axis_slope #(
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .LEVELS(LEVELS), .HEIGHT_W(HEIGHT_W), .LATENCY(20),
+    .VARIANT(32'h1795c488)
+  ) u_slope_y (
+    .clk(clk), .ce(ce), .p(s1_y_p), .dn(s1_y_dn),
+    .p_back(s21_y_pb), .d(s21_y_d), .r(s21_y_r), .never(s21_y_never)
   );
-  wire [FloatW-1:0] s4_x_end;  // a + b [float]
-  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h6bc4a879)) u_x_end (
-    .clk(clk), .ce(ce), .a(s1_x_p), .b(s1_x_dn),
-    .result(s4_x_end)
+  wire [IdxW-1:0] s6_y_first;  // texel of the entry point [texels]
+  wire [IdxW-1:0] s6_y_last;   // texel of the rounded end point p + dn [texels]
+  relief_axis_ends #(
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .LATENCY(5), .VARIANT(32'h3eeb03e4)
+  ) u_ends_y (
+    .clk(clk), .ce(ce), .p(s1_y_p), .dn(s1_y_dn),
+    .first(s6_y_first), .last(s6_y_last)
   );
-
-  // ---- stage 1: y_slope ---------------------------------------------------------------
-  // In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.
-  wire [FloatW-1:0] s21_y_r;  // a / b [float]
-  relief_fp_div #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(20), .VARIANT(32'h168f7dd3)) u_y_div (
-    .clk(clk), .ce(ce), .a({1'b0, MExp[EXP_W-1:0], MFrac[MAN_W-1:0]}), .b(s1_y_dn),
-    .result(s21_y_r)
-  );
-  wire [FloatW-1:0] s3_y_d;  // a * b [float]
-  relief_fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(2), .VARIANT(32'h5bd17165)) u_y_mul (
-    .clk(clk), .ce(ce), .a(s1_y_dn), .b({1'b0, RecipExp[EXP_W-1:0], RecipFrac[MAN_W-1:0]}),
-    .result(s3_y_d)
-  );
-
-  // ---- stage 1: y_bias ----------------------------------------------------------------
-  // A power of two above the position estimate's error, subtracted against the direction.
-  wire [EXP_W:0]    s1_y_reach = {1'b0, s1_y_dn[EXP_W+MAN_W-1:MAN_W]} + {{(EXP_W - 2){1'b0}}, 3'd5};
-  wire [EXP_W:0]    s1_y_bias_top = (Least[EXP_W:0] < s1_y_reach) ? s1_y_reach : Least[EXP_W:0];
-  wire [EXP_W:0]    s1_y_bias_exp = s1_y_bias_top - Ulps[EXP_W:0];
-  wire [FloatW-1:0] s1_y_bias = {s1_y_forward, s1_y_bias_exp[EXP_W-1:0], {MAN_W{1'b0}}};
-
-  // ---- stage 1: y_texels --------------------------------------------------------------
-  wire [IdxW-1:0] s3_y_first;  // floor of a, saturated [integer]
-  relief_fp_to_int #(
-    .EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW), .LATENCY(2), .VARIANT(32'h097a7d26)
-  ) u_y_first (
-    .clk(clk), .ce(ce), .a(s1_y_p),
-    .result(s3_y_first)
-  );
-  wire [FloatW-1:0] s4_y_end;  // a + b [float]
-  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h6bc4a879)) u_y_end (
-    .clk(clk), .ce(ce), .a(s1_y_p), .b(s1_y_dn),
-    .result(s4_y_end)
-  );
-
-  // ---- stage 2: registers -------------------------------------------------------------
-  reg [FloatW-1:0] s2_x_bias;
-  reg [FloatW-1:0] s2_x_p;
-  reg [FloatW-1:0] s2_y_bias;
-  reg [FloatW-1:0] s2_y_p;
-  always @(posedge clk) begin
-    if (ce) begin
-      s2_x_bias <= s1_x_bias;
-      s2_x_p    <= s1_x_p;
-      s2_y_bias <= s1_y_bias;
-      s2_y_p    <= s1_y_p;
-    end
-  end
-
-  // ---- stage 2: x_bias ----------------------------------------------------------------
-  // A power of two above the position estimate's error, subtracted against the direction.
-  wire [FloatW-1:0] s5_x_pb;  // a + b [float]
-  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h6bc4a879)) u_x_back (
-    .clk(clk), .ce(ce), .a(s2_x_p), .b(s2_x_bias),
-    .result(s5_x_pb)
-  );
-
-  // ---- stage 2: y_bias ----------------------------------------------------------------
-  // A power of two above the position estimate's error, subtracted against the direction.
-  wire [FloatW-1:0] s5_y_pb;  // a + b [float]
-  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h6bc4a879)) u_y_back (
-    .clk(clk), .ce(ce), .a(s2_y_p), .b(s2_y_bias),
-    .result(s5_y_pb)
-  );
-
-  // ---- stage 4: x_texels --------------------------------------------------------------
-  wire [IdxW-1:0] s6_x_last;  // floor of a, saturated [integer]
-  relief_fp_to_int #(
-    .EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW), .LATENCY(2), .VARIANT(32'h097a7d26)
-  ) u_x_last (
-    .clk(clk), .ce(ce), .a(s4_x_end),
-    .result(s6_x_last)
-  );
-
-  // ---- stage 4: y_texels --------------------------------------------------------------
-  wire [IdxW-1:0] s6_y_last;  // floor of a, saturated [integer]
-  relief_fp_to_int #(
-    .EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IdxW), .LATENCY(2), .VARIANT(32'h097a7d26)
-  ) u_y_last (
-    .clk(clk), .ce(ce), .a(s4_y_end),
-    .result(s6_y_last)
-  );
-
-  // ---- stage 6: registers -------------------------------------------------------------
-  // Delay of 3 clocks: stage 3 to 6.
-  reg [IdxW-1:0]   s6_x_first;
-  reg [IdxW-1:0]   s6_y_first;
-  reg [4*IdxW-1:0] s3_to_s6;
-  always @(posedge clk) begin
-    if (ce) begin
-      {s6_x_first, s6_y_first, s3_to_s6} <= {s3_to_s6, s3_x_first, s3_y_first};
-    end
-  end
+  wire s1_y_neg = s1_y_dn[EXP_W+MAN_W];
 
   // ---- stage 6: level -----------------------------------------------------------------
   // 0: both in one texel; LEVELS: the root (also across tiles) [levels]
@@ -332,51 +198,17 @@ module relief_ray_setup #(
   );
 
   // ---- stage 21: registers ------------------------------------------------------------
-  // Delay of 21 clocks: stage 0 to 21.
-  reg        s21_x_d_in_is_zero;
-  reg        s21_y_d_in_is_zero;
-  reg        s21_x_d_in_sign;
-  reg        s21_y_d_in_sign;
-  reg [79:0] s0_to_s21;
-  always @(posedge clk) begin
-    if (ce) begin
-      {s21_x_d_in_is_zero, s21_y_d_in_is_zero, s21_x_d_in_sign, s21_y_d_in_sign, s0_to_s21} <=
-          {s0_to_s21, s0_x_d_in_is_zero, s0_y_d_in_is_zero, s0_x_d_in_sign, s0_y_d_in_sign};
-    end
-  end
   // Delay of 20 clocks: stage 1 to 21.
-  reg        s21_is_ok;
-  reg [18:0] s1_to_s21;
+  reg                  s21_is_ok;
+  reg [FloatW-1:0]     s21_x_p;
+  reg                  s21_x_neg;
+  reg [FloatW-1:0]     s21_y_p;
+  reg                  s21_y_neg;
+  reg [38*FloatW+56:0] s1_to_s21;
   always @(posedge clk) begin
     if (ce) begin
-      {s21_is_ok, s1_to_s21} <= {s1_to_s21, s1_is_ok};
-    end
-  end
-  // Delay of 19 clocks: stage 2 to 21.
-  reg [FloatW-1:0]    s21_x_p;
-  reg [FloatW-1:0]    s21_y_p;
-  reg [36*FloatW-1:0] s2_to_s21;
-  always @(posedge clk) begin
-    if (ce) begin
-      {s21_x_p, s21_y_p, s2_to_s21} <= {s2_to_s21, s2_x_p, s2_y_p};
-    end
-  end
-  // Delay of 18 clocks: stage 3 to 21.
-  reg [FloatW-1:0]    s21_x_d;
-  reg [FloatW-1:0]    s21_y_d;
-  reg [34*FloatW-1:0] s3_to_s21;
-  always @(posedge clk) begin
-    if (ce) begin
-      {s21_x_d, s21_y_d, s3_to_s21} <= {s3_to_s21, s3_x_d, s3_y_d};
-    end
-  end
-  // Delay of 16 clocks: stage 5 to 21.
-  reg [FloatW-1:0]    s21_x_pb;
-  reg [FloatW-1:0]    s21_y_pb;
-  reg [30*FloatW-1:0] s5_to_s21;
-  always @(posedge clk) begin
-    if (ce) begin
-      {s21_x_pb, s21_y_pb, s5_to_s21} <= {s5_to_s21, s5_x_pb, s5_y_pb};
+      {s21_is_ok, s21_x_p, s21_x_neg, s21_y_p, s21_y_neg, s1_to_s21} <=
+          {s1_to_s21, s1_is_ok, s1_x_p, s1_x_neg, s1_y_p, s1_y_neg};
     end
   end
   // Delay of 15 clocks: stage 6 to 21.
@@ -391,22 +223,6 @@ module relief_ray_setup #(
     end
   end
 
-  // ---- stage 21: x_slope --------------------------------------------------------------
-  // In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.
-  wire s21_x_never = (&s21_x_r[EXP_W+MAN_W-1:MAN_W]) | s21_x_d_in_is_zero;
-
-  // ---- stage 21: y_slope --------------------------------------------------------------
-  // In height codes: d / M and its reciprocal, M = 2^HEIGHT_W - 1.
-  wire s21_y_never = (&s21_y_r[EXP_W+MAN_W-1:MAN_W]) | s21_y_d_in_is_zero;
-
-  // Bits that nothing needs, named so that no lint has to be switched off for the rest.
-  // verilator lint_off UNUSED
-  wire unused_0 = &{1'b0, s0_x_p_in_is_inf, s0_x_p_in_is_nan, s0_x_d_in_is_inf, s0_x_d_in_is_nan};
-  wire unused_1 = &{1'b0, s1_x_bias_exp[EXP_W]};
-  wire unused_2 = &{1'b0, s0_y_p_in_is_inf, s0_y_p_in_is_nan, s0_y_d_in_is_inf, s0_y_d_in_is_nan};
-  wire unused_3 = &{1'b0, s1_y_bias_exp[EXP_W]};
-  // verilator lint_on UNUSED
-
   assign ok = s21_is_ok;
   assign level = s21_start & {LevelW{s21_is_ok}};
   assign p_x = s21_x_p & {FloatW{s21_is_ok}};
@@ -414,14 +230,14 @@ module relief_ray_setup #(
   assign d_x = s21_x_d & {FloatW{s21_is_ok}};
   assign r_x = s21_x_r & {FloatW{s21_is_ok}};
   assign never_x = s21_x_never & s21_is_ok;
-  assign neg_x = s21_x_d_in_sign & s21_is_ok;
+  assign neg_x = s21_x_neg & s21_is_ok;
   assign first_x = s21_x_first & {IdxW{s21_is_ok}};
   assign p_y = s21_y_p & {FloatW{s21_is_ok}};
   assign pb_y = s21_y_pb & {FloatW{s21_is_ok}};
   assign d_y = s21_y_d & {FloatW{s21_is_ok}};
   assign r_y = s21_y_r & {FloatW{s21_is_ok}};
   assign never_y = s21_y_never & s21_is_ok;
-  assign neg_y = s21_y_d_in_sign & s21_is_ok;
+  assign neg_y = s21_y_neg & s21_is_ok;
   assign first_y = s21_y_first & {IdxW{s21_is_ok}};
 endmodule
 `ifndef YOSYS

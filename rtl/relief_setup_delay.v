@@ -6,19 +6,19 @@
 `default_nettype none
 module relief_setup_delay #(
   parameter integer W       = 8,  // bits of the word
-  parameter integer LATENCY = 21,  // clocks that it was generated for
-  parameter integer VARIANT = 32'h306304c2  // digest of what is no parameter
+  parameter integer LATENCY = 21,  // clocks it was generated for; checked
+  parameter integer VARIANT = 32'h306304c2  // digest of all else it was generated for; checked
 ) (
   input  wire         clk,        // rising edge
   input  wire         ce,         // clock enable: registers hold while 0
   input  wire         rst,        // synchronous, active high; clears valid bits and counts, no data
-  input  wire         in_valid,   // the word counts
-  output wire         out_valid,  // the delayed word counts
+  input  wire         in_valid,   // the word is valid
+  output wire         out_valid,  // the delayed word is valid
   input  wire [W-1:0] in_data,    // the word [bits]
   output wire [W-1:0] out_data    // the delayed word [bits]
 );
 
-  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
+  // Parameter checks: an illegal value ends elaboration at a missing module, whose name is the rule.
   generate
     if (W < 1) begin : gen_illegal_0 W_must_be_at_least_1 u_illegal (); end
     if (LATENCY != 21) begin : gen_other_latency

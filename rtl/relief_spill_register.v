@@ -7,7 +7,7 @@
 `default_nettype none
 module relief_spill_register #(
   parameter integer W       = 8,  // bits of a word
-  parameter integer VARIANT = 32'h4b082ec9  // digest of what is no parameter
+  parameter integer VARIANT = 32'h4b082ec9  // digest of all else it was generated for; checked
 ) (
   input  wire         clk,        // rising edge
   input  wire         rst,        // synchronous, active high; clears valid bits and counts, no data
@@ -19,7 +19,7 @@ module relief_spill_register #(
   output wire [W-1:0] out_data    // output word [bits]
 );
 
-  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
+  // Parameter checks: an illegal value ends elaboration at a missing module, whose name is the rule.
   generate
     if (W < 1) begin : gen_illegal_0 W_must_be_at_least_1 u_illegal (); end
     if (VARIANT != 32'h4b082ec9) begin : gen_other_variant
@@ -27,7 +27,7 @@ module relief_spill_register #(
     end
   endgenerate
 
-  // ---- state that comes back from the last stage, and handshakes
+  // ---- loop registers, written at the end of the module, and handshake nets
   reg         first_valid;    // the slot holds a word
   reg         second_valid;   // the slot holds a word
   reg         valid_q;        // either slot holds a word

@@ -6,8 +6,8 @@
 module relief_start_level #(
   parameter integer LEVELS  = 8,   // the map has 2^LEVELS x 2^LEVELS texels
   parameter integer IDX_W   = 14,  // bits of a signed, unwrapped texel coordinate
-  parameter integer LATENCY = 0,   // clocks that it was generated for
-  parameter integer VARIANT = 32'h4c35fe41  // digest of what is no parameter
+  parameter integer LATENCY = 0,   // clocks it was generated for; checked
+  parameter integer VARIANT = 32'h4c35fe41  // digest of all else it was generated for; checked
 ) (
   input  wire [IDX_W-1:0]            x,      // u of the entry [texels]
   input  wire [IDX_W-1:0]            y,      // v of the entry [texels]
@@ -19,7 +19,7 @@ module relief_start_level #(
   localparam integer LevelW = $clog2(LEVELS + 1);
   localparam integer Root = LEVELS;
 
-  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
+  // Parameter checks: an illegal value ends elaboration at a missing module, whose name is the rule.
   generate
     if (LEVELS < 2) begin : gen_illegal_0 LEVELS_must_be_at_least_2 u_illegal (); end
     if (LEVELS > 12) begin : gen_illegal_1 LEVELS_must_be_at_most_12 u_illegal (); end

@@ -1,9 +1,12 @@
+relief_axis_scale.v
 relief_div_rows.v
 relief_fp_div.v
 relief_fp_mul.v
 relief_lzc.v
 relief_fp_add.v
+relief_axis_slope.v
 relief_fp_to_int.v
+relief_axis_ends.v
 relief_start_level.v
 relief_ray_setup.v
 relief_setup_delay.v

@@ -7,8 +7,8 @@
 // Throughput one iteration (one node) per clock; a ray takes as many iterations as its path needs
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent
 //            0 reads as zero of its sign; results below the smallest normal, after rounding, become
-//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (one NaN comes
-//            out); nearest, ties to even; x - x is +0.
+//            zero of their sign; exponent all ones is infinity (fraction 0) or NaN (every NaN
+//            result has the same bits); nearest, ties to even; x - x is +0.
 `default_nettype none
 module relief_traverse #(
   parameter integer EXP_W      = 7,      // exponent bits
@@ -19,7 +19,7 @@ module relief_traverse #(
   parameter integer FRAC_W     = 12,     // fraction bits of the hit position
   parameter integer TAG_W      = 8,      // bits of a ray's tag
   parameter integer STEP_LIMIT = 65535,  // iterations after which a ray is given up
-  parameter integer VARIANT    = 32'h1a49658d,  // digest of what is no parameter
+  parameter integer VARIANT    = 32'h4e20a6e5,  // digest of all else it was generated for; checked
   // file for $readmemh with the words of the pyramid, level 0 first; "": none
   parameter MEM_INIT = ""
 ) (
@@ -66,7 +66,7 @@ module relief_traverse #(
   localparam integer IdxW = LEVELS + TILE_W + 2;
   localparam integer StepsBeforeLast = STEP_LIMIT - 1;
 
-  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.
+  // Parameter checks: an illegal value ends elaboration at a missing module, whose name is the rule.
   generate
     if (EXP_W < 2) begin : gen_illegal_0 EXP_W_must_be_at_least_2 u_illegal (); end
     if (EXP_W > 11) begin : gen_illegal_1 EXP_W_must_be_at_most_11 u_illegal (); end
@@ -104,26 +104,30 @@ module relief_traverse #(
     if (FRAC_W + LEVELS + MAN_W + TILE_W + 2 > 60) begin : gen_illegal_21
       FRAC_W_plus_LEVELS_plus_MAN_W_plus_TILE_W_plus_2_must_be_at_most_60 u_illegal ();
     end
-    if (VARIANT != 32'h1a49658d) begin : gen_other_variant
-      relief_traverse_has_VARIANT_1a49658d_watertight_selective_not_the_one_asked_for u_illegal ();
+    if (VARIANT != 32'h4e20a6e5) begin : gen_other_variant
+      relief_traverse_has_VARIANT_4e20a6e5_watertight_selective_not_the_one_asked_for u_illegal ();
     end
   endgenerate
 
-  // ---- state that comes back from the last stage, and handshakes
+  // ---- loop registers, written at the end of the module, and handshake nets
   reg              s0_loop_valid_q;      // the slot holds a ray
   reg [TAG_W-1:0]  s0_loop_tag_q;        // tag of the ray [bits]
-  reg [FloatW-1:0] s0_loop_p_x_q;        // entry point [float, texels]
-  reg [FloatW-1:0] s0_loop_pb_x_q;       // entry point, biased backwards [float, texels]
-  reg [FloatW-1:0] s0_loop_d_x_q;        // direction [float, texels per height code]
-  reg [FloatW-1:0] s0_loop_r_x_q;        // reciprocal direction [float, height codes per texel]
-  reg              s0_loop_never_x_q;    // the ray does not move along this axis
-  reg              s0_loop_neg_x_q;      // it runs toward smaller coordinates
-  reg [FloatW-1:0] s0_loop_p_y_q;        // entry point [float, texels]
-  reg [FloatW-1:0] s0_loop_pb_y_q;       // entry point, biased backwards [float, texels]
-  reg [FloatW-1:0] s0_loop_d_y_q;        // direction [float, texels per height code]
-  reg [FloatW-1:0] s0_loop_r_y_q;        // reciprocal direction [float, height codes per texel]
-  reg              s0_loop_never_y_q;    // the ray does not move along this axis
-  reg              s0_loop_neg_y_q;      // it runs toward smaller coordinates
+  reg [FloatW-1:0] s0_loop_p_x_q;        // entry point along x [float, texels]
+  // entry point along x, biased against the direction [float, texels]
+  reg [FloatW-1:0] s0_loop_pb_x_q;
+  reg [FloatW-1:0] s0_loop_d_x_q;        // direction along x [float, texels per height code]
+  // reciprocal of the direction along x [float, height codes per texel]
+  reg [FloatW-1:0] s0_loop_r_x_q;
+  reg              s0_loop_never_x_q;    // the ray does not move along x
+  reg              s0_loop_neg_x_q;      // the ray runs toward smaller x coordinates
+  reg [FloatW-1:0] s0_loop_p_y_q;        // entry point along y [float, texels]
+  // entry point along y, biased against the direction [float, texels]
+  reg [FloatW-1:0] s0_loop_pb_y_q;
+  reg [FloatW-1:0] s0_loop_d_y_q;        // direction along y [float, texels per height code]
+  // reciprocal of the direction along y [float, height codes per texel]
+  reg [FloatW-1:0] s0_loop_r_y_q;
+  reg              s0_loop_never_y_q;    // the ray does not move along y
+  reg              s0_loop_neg_y_q;      // the ray runs toward smaller y coordinates
   reg [LevelW-1:0] s0_loop_level_q;      // level of the node [levels]
   reg [IdxW-1:0]   s0_loop_x_q;          // a texel of the node, column, unwrapped [texels]
   reg [IdxW-1:0]   s0_loop_y_q;          // a texel of the node, row, unwrapped [texels]
@@ -135,14 +139,14 @@ module relief_traverse #(
   reg [15:0]       s0_loop_crossings_q;  // of these, node crossings [iterations]
   reg [15:0]       s0_loop_ups_q;        // levels gone up [levels]
   reg              s0_loop_crossed_q;    // a node boundary was crossed already
-  reg              s0_in_transfer_q;     // a ray entered in the clock before
-  reg              s0_out_transfer_q;    // a result left in the clock before
-  reg [6:0]        s0_in_flight;         // rays in flight, up to the clock before that [rays]
+  reg              s0_in_transfer_q;     // input transfer in the previous clock
+  reg              s0_out_transfer_q;    // output transfer in the previous clock
+  reg [6:0]        s0_in_flight;         // rays in flight, counted one clock late [rays]
   reg              s0_any_in_flight;     // in_flight is not 0
-  wire hit_valid;    // a word is at the end of the hit pipeline
-  wire hit_ready;    // the hit pipeline takes a word
-  wire setup_valid;  // a word is at the end of the setup pipeline
-  wire setup_ready;  // the setup pipeline takes a word
+  wire hit_valid;    // the last stage of the hit pipeline holds a word
+  wire hit_ready;    // the hit pipeline can take a word
+  wire setup_valid;  // the last stage of the setup pipeline holds a word
+  wire setup_ready;  // the setup pipeline can take a word
 
   // ---- stage 0: retire ----------------------------------------------------------------
   // A finished ray retires when the output pipeline is ready; until then it recirculates unchanged.
@@ -154,23 +158,27 @@ module relief_traverse #(
   // the ray can be traced: finite, entry in the tile, direction below 2^TILE_W
   wire              s0_set_ok;
   wire [LevelW-1:0] s0_set_level;    // level of the first iteration [levels]
-  wire [FloatW-1:0] s0_set_p_x;      // entry point [float, texels]
-  wire [FloatW-1:0] s0_set_pb_x;     // entry point, biased backwards [float, texels]
-  wire [FloatW-1:0] s0_set_d_x;      // direction [float, texels per height code]
-  wire [FloatW-1:0] s0_set_r_x;      // reciprocal direction [float, height codes per texel]
-  wire              s0_set_never_x;  // the ray does not move along this axis
-  wire              s0_set_neg_x;    // it runs toward smaller coordinates
-  wire [IdxW-1:0]   s0_set_first_x;  // texel of the entry point [texels]
-  wire [FloatW-1:0] s0_set_p_y;      // entry point [float, texels]
-  wire [FloatW-1:0] s0_set_pb_y;     // entry point, biased backwards [float, texels]
-  wire [FloatW-1:0] s0_set_d_y;      // direction [float, texels per height code]
-  wire [FloatW-1:0] s0_set_r_y;      // reciprocal direction [float, height codes per texel]
-  wire              s0_set_never_y;  // the ray does not move along this axis
-  wire              s0_set_neg_y;    // it runs toward smaller coordinates
-  wire [IdxW-1:0]   s0_set_first_y;  // texel of the entry point [texels]
+  wire [FloatW-1:0] s0_set_p_x;      // entry point along x [float, texels]
+  // entry point along x, biased against the direction [float, texels]
+  wire [FloatW-1:0] s0_set_pb_x;
+  wire [FloatW-1:0] s0_set_d_x;      // direction along x [float, texels per height code]
+  // reciprocal of the direction along x [float, height codes per texel]
+  wire [FloatW-1:0] s0_set_r_x;
+  wire              s0_set_never_x;  // the ray does not move along x
+  wire              s0_set_neg_x;    // the ray runs toward smaller x coordinates
+  wire [IdxW-1:0]   s0_set_first_x;  // x coordinate of the texel of the entry point [texels]
+  wire [FloatW-1:0] s0_set_p_y;      // entry point along y [float, texels]
+  // entry point along y, biased against the direction [float, texels]
+  wire [FloatW-1:0] s0_set_pb_y;
+  wire [FloatW-1:0] s0_set_d_y;      // direction along y [float, texels per height code]
+  // reciprocal of the direction along y [float, height codes per texel]
+  wire [FloatW-1:0] s0_set_r_y;
+  wire              s0_set_never_y;  // the ray does not move along y
+  wire              s0_set_neg_y;    // the ray runs toward smaller y coordinates
+  wire [IdxW-1:0]   s0_set_first_y;  // y coordinate of the texel of the entry point [texels]
   relief_ray_setup #(
     .EXP_W(EXP_W), .MAN_W(MAN_W), .LEVELS(LEVELS), .HEIGHT_W(HEIGHT_W), .TILE_W(TILE_W),
-    .LATENCY(21), .VARIANT(32'h32708489)
+    .LATENCY(21), .VARIANT(32'h726afe08)
   ) u_setup (
     .clk(clk), .ce(setup_ready), .u(in_u), .v(in_v), .du(in_du), .dv(in_dv),
     .ok(s0_set_ok), .level(s0_set_level), .p_x(s0_set_p_x), .pb_x(s0_set_pb_x), .d_x(s0_set_d_x),
@@ -178,29 +186,29 @@ module relief_traverse #(
     .p_y(s0_set_p_y), .pb_y(s0_set_pb_y), .d_y(s0_set_d_y), .r_y(s0_set_r_y),
     .never_y(s0_set_never_y), .neg_y(s0_set_neg_y), .first_y(s0_set_first_y)
   );
-  wire             s0_setup_last_valid;  // the delayed word counts
-  wire [TAG_W-1:0] s0_set_tag;           // the delayed word [bits]
+  wire             s0_setup_last_valid;  // the delayed word is valid
+  wire [TAG_W-1:0] s0_set_tag;           // tag, delayed beside setup
   relief_setup_delay #(.W(TAG_W), .LATENCY(21), .VARIANT(32'h306304c2)) u_setup_delay (
     .clk(clk), .ce(setup_ready), .rst(rst), .in_valid(in_valid), .in_data(in_tag),
     .out_valid(s0_setup_last_valid), .out_data(s0_set_tag)
   );
-  wire              s0_new_ok;
-  wire [LevelW-1:0] s0_new_level;
-  wire [FloatW-1:0] s0_new_p_x;
-  wire [FloatW-1:0] s0_new_pb_x;
-  wire [FloatW-1:0] s0_new_d_x;
-  wire [FloatW-1:0] s0_new_r_x;
-  wire              s0_new_never_x;
-  wire              s0_new_neg_x;
-  wire [IdxW-1:0]   s0_new_first_x;
-  wire [FloatW-1:0] s0_new_p_y;
-  wire [FloatW-1:0] s0_new_pb_y;
-  wire [FloatW-1:0] s0_new_d_y;
-  wire [FloatW-1:0] s0_new_r_y;
-  wire              s0_new_never_y;
-  wire              s0_new_neg_y;
-  wire [IdxW-1:0]   s0_new_first_y;
-  wire [TAG_W-1:0]  s0_new_tag;
+  wire              s0_new_ok;       // set_ok after the buffer
+  wire [LevelW-1:0] s0_new_level;    // set_level after the buffer
+  wire [FloatW-1:0] s0_new_p_x;      // set_p_x after the buffer
+  wire [FloatW-1:0] s0_new_pb_x;     // set_pb_x after the buffer
+  wire [FloatW-1:0] s0_new_d_x;      // set_d_x after the buffer
+  wire [FloatW-1:0] s0_new_r_x;      // set_r_x after the buffer
+  wire              s0_new_never_x;  // set_never_x after the buffer
+  wire              s0_new_neg_x;    // set_neg_x after the buffer
+  wire [IdxW-1:0]   s0_new_first_x;  // set_first_x after the buffer
+  wire [FloatW-1:0] s0_new_p_y;      // set_p_y after the buffer
+  wire [FloatW-1:0] s0_new_pb_y;     // set_pb_y after the buffer
+  wire [FloatW-1:0] s0_new_d_y;      // set_d_y after the buffer
+  wire [FloatW-1:0] s0_new_r_y;      // set_r_y after the buffer
+  wire              s0_new_never_y;  // set_never_y after the buffer
+  wire              s0_new_neg_y;    // set_neg_y after the buffer
+  wire [IdxW-1:0]   s0_new_first_y;  // set_first_y after the buffer
+  wire [TAG_W-1:0]  s0_new_tag;      // set_tag after the buffer
   relief_spill_register #(
     .W(8 * EXP_W + 2 * LEVELS + 8 * MAN_W + TAG_W + 2 * TILE_W + $clog2(LEVELS + 1) + 17),
     .VARIANT(32'h4b082ec9)
@@ -218,7 +226,7 @@ module relief_traverse #(
   wire s0_accept = setup_valid & s0_slot_free;
 
   // ---- stage 0: slot ------------------------------------------------------------------
-  // Stage 0 holds the new ray, or the one that recirculates.
+  // A slot holds the new ray, or the one that recirculates.
   wire s0_new_refused = ~s0_new_ok;
   wire s0_slot_busy = (s0_loop_valid_q & ~s0_retire) | s0_accept;
 
@@ -253,16 +261,16 @@ module relief_traverse #(
     .x(s0_loop_y_q),
     .fraction(s0_hit_fv)
   );
-  wire              s0_hit_last_valid;  // the delayed word counts
-  wire [LEVELS-1:0] s0_hit_i;
-  wire [LEVELS-1:0] s0_hit_j;
-  wire [FloatW-1:0] s0_hit_t;
-  wire              s0_hit_wall;
-  wire              s0_hit_limit;
-  wire [15:0]       s0_hit_steps;
-  wire [15:0]       s0_hit_crossings;
-  wire [15:0]       s0_hit_ups;
-  wire [TAG_W-1:0]  s0_hit_tag;
+  wire              s0_hit_last_valid;  // the delayed word is valid
+  wire [LEVELS-1:0] s0_hit_i;           // i, delayed beside hit
+  wire [LEVELS-1:0] s0_hit_j;           // j, delayed beside hit
+  wire [FloatW-1:0] s0_hit_t;           // t, delayed beside hit
+  wire              s0_hit_wall;        // wall, delayed beside hit
+  wire              s0_hit_limit;       // limit, delayed beside hit
+  wire [15:0]       s0_hit_steps;       // steps, delayed beside hit
+  wire [15:0]       s0_hit_crossings;   // crossings, delayed beside hit
+  wire [15:0]       s0_hit_ups;         // ups, delayed beside hit
+  wire [TAG_W-1:0]  s0_hit_tag;         // tag, delayed beside hit
   relief_hit_delay #(
     .W(2 * LEVELS + TAG_W + FloatW + 50), .LATENCY(7), .VARIANT(32'h0069384e)
   ) u_hit_delay (
@@ -273,17 +281,17 @@ module relief_traverse #(
     .out_data({s0_hit_i, s0_hit_j, s0_hit_t, s0_hit_wall, s0_hit_limit, s0_hit_steps,
         s0_hit_crossings, s0_hit_ups, s0_hit_tag})
   );
-  wire [FRAC_W-1:0] s0_result_fu;
-  wire [FRAC_W-1:0] s0_result_fv;
-  wire [LEVELS-1:0] s0_result_i;
-  wire [LEVELS-1:0] s0_result_j;
-  wire [FloatW-1:0] s0_result_t;
-  wire              s0_result_wall;
-  wire              s0_result_limit;
-  wire [15:0]       s0_result_steps;
-  wire [15:0]       s0_result_crossings;
-  wire [15:0]       s0_result_ups;
-  wire [TAG_W-1:0]  s0_result_tag;
+  wire [FRAC_W-1:0] s0_result_fu;         // hit_fu after the buffer
+  wire [FRAC_W-1:0] s0_result_fv;         // hit_fv after the buffer
+  wire [LEVELS-1:0] s0_result_i;          // hit_i after the buffer
+  wire [LEVELS-1:0] s0_result_j;          // hit_j after the buffer
+  wire [FloatW-1:0] s0_result_t;          // hit_t after the buffer
+  wire              s0_result_wall;       // hit_wall after the buffer
+  wire              s0_result_limit;      // hit_limit after the buffer
+  wire [15:0]       s0_result_steps;      // hit_steps after the buffer
+  wire [15:0]       s0_result_crossings;  // hit_crossings after the buffer
+  wire [15:0]       s0_result_ups;        // hit_ups after the buffer
+  wire [TAG_W-1:0]  s0_result_tag;        // hit_tag after the buffer
   relief_spill_register #(
     .W(2 * FRAC_W + 2 * LEVELS + TAG_W + FloatW + 50), .VARIANT(32'h4b082ec9)
   ) u_hit_buffer (
@@ -385,7 +393,7 @@ module relief_traverse #(
   end
 
   // ---- stage 1: slot ------------------------------------------------------------------
-  // Stage 0 holds the new ray, or the one that recirculates.
+  // A slot holds the new ray, or the one that recirculates.
   wire [TAG_W-1:0]  s1_tag = s1_accept ? s1_new_tag : s1_loop_tag_q;
   wire [FloatW-1:0] s1_p_x = s1_accept ? s1_new_p_x : s1_loop_p_x_q;
   wire [FloatW-1:0] s1_pb_x = s1_accept ? s1_new_pb_x : s1_loop_pb_x_q;
@@ -432,11 +440,13 @@ module relief_traverse #(
   end
 
   // ---- stage 2: node ------------------------------------------------------------------
-  // Extent and exit planes of the node, and its place in memory.
-  wire [IdxW-1:0] s2_x_low;     // least texel that a descent may go to: never behind x [texels]
-  wire [IdxW-1:0] s2_x_high;    // greatest texel that a descent may go to: never behind x [texels]
+  // Extent and exit planes of the node, and its address in memory.
+  // least texel that a descent may enter: none that the ray has passed [texels]
+  wire [IdxW-1:0] s2_x_low;
+  // greatest texel that a descent may enter: none that the ray has passed [texels]
+  wire [IdxW-1:0] s2_x_high;
   wire [IdxW-1:0] s2_x_plane;   // coordinate of the exit plane [texels]
-  wire [IdxW-1:0] s2_x_beyond;  // the texel just behind the exit plane [texels]
+  wire [IdxW-1:0] s2_x_beyond;  // the first texel beyond the exit plane [texels]
   wire            s2_x_even;    // the plane also bounds the parent node
   relief_node_planes #(
     .LEVELS(LEVELS), .IDX_W(IdxW), .LATENCY(0), .VARIANT(32'h2afa0fb3)
@@ -444,10 +454,12 @@ module relief_traverse #(
     .level(s2_level), .x(s2_x), .neg(s2_neg_x),
     .low(s2_x_low), .high(s2_x_high), .plane(s2_x_plane), .beyond(s2_x_beyond), .even(s2_x_even)
   );
-  wire [IdxW-1:0] s2_y_low;     // least texel that a descent may go to: never behind x [texels]
-  wire [IdxW-1:0] s2_y_high;    // greatest texel that a descent may go to: never behind x [texels]
+  // least texel that a descent may enter: none that the ray has passed [texels]
+  wire [IdxW-1:0] s2_y_low;
+  // greatest texel that a descent may enter: none that the ray has passed [texels]
+  wire [IdxW-1:0] s2_y_high;
   wire [IdxW-1:0] s2_y_plane;   // coordinate of the exit plane [texels]
-  wire [IdxW-1:0] s2_y_beyond;  // the texel just behind the exit plane [texels]
+  wire [IdxW-1:0] s2_y_beyond;  // the first texel beyond the exit plane [texels]
   wire            s2_y_even;    // the plane also bounds the parent node
   relief_node_planes #(
     .LEVELS(LEVELS), .IDX_W(IdxW), .LATENCY(0), .VARIANT(32'h2afa0fb3)
@@ -462,8 +474,8 @@ module relief_traverse #(
   );
 
   // ---- stage 2: step limit ------------------------------------------------------------
-  // A finished ray takes no more steps. One that ends without a hit is given up: also in a
-  // simulation that does not know if it is one.
+  // A finished ray takes no more steps. One that ends without a hit is given up, in simulation also
+  // one whose hit is unknown (x).
   wire        s2_moves = ~s2_done;
   wire [15:0] s2_steps_next = s2_steps + {15'd0, s2_moves};
   wire        s2_last_step = s2_steps == StepsBeforeLast[15:0];
@@ -493,7 +505,7 @@ module relief_traverse #(
   end
 
   // ---- stage 3: height ----------------------------------------------------------------
-  wire [HEIGHT_W-1:0] s5_height;  // the word, two clocks later [bits]
+  wire [HEIGHT_W-1:0] s5_height;  // the word read, two clocks after its address [bits]
   relief_height_banks #(
     .ADDR_W(2 * LEVELS + 1), .DATA_W(HEIGHT_W), .DEPTH(((1 << (2 * LEVELS + 2)) - 1) / 3),
     .BANK_W(13), .MEM_INIT(MEM_INIT)
@@ -612,7 +624,7 @@ module relief_traverse #(
   // ---- stage 11: node crossing --------------------------------------------------------
   wire              s13_is_inside;  // the height is met before the ray leaves
   wire              s13_x_first;    // the u plane comes first, or both at once
-  // parameter behind the exit plane, never before t [float, height codes]
+  // parameter after a crossing: that of the exit plane, at least t [float, height codes]
   wire [FloatW-1:0] s13_t_next;
   relief_node_crossing #(
     .EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(2), .VARIANT(32'h1a8ee4db)
@@ -811,8 +823,8 @@ module relief_traverse #(
   );
 
   // ---- stage 18: step limit -----------------------------------------------------------
-  // A finished ray takes no more steps. One that ends without a hit is given up: also in a
-  // simulation that does not know if it is one.
+  // A finished ray takes no more steps. One that ends without a hit is given up, in simulation also
+  // one whose hit is unknown (x).
   wire s18_ends_now = s18_hit | s18_last_step;
   wire s18_given_up = s18_ends_now & ~s18_hit & s18_moves;
   wire s18_crossed_now = s18_crosses & s18_moves;
@@ -858,7 +870,7 @@ module relief_traverse #(
       s0_any_in_flight  <= s0_any_in_flight_next;
     end
   end
-  // An unknown bit of a simulation counts as 1: none reaches a handshake.
+  // In simulation an unknown bit (x) counts as 1, so that no x reaches a handshake.
   always @(posedge clk) begin
     if (!(s18_done | s18_ends_now)) begin
       s0_loop_done_q <= 1'b0;
@@ -866,7 +878,7 @@ module relief_traverse #(
       s0_loop_done_q <= 1'b1;
     end
   end
-  // An unknown bit of a simulation counts as 1: none reaches a handshake.
+  // In simulation an unknown bit (x) counts as 1, so that no x reaches a handshake.
   always @(posedge clk) begin
     if (!(s18_limit | s18_given_up)) begin
       s0_loop_limit_q <= 1'b0;

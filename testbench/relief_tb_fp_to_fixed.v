@@ -2,7 +2,7 @@
 // relief_tb_fp_to_fixed: replays the golden vectors of fp_to_fixed with random clock-enable gaps.
 //   +vectors=DIR   directory with stimulus.hex and expected.hex (default golden/fp_to_fixed)
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
-// 5 nothing ran, 6 a result never came, 7 a result that nobody expected.
+// 5 nothing ran, 6 a result never came, 7 an unexpected result.
 `default_nettype none
 module relief_tb_fp_to_fixed #(
   parameter integer EXP_W = 7,
@@ -54,7 +54,7 @@ module relief_tb_fp_to_fixed #(
     .result(out_result)
   );
 
-  // Yosys knows no files and no delays: to it a bench is what it tests, with its parameters.
+  // Yosys has no files and no delays: it sees the module under test and its parameters alone.
 `ifndef YOSYS
   // The head of a file: a comment, then the number of rows and the bits of a row.
   task automatic read_head(input integer fd, output integer rows, output integer bits);
@@ -152,7 +152,7 @@ module relief_tb_fp_to_fixed #(
         done <= 1'b1;
       end else if (out_valid && exp_left == 0) begin
         $display("FAIL tb_fp_to_fixed: %0s, after %0d",
-                 "a result came that nobody expected", checked);
+                 "an unexpected result", checked);
         exit_code <= 8'd7;
         done <= 1'b1;
       end else if (drain > Latency + 4) begin

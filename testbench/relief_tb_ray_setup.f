@@ -1,9 +1,12 @@
+../rtl/relief_axis_scale.v
 ../rtl/relief_div_rows.v
 ../rtl/relief_fp_div.v
 ../rtl/relief_fp_mul.v
 ../rtl/relief_lzc.v
 ../rtl/relief_fp_add.v
+../rtl/relief_axis_slope.v
 ../rtl/relief_fp_to_int.v
+../rtl/relief_axis_ends.v
 ../rtl/relief_start_level.v
 ../rtl/relief_ray_setup.v
 relief_tb_ray_setup.v

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT OR Apache-2.0
-// relief_tb_traverse: loads the pyramid, sends the golden rays, and checks that every ray comes back exactly once and right.
+// relief_tb_traverse: loads the pyramid, sends the golden rays, and checks that each ray has
+// exactly one result, the expected one.
 //   +vectors=DIR   directory with memory.hex, stimulus.hex, expected.hex (default golden/traverse)
 //   +gaps          rays are held back at random      +stalls    results are taken at random
 //   +flood         fills the pipeline with rays, resets it for one clock, and only then runs the set
@@ -8,12 +9,12 @@
 //                  a hold: no result is taken until every stage is full, and none may be lost
 //   +patience=N    clocks without a result after which a ray counts as lost (default: four times
 //                  what the longest ray sent so far may take)
-// The parameter MEM_INIT names a file that fills the memory at power-up; memory.hex isn't loaded then.
-//   +results=FILE  one line a ray: its number, then its outputs in hex
-// Compiled with ITERATIONS defined, it looks into the loop (which a netlist hasn't under these names):
-//   +iterations=FILE  one line an iteration: ray, level, x, y, t in hex, as the ray enters the loop
+//   +results=FILE  one line per ray: its number, then its outputs in hex
+// The parameter MEM_INIT names a file that fills the memory at power-up; memory.hex is not loaded
+// then. Compiled with ITERATIONS defined, it reads nets of the loop, which a netlist does not have:
+//   +iterations=FILE  one line per iteration: ray, level, x, y, t in hex, as the ray enters the loop
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
-// 5 nothing ran, 6 a ray never came back, 7 a result that nobody expected.
+// 5 nothing ran, 6 a result never came, 7 an unexpected result.
 `default_nettype none
 module relief_tb_traverse #(
   parameter integer EXP_W = 7,
@@ -35,7 +36,7 @@ module relief_tb_traverse #(
   localparam integer Resets = 12;             // resets while rays are on their way
   localparam integer TagBits = (TAG_W < 8) ? TAG_W : 8;
   localparam integer Tags = 1 << TagBits;
-  // Bits of a row, as the files announce them, and words of the pyramid.
+  // Bits of a row, as stated in the head of each file, and words of the pyramid.
   localparam integer InW =
     (EXP_W+MAN_W+1) +
     (EXP_W+MAN_W+1) +
@@ -71,7 +72,7 @@ module relief_tb_traverse #(
   integer resets_left;
   integer until_reset;
 
-  // What is left to do, and what was seen.
+  // What is left to send and to expect, and what was observed.
   integer words_left;
   integer stim_left;
   integer exp_left;
@@ -114,15 +115,15 @@ module relief_tb_traverse #(
   wire [FRAC_W-1:0] out_fu;
   wire [FRAC_W-1:0] out_fv;
   wire [EXP_W+MAN_W:0] out_t;
-  wire  out_wall;
-  wire  out_limit;
+  wire out_wall;
+  wire out_limit;
   wire [15:0] out_steps;
   wire [15:0] out_crossings;
   wire [15:0] out_ups;
   wire       slot_busy;
   wire       idle;
 
-  // What each tag in flight stands for.
+  // Per tag in flight: its ray, and the result expected of it.
   reg [Tags-1:0] tag_used;
   integer    tag_ray [0:Tags-1];
   reg [TAG_W-1:0] tag_sent [0:Tags-1];
@@ -131,8 +132,8 @@ module relief_tb_traverse #(
   reg [FRAC_W-1:0] want_out_fu [0:Tags-1];
   reg [FRAC_W-1:0] want_out_fv [0:Tags-1];
   reg [EXP_W+MAN_W:0] want_out_t [0:Tags-1];
-  reg  want_out_wall [0:Tags-1];
-  reg  want_out_limit [0:Tags-1];
+  reg want_out_wall [0:Tags-1];
+  reg want_out_limit [0:Tags-1];
   reg [15:0] want_out_steps [0:Tags-1];
   reg [15:0] want_out_crossings [0:Tags-1];
   reg [15:0] want_out_ups [0:Tags-1];
@@ -156,7 +157,7 @@ module relief_tb_traverse #(
     .TAG_W(TAG_W),
     .STEP_LIMIT(STEP_LIMIT),
     .MEM_INIT(MEM_INIT),
-    .VARIANT(32'h1a49658d)
+    .VARIANT(32'h4e20a6e5)
   ) dut (
     .clk(clk),
     .rst(rst),
@@ -187,9 +188,9 @@ module relief_tb_traverse #(
     .idle(idle)
   );
 
-  // Yosys knows no files and no delays: to it a bench is what it tests, with its parameters.
+  // Yosys has no files and no delays: it sees the module under test and its parameters alone.
 `ifndef YOSYS
-  // Comments at the head of a file, as $readmemh knows them.
+  // Comments at the head of a file, as $readmemh skips them.
   task automatic skip_comments(input integer fd);
     integer c;
     begin
@@ -214,7 +215,7 @@ module relief_tb_traverse #(
     end
   endtask
 
-  // The bench ends: with nothing to say, something was said already.
+  // Ends the bench; the line for the log has been printed.
   task automatic finish(input reg [7:0] code);
     begin
       exit_code <= code;
@@ -302,7 +303,7 @@ module relief_tb_traverse #(
     end
   end
 
-  // The pyramid, a word a clock.
+  // Loads the pyramid, one word per clock.
   task automatic load_word;
     integer got;
     reg [63:0] word;
@@ -325,7 +326,7 @@ module relief_tb_traverse #(
     end
   endtask
 
-  // The next ray of the file goes to the input. The tag's bits above those that tell rays apart are random: they travel too.
+  // Drives the next ray of the file. The tag's bits above TagBits are random: they must come back.
   task automatic send_ray(input reg [TagBits-1:0] low);
     integer b;
     integer got;
@@ -354,7 +355,7 @@ module relief_tb_traverse #(
     end
   endtask
 
-  // The files of the set from their first row on.
+  // Starts the files of the set again at their first row.
   task automatic rewind_set;
     integer rows_in;
     integer rows_out;
@@ -376,8 +377,8 @@ module relief_tb_traverse #(
     end
   endtask
 
-  // Rays that reset throws away; nothing of them may come out afterwards. What is offered in the
-  // clock of a reset counts as never sent.
+  // Rays that a reset discards: none may have a result. A ray that is valid in the clock of the
+  // reset has not been sent.
   task automatic flood;
     begin
       load_en <= 1'b0;
@@ -394,7 +395,7 @@ module relief_tb_traverse #(
     end
   endtask
 
-  // A reset while rays are on their way.
+  // A reset while rays are in flight.
   task automatic reset_inside;
     begin
       rst <= 1'b1;
@@ -404,7 +405,7 @@ module relief_tb_traverse #(
     end
   endtask
 
-  // The set has passed: once more, with everything that happens at both sides.
+  // The set has passed: once more, with all disturbances at input and output.
   task automatic start_again;
     begin
       again <= 1'b0;
@@ -418,7 +419,7 @@ module relief_tb_traverse #(
     end
   endtask
 
-  // A result that was expected is compared, field by field.
+  // Compares an expected result, field by field.
   task automatic take_result;
     reg row_wrong;
     begin
@@ -534,7 +535,7 @@ module relief_tb_traverse #(
     end
   endtask
 
-  // A ray that was accepted: from here on its result is expected under its tag.
+  // Input transfer: from here on the ray's result is expected under its tag.
   task automatic note_ray;
     integer got;
     reg bad;
@@ -588,11 +589,11 @@ module relief_tb_traverse #(
     end
   endtask
 
-  // Offers the next ray where the last one has been accepted.
+  // Presents the next ray once the last one has been accepted.
   task automatic offer;
     reg [TagBits-1:0] low;
     begin
-      // A tag that a reset met is not used at once: a result that comes all the same is told apart.
+      // The tag of a ray that a reset discarded is not used next, so that a stale result shows.
       low = (accepted || rst) ? next_tag + 1'b1 : next_tag;
       if (accepted || !in_valid || rst) begin
         if (stim_left > 0 && !tag_used[low] && !(gaps && lfsr[9] && hold_left == 0)) begin
@@ -606,7 +607,7 @@ module relief_tb_traverse #(
     end
   endtask
 
-  // How it went, once every ray is back or none comes any more.
+  // The verdict, once every ray has its result or no more results come.
   task automatic verdict;
     reg [63:0] word;
     integer got_stim;
@@ -686,7 +687,7 @@ module relief_tb_traverse #(
                  checked);
         finish(8'd1);
       end else if (taken && !expected) begin
-        $display("FAIL tb_traverse: a result with tag %h came that nobody expected, after %0d",
+        $display("FAIL tb_traverse: an unexpected result, with tag %h, after %0d",
                  out_tag, checked);
         finish(8'd7);
       end else if (all_back && quiet > 2 * WarmUp) begin

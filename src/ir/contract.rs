@@ -34,9 +34,13 @@ impl Module {
         let latency = self.latency.map(|clocks| Term {
             name: LATENCY,
             value: i64::from(clocks),
-            doc: "clocks that it was generated for",
+            doc: "clocks it was generated for; checked",
         });
-        let variant = Term { name: VARIANT, value: i64::from(self.variant()), doc: "digest of what is no parameter" };
+        let variant = Term {
+            name: VARIANT,
+            value: i64::from(self.variant()),
+            doc: "digest of all else it was generated for; checked",
+        };
         latency.into_iter().chain([variant]).collect()
     }
 

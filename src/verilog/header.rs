@@ -117,7 +117,7 @@ impl Printer<'_> {
         if self.m.checks.is_empty() && terms.is_empty() {
             return;
         }
-        self.out += "\n  // Parameter checks: an illegal value ends elaboration, the missing module names the rule.\n  generate\n";
+        self.out += "\n  // Parameter checks: an illegal value ends elaboration at a missing module, whose name is the rule.\n  generate\n";
         for (i, c) in self.m.checks.iter().enumerate() {
             let word = |s: String| {
                 let t: String = s.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();

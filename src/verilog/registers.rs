@@ -19,7 +19,7 @@ impl Printer<'_> {
         if ids.is_empty() && self.wires().is_empty() {
             return;
         }
-        self.out += "\n  // ---- state that comes back from the last stage, and handshakes\n";
+        self.out += "\n  // ---- loop registers, written at the end of the module, and handshake nets\n";
         for id in ids {
             self.declare_reg(id);
         }
@@ -110,7 +110,8 @@ impl Printer<'_> {
             (true, _) => format!("!({text})"),
         };
         let known = u8::from(as_known);
-        self.out += &format!("  // An unknown bit of a simulation counts as {known}: none reaches a handshake.\n");
+        self.out +=
+            &format!("  // In simulation an unknown bit (x) counts as {known}, so that no x reaches a handshake.\n");
         self.out += "  always @(posedge clk) begin\n";
         let clear = format!("      {net} <= 1'b0;\n    end else ");
         let enable = self.m.ce.map(|p| self.m.ports[p].name.clone());

@@ -106,7 +106,8 @@ impl Printer<'_> {
         if m.unused.is_empty() && idle.is_empty() {
             return;
         }
-        self.out += "\n  // Bits that nothing needs, named so that no lint has to be switched off for the rest.\n";
+        self.out +=
+            "\n  // Bits that nothing reads, gathered so that the lint for unused bits stays on for all others.\n";
         self.out += "  // verilator lint_off UNUSED\n";
         for (k, id) in m.unused.iter().enumerate() {
             let (e, _) = self.names.operand(*id);

@@ -94,7 +94,7 @@ fn second_names(code: &str) -> Vec<String> {
 /// State of a loop that is declared without saying what it is.
 fn without_comment(text: &str) -> Vec<String> {
     let lines: Vec<&str> = text.lines().collect();
-    let Some(start) = lines.iter().position(|l| l.contains("// ---- state that comes back")) else { return vec![] };
+    let Some(start) = lines.iter().position(|l| l.contains("// ---- loop registers")) else { return vec![] };
     let state = (start + 1..lines.len()).take_while(|k| !lines[*k].is_empty());
     let said = |k: usize| lines[k].contains("  // ") || lines[k - 1].trim_start().starts_with("// ");
     state.filter(|k| declared(lines[*k]).is_some() && !said(*k)).map(|k| lines[k].trim().to_string()).collect()
@@ -157,8 +157,7 @@ fn the_rules_find_what_they_are_for() {
         second_names("  wire a = b;\n  wire c;\n  wire e = f[0];\n  assign c = d;\n  assign out = c;\n").len(),
         2
     );
-    let state =
-        "  // ---- state that comes back\n  reg a;  // said\n  // said before\n  reg b;\n  reg c;\n\n  reg d;\n";
+    let state = "  // ---- loop registers\n  reg a;  // said\n  // said before\n  reg b;\n  reg c;\n\n  reg d;\n";
     assert_eq!(without_comment(state), ["reg c;"]);
     assert_eq!(generator_files("// add.rs\n.rst(rst), .rs(x)\n").len(), 1);
 }

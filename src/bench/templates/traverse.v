@@ -1,4 +1,5 @@
-// {{ prefix }}tb_traverse: loads the pyramid, sends the golden rays, and checks that every ray comes back exactly once and right.
+// {{ prefix }}tb_traverse: loads the pyramid, sends the golden rays, and checks that each ray has
+// exactly one result, the expected one.
 //   +vectors=DIR   directory with memory.hex, stimulus.hex, expected.hex (default golden/traverse)
 //   +gaps          rays are held back at random      +stalls    results are taken at random
 //   +flood         fills the pipeline with rays, resets it for one clock, and only then runs the set
@@ -7,12 +8,12 @@
 //                  a hold: no result is taken until every stage is full, and none may be lost
 //   +patience=N    clocks without a result after which a ray counts as lost (default: four times
 //                  what the longest ray sent so far may take)
-// The parameter MEM_INIT names a file that fills the memory at power-up; memory.hex isn't loaded then.
-//   +results=FILE  one line a ray: its number, then its outputs in hex
-// Compiled with ITERATIONS defined, it looks into the loop (which a netlist hasn't under these names):
-//   +iterations=FILE  one line an iteration: ray, level, x, y, t in hex, as the ray enters the loop
+//   +results=FILE  one line per ray: its number, then its outputs in hex
+// The parameter MEM_INIT names a file that fills the memory at power-up; memory.hex is not loaded
+// then. Compiled with ITERATIONS defined, it reads nets of the loop, which a netlist does not have:
+//   +iterations=FILE  one line per iteration: ray, level, x, y, t in hex, as the ray enters the loop
 // Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
-// 5 nothing ran, 6 a ray never came back, 7 a result that nobody expected.
+// 5 nothing ran, 6 a result never came, 7 an unexpected result.
 `default_nettype none
 module {{ prefix }}tb_traverse #(
 {%- for p in params %}
@@ -31,7 +32,7 @@ module {{ prefix }}tb_traverse #(
   localparam integer Resets = 12;             // resets while rays are on their way
   localparam integer TagBits = (TAG_W < 8) ? TAG_W : 8;
   localparam integer Tags = 1 << TagBits;
-  // Bits of a row, as the files announce them, and words of the pyramid.
+  // Bits of a row, as stated in the head of each file, and words of the pyramid.
   localparam integer InW =
 {%- for p in inputs %}
     ({{ p.width }}){% if not loop.last %} +{% else %};{% endif %}
@@ -59,7 +60,7 @@ module {{ prefix }}tb_traverse #(
   integer resets_left;
   integer until_reset;
 
-  // What is left to do, and what was seen.
+  // What is left to send and to expect, and what was observed.
   integer words_left;
   integer stim_left;
   integer exp_left;
@@ -91,23 +92,23 @@ module {{ prefix }}tb_traverse #(
   wire       in_ready;
   reg [TAG_W-1:0] in_tag;
 {%- for p in inputs %}
-  reg {{ p.range }} {{ p.name }};
+  reg {% if p.range %}{{ p.range }} {% endif %}{{ p.name }};
 {%- endfor %}
   wire       out_valid;
   reg        out_ready;
   wire [TAG_W-1:0] out_tag;
 {%- for p in outputs %}
-  wire {{ p.range }} {{ p.name }};
+  wire {% if p.range %}{{ p.range }} {% endif %}{{ p.name }};
 {%- endfor %}
   wire       slot_busy;
   wire       idle;
 
-  // What each tag in flight stands for.
+  // Per tag in flight: its ray, and the result expected of it.
   reg [Tags-1:0] tag_used;
   integer    tag_ray [0:Tags-1];
   reg [TAG_W-1:0] tag_sent [0:Tags-1];
 {%- for p in outputs %}
-  reg {{ p.range }} want_{{ p.name }} [0:Tags-1];
+  reg {% if p.range %}{{ p.range }} {% endif %}want_{{ p.name }} [0:Tags-1];
 {%- endfor %}
   wire [TagBits-1:0] slot = out_tag[TagBits-1:0];
   reg [TagBits-1:0] next_tag;
@@ -151,9 +152,9 @@ module {{ prefix }}tb_traverse #(
     .idle(idle)
   );
 
-  // Yosys knows no files and no delays: to it a bench is what it tests, with its parameters.
+  // Yosys has no files and no delays: it sees the module under test and its parameters alone.
 `ifndef YOSYS
-  // Comments at the head of a file, as $readmemh knows them.
+  // Comments at the head of a file, as $readmemh skips them.
   task automatic skip_comments(input integer fd);
     integer c;
     begin
@@ -178,7 +179,7 @@ module {{ prefix }}tb_traverse #(
     end
   endtask
 
-  // The bench ends: with nothing to say, something was said already.
+  // Ends the bench; the line for the log has been printed.
   task automatic finish(input reg [7:0] code);
     begin
       exit_code <= code;
@@ -265,7 +266,7 @@ module {{ prefix }}tb_traverse #(
     end
   end
 
-  // The pyramid, a word a clock.
+  // Loads the pyramid, one word per clock.
   task automatic load_word;
     integer got;
     reg [63:0] word;
@@ -288,7 +289,7 @@ module {{ prefix }}tb_traverse #(
     end
   endtask
 
-  // The next ray of the file goes to the input. The tag's bits above those that tell rays apart are random: they travel too.
+  // Drives the next ray of the file. The tag's bits above TagBits are random: they must come back.
   task automatic send_ray(input reg [TagBits-1:0] low);
     integer b;
     integer got;
@@ -310,7 +311,7 @@ module {{ prefix }}tb_traverse #(
     end
   endtask
 
-  // The files of the set from their first row on.
+  // Starts the files of the set again at their first row.
   task automatic rewind_set;
     integer rows_in;
     integer rows_out;
@@ -332,8 +333,8 @@ module {{ prefix }}tb_traverse #(
     end
   endtask
 
-  // Rays that reset throws away; nothing of them may come out afterwards. What is offered in the
-  // clock of a reset counts as never sent.
+  // Rays that a reset discards: none may have a result. A ray that is valid in the clock of the
+  // reset has not been sent.
   task automatic flood;
     begin
       load_en <= 1'b0;
@@ -350,7 +351,7 @@ module {{ prefix }}tb_traverse #(
     end
   endtask
 
-  // A reset while rays are on their way.
+  // A reset while rays are in flight.
   task automatic reset_inside;
     begin
       rst <= 1'b1;
@@ -360,7 +361,7 @@ module {{ prefix }}tb_traverse #(
     end
   endtask
 
-  // The set has passed: once more, with everything that happens at both sides.
+  // The set has passed: once more, with all disturbances at input and output.
   task automatic start_again;
     begin
       again <= 1'b0;
@@ -374,7 +375,7 @@ module {{ prefix }}tb_traverse #(
     end
   endtask
 
-  // A result that was expected is compared, field by field.
+  // Compares an expected result, field by field.
   task automatic take_result;
     reg row_wrong;
     begin
@@ -404,7 +405,7 @@ module {{ prefix }}tb_traverse #(
     end
   endtask
 
-  // A ray that was accepted: from here on its result is expected under its tag.
+  // Input transfer: from here on the ray's result is expected under its tag.
   task automatic note_ray;
     integer got;
     reg bad;
@@ -435,14 +436,14 @@ module {{ prefix }}tb_traverse #(
     end
   endtask
 
-  // Offers the next ray where the last one has been accepted.
+  // Presents the next ray once the last one has been accepted.
   task automatic offer;
     reg [TagBits-1:0] low;
 {%- if lingers %}
     integer b;
 {%- endif %}
     begin
-      // A tag that a reset met is not used at once: a result that comes all the same is told apart.
+      // The tag of a ray that a reset discarded is not used next, so that a stale result shows.
       low = (accepted || rst) ? next_tag + 1'b1 : next_tag;
       if (accepted || !in_valid || rst) begin
 {%- if lingers %}
@@ -460,7 +461,7 @@ module {{ prefix }}tb_traverse #(
     end
   endtask
 
-  // How it went, once every ray is back or none comes any more.
+  // The verdict, once every ray has its result or no more results come.
   task automatic verdict;
     reg [63:0] word;
     integer got_stim;
@@ -540,7 +541,7 @@ module {{ prefix }}tb_traverse #(
                  checked);
         finish(8'd1);
       end else if (taken && !expected) begin
-        $display("FAIL tb_traverse: a result with tag %h came that nobody expected, after %0d",
+        $display("FAIL tb_traverse: an unexpected result, with tag %h, after %0d",
                  out_tag, checked);
         finish(8'd7);
       end else if (all_back && quiet > 2 * WarmUp) begin

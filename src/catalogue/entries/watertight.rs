@@ -1,18 +1,31 @@
 //! Units that the watertight datapath alone has.
 use super::super::datapath::WATERTIGHT;
-use super::super::ray_stimulus::{both_axes, one_axis, one_axis_in_node, whole_ray};
+use super::super::ray_stimulus::{both_axes, first_axis, one_axis, one_axis_in_node, whole_ray};
+use super::super::row::Row;
 use super::super::unit::Unit;
 use super::float::FP_MUL;
 use super::some_level;
 use super::traversal::kept_in_node;
+use crate::bits::mask;
 use crate::config::{Design, TraverseConfig};
+use crate::format::FloatFormat;
 use crate::golden::float as gf;
 use crate::golden::{Datapath, RayInput, Watertight};
 use crate::proofs::{BIT_LEVEL, PROOF, Proof};
 
 /// The entries.
-pub const UNITS: &[&Unit] =
-    &[&PLANE_TIME, &HEIGHT_TEST, &PREDICTED_HIT, &NODE_CROSSING, &RAY_SETUP, &HIT_POSITION, &CHORD_END];
+pub const UNITS: &[&Unit] = &[
+    &PLANE_TIME,
+    &HEIGHT_TEST,
+    &PREDICTED_HIT,
+    &NODE_CROSSING,
+    &AXIS_SCALE,
+    &AXIS_SLOPE,
+    &AXIS_ENDS,
+    &RAY_SETUP,
+    &HIT_POSITION,
+    &CHORD_END,
+];
 
 /// Parameter values at which two chains of an adder and a multiplier are compared.
 const TINY: &[(&str, i64)] = &[("EXP_W", 4), ("MAN_W", 2), ("IDX_W", 5)];
@@ -74,6 +87,64 @@ static NODE_CROSSING: Unit = Unit {
     stimulus: Some(both_axes),
     ..WATERTIGHT
 };
+
+static AXIS_SCALE: Unit = Unit {
+    name: "axis_scale",
+    model: Some(|c, row, out| {
+        let (f, n) = (c.design.format, u64::from(c.param("LEVELS")));
+        let (frac, exp) = (f.man_mask(), |x: u64| (x & !f.sign_bit()) >> f.man);
+        let number = |x: u64| if exp(x) == 0 { 0 } else { ((exp(x) + n) & mask(f.exp)) << f.man | x & frac };
+        let end = |bits: u32| gf::from_int(f, 1 << bits);
+        let [p, d] = ["p", "d"].map(|port| row[port]);
+        let size = d & !f.sign_bit();
+        let enters = exp(p) == 0 || p & f.sign_bit() == 0 && gf::lt(f, p, end(0));
+        out["ok"] = u64::from(enters && gf::lt(f, size, end(c.param("TILE_W"))));
+        out["p_texels"] = number(p);
+        out["d_texels"] = d & f.sign_bit() | number(d);
+    }),
+    stimulus: Some(first_axis),
+    ..WATERTIGHT
+};
+
+static AXIS_SLOPE: Unit = Unit {
+    name: "axis_slope",
+    model: Some(|c, row, out| {
+        let levels = c.param("LEVELS");
+        // Tiles and the hit position are no matter of this unit, but of the bits of an index.
+        let tile_bits = c.idx_w.saturating_sub(levels + 2).max(1);
+        let traverse = TraverseConfig { frac_bits: 1, tile_bits, ..c.design.traverse };
+        let g = Watertight::prepare(&Design { traverse, ..c.design }).expect("the set's parameters are legal");
+        let a = g.scaled_axis(row["p"], row["dn"]);
+        out["p_back"] = a.pb;
+        out["d"] = a.dt;
+        out["r"] = a.r;
+        out["never"] = u64::from(a.never);
+        // Only a trim asks for these.
+        out.set("p_ahead", a.pf);
+        out.set("farthest", c.index(a.le));
+    }),
+    legal: Some(|c, row| a_number(c.design.format, row, "dn")),
+    stimulus: Some(one_axis),
+    ..WATERTIGHT
+};
+
+static AXIS_ENDS: Unit = Unit {
+    name: "axis_ends",
+    model: Some(|c, row, out| {
+        let f = c.design.format;
+        out["first"] = c.index(gf::to_int(f, row["p"], c.idx_w));
+        out["last"] = c.index(gf::to_int(f, gf::add(f, row["p"], row["dn"]), c.idx_w));
+    }),
+    stimulus: Some(one_axis),
+    ..WATERTIGHT
+};
+
+/// Makes the word of a port a finite number: of infinity and NaN the top bit of the exponent goes.
+fn a_number(f: FloatFormat, row: &mut Row<'_>, port: &str) {
+    if row[port] & f.infinity() == f.infinity() {
+        row[port] ^= f.infinity() & !(f.infinity() >> 1);
+    }
+}
 
 static RAY_SETUP: Unit = Unit {
     name: "ray_setup",

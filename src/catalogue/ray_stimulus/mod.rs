@@ -41,6 +41,11 @@ pub fn whole_ray(s: &RaySample, port: &str) -> Option<u64> {
     ["u", "v", "du", "dv"].iter().position(|n| *n == port).map(|k| s.ray[k])
 }
 
+/// Of a setup that sees one axis: the ray along u.
+pub fn first_axis(s: &RaySample, port: &str) -> Option<u64> {
+    ["p", "d"].iter().position(|n| *n == port).map(|k| s.ray[2 * k])
+}
+
 /// Texels of the ray's ends.
 pub fn both_ends(s: &RaySample, port: &str) -> Option<u64> {
     let [u, v] = &s.axes;
@@ -61,6 +66,7 @@ pub fn one_axis(s: &RaySample, port: &str) -> Option<u64> {
         "p_back" => a.p_back,
         "p_ahead" => a.p_ahead,
         "d" => a.d,
+        "dn" => a.dn,
         "a" => a.a,
         "s" => a.s,
         "r" => a.r,

@@ -29,6 +29,8 @@ pub(super) struct AxisSample {
     pub(super) d: u64,
     pub(super) a: u64,
     pub(super) s: u64,
+    /// Travel down to the bottom plane, in texels.
+    pub(super) dn: u64,
     /// Reciprocal of the travel, and its power of two.
     pub(super) r: u64,
     pub(super) z: u64,

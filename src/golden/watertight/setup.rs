@@ -83,10 +83,15 @@ impl Watertight {
 
     fn axis(&self, p: u64, d: u64) -> Axis {
         let fmt = self.design.format;
-        let neg = d & fmt.sign_bit() != 0;
         // A multiplication by 2^n is exact, and neither operand is large enough to overflow.
         let p = float::mul(fmt, p & !fmt.sign_bit(), self.texels_per_tile);
-        let dn = float::mul(fmt, d, self.texels_per_tile);
+        self.scaled_axis(p, float::mul(fmt, d, self.texels_per_tile))
+    }
+
+    /// One axis of a ray that enters at `p` and travels `dn`, both in texels; `dn` is a number.
+    pub fn scaled_axis(&self, p: u64, dn: u64) -> Axis {
+        let fmt = self.design.format;
+        let neg = dn & fmt.sign_bit() != 0;
         let r = float::div(fmt, self.bottom, dn);
         let never = matches!(float::decode(fmt, r), Value::Infinite(_));
         let dt = float::mul(fmt, dn, self.inv_bottom);

@@ -47,7 +47,7 @@ fn note(f: FloatFormat) -> String {
     let specials = if f.is_finite() {
         "exponent all ones is a number like the others and results saturate"
     } else {
-        "exponent all ones is infinity (fraction 0) or NaN (one NaN comes out)"
+        "exponent all ones is infinity (fraction 0) or NaN (every NaN result has the same bits)"
     };
     let rounding = match f.rounding {
         Rounding::NearestEven => "nearest, ties to even",

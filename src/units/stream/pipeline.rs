@@ -45,12 +45,13 @@ pub struct Pipeline<'b> {
 impl<'b> Pipeline<'b> {
     /// Declares the pipeline `name`: the nets `<name>_valid`, and `<name>_ready` or, without anything that decouples, `<name>_ce`.
     pub fn declare(b: &'b Builder, name: &'static str, decoupling: Decoupling, out_ready: Sig<'b>) -> Self {
-        let valid = b.wire(&format!("{name}_valid"), 1).doc(&format!("a word is at the end of the {name} pipeline"));
+        let valid =
+            b.wire(&format!("{name}_valid"), 1).doc(&format!("the last stage of the {name} pipeline holds a word"));
         let ready = match decoupling {
             // All stages move while the last one is empty or its word transfers.
             Decoupling::Combinational => (!valid | out_ready).unstaged().named(&format!("{name}_ce")),
             Decoupling::SpillRegister | Decoupling::CreditFifo => {
-                b.wire(&format!("{name}_ready"), 1).doc(&format!("the {name} pipeline takes a word"))
+                b.wire(&format!("{name}_ready"), 1).doc(&format!("the {name} pipeline can take a word"))
             }
         };
         Self { name, decoupling, out_ready, ready, valid }
@@ -81,7 +82,8 @@ impl<'b> Pipeline<'b> {
             &ins,
         );
         let last_valid = o["out_valid"].rebase_stage(0);
-        let words = computed.and(beside.unbundle(o["out_data"].rebase_stage(0)));
+        let delayed = beside.unbundle(o["out_data"].rebase_stage(0));
+        let words = computed.and(delayed.map(|field, v| v.doc(&format!("{field}, delayed beside {name}"))));
         if self.decoupling == Decoupling::Combinational {
             b.connect(self.valid, last_valid);
             return words.named(outer);
@@ -97,6 +99,7 @@ impl<'b> Pipeline<'b> {
         let o = b.instance(&module, &format!("u_{name}_buffer"), &[("W", bundle.width())], &ins);
         b.connect(self.ready, o[ready].unstaged());
         b.connect(self.valid, o["out_valid"].unstaged());
-        words.unbundle(o["out_data"]).named(outer)
+        let buffered = words.unbundle(o["out_data"]);
+        buffered.map(|field, v| v.named(&format!("{outer}_{field}")).doc(&format!("{inner}_{field} after the buffer")))
     }
 }

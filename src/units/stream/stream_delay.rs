@@ -21,8 +21,8 @@ fn build(name: &str, clocks: u32, with_valid: bool) -> Arc<Module> {
     b.clock_enable();
     if with_valid {
         b.reset();
-        let valid = b.input("in_valid", 1, "bit", "the word counts").named("valid").valid();
-        let port = b.output("out_valid", 1, "bit", "the delayed word counts");
+        let valid = b.input("in_valid", 1, "bit", "the word is valid").named("valid").valid();
+        let port = b.output("out_valid", 1, "bit", "the delayed word is valid");
         b.drive(port, valid, Some(clocks));
     }
     let data = b.input("in_data", &w, "bits", "the word").named("data");

@@ -29,7 +29,7 @@ pub fn height_banks(addr: u32, data: u32, depth: u32) -> Arc<Module> {
     b.input_static("write_addr", &addr_w, "words", "where");
     b.input_static("write_data", &data_w, "bits", "what");
     b.input("read_addr", &addr_w, "words", "where to read");
-    b.output("read_data", &data_w, "bits", "the word, two clocks later");
+    b.output("read_data", &data_w, "bits", "the word read, two clocks after its address");
     finish_primitive(b, Prim::Banks, 2)
 }
 

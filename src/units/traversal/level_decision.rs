@@ -38,7 +38,7 @@ pub fn level_decision(d: &Design, time: &TimeWord) -> Arc<Module> {
     for axis in ["x", "y"] {
         let at = b.input(&format!("{axis}_at"), &idx, "texels", "a texel of this node");
         let down = b.input(&format!("{axis}_down"), &idx, "texels", "texel of the child");
-        let beyond = b.input(&format!("{axis}_beyond"), &idx, "texels", "texel behind the exit plane");
+        let beyond = b.input(&format!("{axis}_beyond"), &idx, "texels", "first texel beyond the exit plane");
         axes.push((at, down, beyond));
     }
     let o_hit = b.output("hit", 1, "bit", "the ray ends here");

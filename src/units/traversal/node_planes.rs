@@ -24,10 +24,11 @@ pub fn node_planes(d: &Design, parity: bool) -> Arc<Module> {
     let level = b.input("level", &level_w, "levels", "0 .. LEVELS");
     let x = b.input("x", &idx, "texels", "any texel of the node");
     let minus = b.input("neg", 1, "bit", "the ray runs toward smaller coordinates");
-    let low = b.output("low", &idx, "texels", "least texel that a descent may go to: never behind x");
-    let high = b.output("high", &idx, "texels", "greatest texel that a descent may go to: never behind x");
+    let low = b.output("low", &idx, "texels", "least texel that a descent may enter: none that the ray has passed");
+    let high =
+        b.output("high", &idx, "texels", "greatest texel that a descent may enter: none that the ray has passed");
     let plane = b.output("plane", &idx, "texels", "coordinate of the exit plane");
-    let beyond = b.output("beyond", &idx, "texels", "the texel just behind the exit plane");
+    let beyond = b.output("beyond", &idx, "texels", "the first texel beyond the exit plane");
     let even = parity.then(|| b.output("even", 1, "bit", "the plane also bounds the parent node"));
 
     let stage = (clocks > 0).then_some(clocks);

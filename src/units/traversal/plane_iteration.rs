@@ -25,7 +25,7 @@ pub fn plane_iteration<'b>(
     let chosen = if d.latency.node > 1 { ray.reg() } else { ray.clone() };
     let ray = &chosen;
 
-    b.section("node", "Extent and exit planes of the node, and its place in memory.");
+    b.section("node", "Extent and exit planes of the node, and its address in memory.");
     let parity = reads_parity(d);
     let planes = |axis: &str, x: Sig<'b>, neg: Sig<'b>| {
         let ins = [("level", ray.get("level")), ("x", x), ("neg", neg)];
@@ -133,7 +133,7 @@ pub fn plane_iteration<'b>(
 
     b.section(
         "step limit",
-        "A finished ray takes no more steps. One that ends without a hit is given up: also in a simulation that does not know if it is one.",
+        "A finished ray takes no more steps. One that ends without a hit is given up, in simulation also one whose hit is unknown (x).",
     );
     // Nor does one whose height is not there yet.
     let waits = heights.missed;

@@ -128,7 +128,7 @@ fn in_registers(d: &Design, source: &dyn HeightSource) -> Traverse {
     rays.ready(&b, setup.ready);
     let accept = (setup.valid & slot_ready).named("accept");
 
-    b.section("slot", "Stage 0 holds the new ray, or the one that recirculates.");
+    b.section("slot", "A slot holds the new ray, or the one that recirculates.");
     let new = heights.first(Ray::fresh(&b, &fields, |name| new[name], new["tag"]), accept);
     let (enters, entering) = match exchange.as_ref().zip(returns) {
         Some((e, returns)) => ((accept | returns).named("enters"), new.or_else(returns, &e.ray)),
@@ -180,9 +180,9 @@ fn in_registers(d: &Design, source: &dyn HeightSource) -> Traverse {
 fn idle<'b>(b: &'b Builder, in_transfer: Sig<'b>, out_transfer: Sig<'b>, most: u32) -> Sig<'b> {
     b.section("idle", "Rays in flight: input transfers less output transfers, counted one clock late.");
     let width = u32::BITS - most.leading_zeros();
-    let entered = b.loop_reg("in_transfer_q", 1, true).doc("a ray entered in the clock before");
-    let left = b.loop_reg("out_transfer_q", 1, true).doc("a result left in the clock before");
-    let inside = b.loop_reg("in_flight", width, true).doc("rays in flight, up to the clock before that [rays]");
+    let entered = b.loop_reg("in_transfer_q", 1, true).doc("input transfer in the previous clock");
+    let left = b.loop_reg("out_transfer_q", 1, true).doc("output transfer in the previous clock");
+    let inside = b.loop_reg("in_flight", width, true).doc("rays in flight, counted one clock late [rays]");
     let any = b.loop_reg("any_in_flight", 1, true).doc("in_flight is not 0");
     let down = (left & !entered).named("in_flight_down");
     let change = b.cat(&[down.rep(width - 1), entered ^ left]);

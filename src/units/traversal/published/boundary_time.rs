@@ -1,4 +1,4 @@
-//! `boundary_time`: the ray parameter just behind a plane, (plane +- nudge - p) / d, by a divider in the loop
+//! `boundary_time`: the ray parameter just beyond a plane, (plane +- nudge - p) / d, by a divider in the loop
 //! (PIDM-HW section 4.2, table 1).
 //!
 //! The nudge is this project's: without it a crossing position often rounds back into the node that it should leave, and
@@ -24,7 +24,7 @@ pub fn nudge_width(b: &Builder, d: &Design) -> Expr {
 
 /// Builds `boundary_time`.
 pub fn boundary_time(d: &Design) -> Arc<Module> {
-    let b = Builder::new("boundary_time", file!(), "ray parameter just behind a plane: (plane +- nudge - p) / d");
+    let b = Builder::new("boundary_time", file!(), "ray parameter just beyond a plane: (plane +- nudge - p) / d");
     let f = FormatParams::declare(&b, d.format);
     let idx = index_width(&b, &d.traverse, None);
     let nudge = nudge_width(&b, d);

@@ -1,4 +1,7 @@
 //! The watertight datapath: parameters of integer planes, compared in floating point (`docs/datapath.md`).
+mod axis_ends;
+mod axis_scale;
+mod axis_slope;
 mod chord_end;
 mod height_test;
 mod hit_position;
@@ -7,6 +10,9 @@ mod plane_time;
 mod predicted_hit;
 mod ray_setup;
 
+pub use axis_ends::axis_ends;
+pub use axis_scale::axis_scale;
+pub use axis_slope::axis_slope;
 pub use chord_end::chord_end;
 pub use height_test::height_test;
 pub use hit_position::hit_position;
@@ -33,6 +39,8 @@ pub(super) static DATAPATH: Datapath = Datapath {
     steps: |d| {
         let mut list = vec![plane_time(d), height_test(d), predicted_hit(d), node_crossing(d)];
         list.extend((d.mode.trim != Trim::None).then(|| chord_end(d)));
+        list.extend([axis_scale(d), axis_slope(d)]);
+        list.extend(d.mode.start_level.then(|| axis_ends(d)));
         list
     },
     declare: |b, d| Some(FormatParams::declare(b, d.format)),

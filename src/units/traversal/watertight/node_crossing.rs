@@ -23,7 +23,12 @@ pub fn node_crossing(d: &Design) -> Arc<Module> {
     let t_y = b.input("t_y", &f.width, "float, height codes", "parameter of the v exit plane");
     let inside = b.output("is_inside", 1, "bit", "the height is met before the ray leaves");
     let x_first = b.output("x_first", 1, "bit", "the u plane comes first, or both at once");
-    let t_next = b.output("t_next", &f.width, "float, height codes", "parameter behind the exit plane, never before t");
+    let t_next = b.output(
+        "t_next",
+        &f.width,
+        "float, height codes",
+        "parameter after a crossing: that of the exit plane, at least t",
+    );
     let lt = fp_lt(d.format, d.latency.compare);
 
     b.section("compare", "All five comparisons at once; the selects follow.");

@@ -1,0 +1,1 @@
+relief_axis_scale.v

@@ -1,0 +1,37 @@
+//! `axis_ends`: the texels, along one axis, of a ray's entry and of the point where it meets the bottom plane.
+use crate::config::{Design, LatencyConfig};
+use crate::ir::{Builder, Module};
+use crate::units::float::{FormatParams, bindings, fp_add, fp_to_int};
+use crate::units::traversal::params::index_width;
+use std::sync::Arc;
+
+/// Clocks through `axis_ends`.
+pub fn latency(l: &LatencyConfig) -> u32 {
+    l.add + l.to_int
+}
+
+/// Builds `axis_ends`, for designs that find a start level.
+pub fn axis_ends(d: &Design) -> Arc<Module> {
+    let b =
+        Builder::new("axis_ends", file!(), "texels of a ray's entry and end along one axis: floor(p), floor(p + d)");
+    let f = FormatParams::declare(&b, d.format);
+    let idx = index_width(&b, &d.traverse, None);
+    b.require(2, &idx);
+    b.clock();
+    b.clock_enable();
+    let p = b.input("p", &f.width, "float, texels", "entry point");
+    let travel = b.input("dn", &f.width, "float, texels", "travel down to the bottom plane");
+    let o_first = b.output("first", &idx, "texels", "texel of the entry point");
+    let o_last = b.output("last", &idx, "texels", "texel of the rounded end point p + dn");
+    b.section("texels", "");
+    let to = fp_to_int(d.format, d.traverse.idx_bits(), d.latency.to_int);
+    let texel = |at, unit: &str| b.inst(&to, unit, &[("INT_W", idx.clone())], &[("a", at)])[0];
+    let first = texel(p, "u_first").named("entry_texel").doc("floor of p [texels]");
+    let end = b.inst(&fp_add(d.format, d.latency.add), "u_end", &[], &[("a", p), ("b", travel)])[0];
+    let end = end.named("end_point").doc("p + dn [float, texels]");
+    let last = texel(end, "u_last").named("end_texel").doc("floor of end_point [texels]");
+    let l = latency(&d.latency);
+    b.drive(o_first, first, Some(l));
+    b.drive(o_last, last, Some(l));
+    b.finish(Some(l), &bindings())
+}

@@ -1,0 +1,131 @@
+//! `axis_slope`: a ray's constants along one axis, from entry point and travel in texels. What each is, to the bit: `docs/datapath.md`, "Once
+//! per ray".
+use crate::config::{Design, LatencyConfig, Trim};
+use crate::ir::{Binding, Builder, Expr, Module, Sig};
+use crate::units::float::{FormatParams, fp_add, fp_div, fp_mul, fp_to_int};
+use crate::units::traversal::params::{LevelParams, index_width};
+use std::sync::Arc;
+
+/// Clocks through `axis_slope`.
+pub fn latency(d: &Design) -> u32 {
+    let l: &LatencyConfig = &d.latency;
+    let ahead = if d.mode.trim == Trim::None { 0 } else { bias_clocks(l) + 2 * l.add + l.to_int };
+    l.div.max(l.mul).max(bias_clocks(l) + l.add).max(ahead)
+}
+
+/// The bias waits for the scaled exponent, and a sum waits for it. Its own sum, comparison and difference can have a clock each.
+fn bias_clocks(l: &LatencyConfig) -> u32 {
+    l.node.min(1) + 2 * l.setup
+}
+
+/// Builds `axis_slope`.
+pub fn axis_slope(d: &Design) -> Arc<Module> {
+    let t = &d.traverse;
+    let b =
+        Builder::new("axis_slope", file!(), "a ray's constants along one axis: slope, its reciprocal, biased entry");
+    let f = FormatParams::declare(&b, d.format);
+    let levels = LevelParams::declare(&b, t).levels;
+    let height = b.param("HEIGHT_W", t.height_bits, "bits of a height code");
+    let trims = d.mode.trim != Trim::None;
+    let idx = trims.then(|| index_width(&b, t, None));
+    b.require(2, &height);
+    b.require(&height, 16);
+    b.require(&height, &f.man + 1);
+    b.require(7, &f.man);
+    b.require(&height + 2, f.bias());
+    b.require(&f.man, f.bias() + &levels);
+    b.require(&levels + 2, f.bias());
+    if let Some(idx) = &idx {
+        b.require(2, idx);
+        b.require(idx - 1, f.bias());
+        // What underflows must stay below the bias of a chord's end.
+        b.require(&f.man + 4, f.bias());
+    }
+    let div = fp_div(d.format, &d.latency);
+    // A divider of many stages needs as many rows to cut: what it asks of MAN_W holds here too.
+    b.require_as(&div);
+    b.clock();
+    b.clock_enable();
+    let p = b.input("p", &f.width, "float, texels", "entry point");
+    let dn = b.input("dn", &f.width, "float, texels", "travel down to the bottom plane");
+    let o_back = b.output("p_back", &f.width, "float, texels", "entry point, biased against the direction");
+    let o_d = b.output("d", &f.width, "float, texels per height code", "direction");
+    let o_r = b.output("r", &f.width, "float, height codes per texel", "reciprocal direction");
+    let o_never = b.output("never", 1, "bit", "the ray does not move along this axis");
+    let o_ahead = idx.as_ref().map(|idx| {
+        let p = b.output("p_ahead", &f.width, "float, texels", "entry point, biased in the direction");
+        (p, b.output("farthest", idx, "texels", "a texel that the ray does not get beyond"))
+    });
+    let l = latency(d);
+
+    b.section("slope", "Direction and its reciprocal per height code: dn / M and M / dn, with M = 2^HEIGHT_W - 1.");
+    let r = b.inst(&div, "u_div", &[], &[("a", bottom(&b, &f, &height)), ("b", dn)])[0];
+    let by_bottom = recip_of_bottom(&b, &f, &height);
+    let direction = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dn), ("b", by_bottom)])[0];
+    let r = r.named("height_per_texel").doc("M / dn [float]");
+    let direction = direction.named("direction").doc("dn / M [float]");
+    let dn_exp = dn.slice(f.man.clone(), f.exp.clone());
+    let is_zero = dn_exp.none().named("is_zero");
+    let never = (r.slice(f.man.clone(), f.exp.clone()).all() | is_zero).named("never_moves");
+    b.drive(o_r, r, Some(l));
+    b.drive(o_d, direction, Some(l));
+    b.drive(o_never, never, Some(l));
+
+    b.section("bias", "A power of two above the error of an estimated position, applied against the direction.");
+    let neg = dn.msb().named("neg");
+    let bias_exp = bias_exponent(&b, d, &f, &levels, dn_exp);
+    let add = fp_add(d.format, d.latency.add);
+    let bias = |sign, net: &str| {
+        let bias = b.cat(&[sign, bias_exp, b.zeros(&f.man)]).named(net);
+        if d.latency.node > 0 { bias.reg() } else { bias }
+    };
+    let back = b.inst(&add, "u_back", &[], &[("a", p), ("b", bias((!neg).named("forward"), "bias"))])[0];
+    b.drive(o_back, back.named("moved_back").doc("p + bias [float]"), Some(l));
+
+    if let Some((o_p, o_farthest)) = o_ahead {
+        b.section(
+            "ahead",
+            "The same bias along the direction. A direction that underflows to 0 says nothing about the way: then the \
+             end of the ray.",
+        );
+        let moved = b.inst(&add, "u_ahead", &[], &[("a", p), ("b", bias(neg, "bias_ahead"))])[0];
+        let begin = is_zero.mux(p, moved.named("moved_ahead").doc("p + bias_ahead [float]")).named("begin_point");
+        let end = b.inst(&add, "u_whole", &[], &[("a", begin), ("b", dn)])[0];
+        let end = end.named("end_point").doc("begin_point + dn [float]");
+        let no_direction = direction.slice(f.man.clone(), f.exp.clone()).none().named("no_direction");
+        let to = fp_to_int(d.format, t.idx_bits(), d.latency.to_int);
+        let texel = b.inst(&to, "u_farthest", &[("INT_W", idx.expect("a trim has it"))], &[("a", end)])[0];
+        b.drive(o_p, no_direction.mux(end, begin).named("begin_ahead"), Some(l));
+        b.drive(o_farthest, texel.named("end_texel").doc("floor of end_point [texels]"), Some(l));
+    }
+    let at = |l: i64, h: i64| Binding::from([("LEVELS".into(), l), ("HEIGHT_W".into(), h)]);
+    let fmt = Binding::from([("EXP_W".into(), 8), ("MAN_W".into(), 23)]);
+    b.finish(Some(l), &[at(2, 8), at(12, 8), at(12, 16), at(2, 2), fmt])
+}
+
+/// M = 2^HEIGHT_W - 1, encoded: the ray parameter at the bottom plane.
+fn bottom<'b>(b: &'b Builder, f: &FormatParams, height: &Expr) -> Sig<'b> {
+    let exp = b.konst(f.bias() + height - 1, &f.exp).named("m_exp");
+    let frac = b.konst(f.man.pow2() - (&f.man - height + 1).pow2(), &f.man).named("m_frac");
+    b.cat(&[b.zeros(1), exp, frac])
+}
+
+/// 1 / M, encoded: its significand is rounded to nearest.
+fn recip_of_bottom<'b>(b: &'b Builder, f: &FormatParams, height: &Expr) -> Sig<'b> {
+    let exp = b.konst(f.bias() - height, &f.exp).named("recip_exp");
+    let two_m = height.pow2() * 2 - 2;
+    let significand = ((height + &f.man + 1).pow2() + height.pow2() - 1).div(two_m);
+    b.cat(&[b.zeros(1), exp, b.konst(significand, &f.man).named("recip_frac")])
+}
+
+/// Exponent of the bias: that of LEVELS + 2, or of 2^5 times the travel `dn`, less the bits of a significand.
+fn bias_exponent<'b>(b: &'b Builder, d: &Design, f: &FormatParams, levels: &Expr, dn_exp: Sig<'b>) -> Sig<'b> {
+    let wide = &f.exp + 1;
+    let step = |v: Sig<'b>| if d.latency.setup > 0 { v.reg() } else { v };
+    let least = b.konst(f.bias() + levels + 2, &wide).named("least_exp");
+    let error_exp = step((dn_exp.zext(&wide) + b.lit(5, &wide)).named("error_exp"));
+    let top = step(least.lt(error_exp).mux(error_exp, least).named("bias_top"));
+    let exp = (top - b.konst(&f.man + 1, &wide).named("sig_bits")).named("bias_exp");
+    b.unused(exp.msb());
+    exp.slice(0, f.exp.clone())
+}

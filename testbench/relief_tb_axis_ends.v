@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT OR Apache-2.0
+// relief_tb_axis_ends: replays the golden vectors of axis_ends with random clock-enable gaps.
+//   +vectors=DIR   directory with stimulus.hex and expected.hex (default golden/axis_ends)
+// Ends with one line, PASS or FAIL, and exit_code: 0 ok, 1 mismatch, 2 unreadable vectors,
+// 5 nothing ran, 6 a result never came, 7 an unexpected result.
+`default_nettype none
+module relief_tb_axis_ends #(
+  parameter integer EXP_W = 7,
+  parameter integer MAN_W = 16,
+  parameter integer IDX_W = 14
+) (
+  input  wire       clk,
+  output reg        done,
+  output reg  [7:0] exit_code
+);
+  localparam integer Latency = 5;
+  // Bits of a row, as the files announce them.
+  localparam integer InW =
+    (EXP_W+MAN_W+1) +
+    (EXP_W+MAN_W+1);
+  localparam integer OutW =
+    (IDX_W) +
+    (IDX_W);
+
+  reg [8*1000-1:0] dir;
+  integer stim_fd;
+  integer exp_fd;
+  integer stim_left;
+  integer exp_left;
+  integer stim_bits;
+  integer exp_bits;
+  integer checked;
+  integer wrong;
+  integer drain;
+  reg [31:0] lfsr;
+
+  reg        ce;
+  reg        in_valid;
+  reg [Latency:0] travel;
+  reg  [EXP_W+MAN_W:0] in_p;
+  reg  [EXP_W+MAN_W:0] in_dn;
+  wire [IDX_W-1:0] out_first;
+  wire [IDX_W-1:0] out_last;
+  wire       out_valid = (Latency == 0) ? in_valid : travel[Latency];
+
+  relief_axis_ends #(
+    .EXP_W(EXP_W),
+    .MAN_W(MAN_W),
+    .IDX_W(IDX_W),
+    .LATENCY(5),
+    .VARIANT(32'h3eeb03e4)
+  ) dut (
+    .clk(clk),
+    .ce(ce),
+    .p(in_p),
+    .dn(in_dn),
+    .first(out_first),
+    .last(out_last)
+  );
+
+  // Yosys has no files and no delays: it sees the module under test and its parameters alone.
+`ifndef YOSYS
+  // The head of a file: a comment, then the number of rows and the bits of a row.
+  task automatic read_head(input integer fd, output integer rows, output integer bits);
+    integer c;
+    begin
+      c = $fgetc(fd);
+      while (c != 10 && c >= 0) c = $fgetc(fd);
+      rows = 0;
+      bits = 0;
+      if (fd != 0) c = $fscanf(fd, "%h %h", rows, bits);
+      if (c != 2) rows = 0;
+    end
+  endtask
+
+  initial begin
+    done = 1'b0;
+    exit_code = 8'd0;
+    checked = 0;
+    wrong = 0;
+    drain = 0;
+    lfsr = 32'h1234_5678;
+    ce = 1'b0;
+    in_valid = 1'b0;
+    travel = 0;
+    in_p = 0;
+    in_dn = 0;
+    stim_left = 0;
+    exp_left = 0;
+    if ($value$plusargs("vectors=%s", dir) == 0) dir = "golden/axis_ends";
+    stim_fd = $fopen($sformatf("%0s/stimulus.hex", dir), "r");
+    exp_fd = $fopen($sformatf("%0s/expected.hex", dir), "r");
+    if (stim_fd == 0 || exp_fd == 0) begin
+      $display("FAIL tb_axis_ends: %0s in %0s",
+               "cannot read stimulus.hex and expected.hex", dir);
+      exit_code = 8'd2;
+      done = 1'b1;
+    end else begin
+      read_head(stim_fd, stim_left, stim_bits);
+      read_head(exp_fd, exp_left, exp_bits);
+      if ((stim_left == 0 && exp_left == 0) || stim_bits == 0 || exp_bits == 0) begin
+        $display("FAIL tb_axis_ends: no vectors in %0s, nothing ran", dir);
+        exit_code = 8'd5;
+        done = 1'b1;
+      end else if (stim_bits != InW || exp_bits != OutW) begin
+        $display("FAIL tb_axis_ends: rows of %0d and %0d bits in %0s,",
+                 stim_bits, exp_bits, dir, " these parameter values need %0d and %0d", InW, OutW);
+        exit_code = 8'd2;
+        done = 1'b1;
+      end
+    end
+  end
+
+  // One clock. What is needed within the clock alone is local to the task.
+  task automatic step;
+    integer got;
+    integer got_exp;
+    reg [63:0] word;
+    reg bad_in;
+    reg bad_out;
+    reg row_wrong;
+    begin
+      bad_in = 1'b0;
+      bad_out = 1'b0;
+      row_wrong = 1'b0;
+      travel <= (travel << 1) | (in_valid ? 2 : 0);
+      if (out_valid && exp_left != 0) begin
+        got = $fscanf(exp_fd, "%h", word);
+        if (got != 1 || (word >> (IDX_W)) != 0) bad_out = 1'b1;
+        if (out_first !== word[IDX_W-1:0]) begin
+          if (wrong < 10)
+            $display("vector %0d, first: expected %h, got %h",
+                     checked, word[IDX_W-1:0], out_first);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=axis_ends row=%0d port=first exp=%h got=%h",
+                     checked, word[IDX_W-1:0], out_first);
+          row_wrong = 1'b1;
+        end
+        got = $fscanf(exp_fd, "%h", word);
+        if (got != 1 || (word >> (IDX_W)) != 0) bad_out = 1'b1;
+        if (out_last !== word[IDX_W-1:0]) begin
+          if (wrong < 10)
+            $display("vector %0d, last: expected %h, got %h",
+                     checked, word[IDX_W-1:0], out_last);
+          if (wrong == 0 && !row_wrong)
+            $display("@fail unit=axis_ends row=%0d port=last exp=%h got=%h",
+                     checked, word[IDX_W-1:0], out_last);
+          row_wrong = 1'b1;
+        end
+        checked <= checked + 1;
+        exp_left <= exp_left - 1;
+        if (row_wrong) wrong <= wrong + 1;
+      end
+      if (stim_left > 0) begin
+        got = $fscanf(stim_fd, "%h", word);
+        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        in_p <= word[EXP_W+MAN_W:0];
+        got = $fscanf(stim_fd, "%h", word);
+        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        in_dn <= word[EXP_W+MAN_W:0];
+        in_valid <= 1'b1;
+        stim_left <= stim_left - 1;
+      end else begin
+        in_valid <= 1'b0;
+        drain <= drain + 1;
+      end
+      if (bad_in || bad_out) begin
+        $display("FAIL tb_axis_ends: %0s.hex holds other rows than it announces",
+                 bad_in ? "stimulus" : "expected");
+        exit_code <= 8'd2;
+        done <= 1'b1;
+      end else if (out_valid && exp_left == 0) begin
+        $display("FAIL tb_axis_ends: %0s, after %0d",
+                 "an unexpected result", checked);
+        exit_code <= 8'd7;
+        done <= 1'b1;
+      end else if (drain > Latency + 4) begin
+        done <= 1'b1;
+        got = $fscanf(stim_fd, "%h", word);
+        got_exp = $fscanf(exp_fd, "%h", word);
+        if (exp_left > 0) begin
+          $display("FAIL tb_axis_ends: vector %0d was expected and never came", checked);
+          exit_code <= 8'd6;
+        end else if (got == 1 || got_exp == 1) begin
+          $display("FAIL tb_axis_ends: %0s in %0s holds more rows than it announces",
+                   "stimulus.hex or expected.hex", dir);
+          exit_code <= 8'd2;
+        end else if (wrong > 0) begin
+          $display("@done unit=axis_ends checked=%0d wrong=%0d", checked, wrong);
+          $display("FAIL tb_axis_ends: %0d of %0d mismatched", wrong, checked);
+          exit_code <= 8'd1;
+        end else begin
+          $display("@done unit=axis_ends checked=%0d wrong=0", checked);
+          $display("PASS tb_axis_ends: 0 of %0d mismatched", checked);
+        end
+      end
+    end
+  endtask
+
+  always @(posedge clk) begin
+    if (!done) begin
+      lfsr <= {lfsr[30:0], lfsr[31] ^ lfsr[21] ^ lfsr[1] ^ lfsr[0]};
+      ce <= lfsr[3] | lfsr[7];
+      if (ce) step;
+    end
+  end
+`endif
+endmodule
+`ifndef YOSYS
+`default_nettype wire
+`endif
