@@ -1,6 +1,7 @@
 //! Which operands a unit can get, as a condition over bits: a second time, beside the catalogue's, which makes a row legal.
 use super::aig::{Aig, Lit, TRUE};
 use super::blast::{Bits, difference};
+use reliefrtl::config::Design;
 use std::collections::BTreeMap;
 
 /// 1 where the operands of `unit` are legal. Ports of a level hold at most `levels`.
@@ -23,6 +24,13 @@ pub fn legal(unit: &str, levels: u32, g: &mut Aig, ports: &BTreeMap<&str, Bits>)
                 let swapped = above(g, &ports[low], &ports[high]);
                 all = g.and(all, swapped ^ 1);
             }
+        }
+        // The travel is a number: its exponent is not all ones.
+        "axis_slope" => {
+            let dn = &ports["dn"];
+            let man = Design::default().format.man as usize;
+            let ones = dn[man..dn.len() - 1].iter().fold(TRUE, |all, bit| g.and(all, *bit));
+            all = g.and(all, ones ^ 1);
         }
         // A bit of headroom: the sign stands twice.
         "level_up" => {

@@ -5,6 +5,7 @@ mod blast;
 mod control;
 pub mod equal;
 mod legal;
+mod parts;
 mod simulated;
 mod survivors;
 
@@ -58,23 +59,25 @@ fn name(net: &Netlist, op: usize) -> String {
 struct Survivor {
     /// Which operation was changed into what.
     name: String,
+    op: usize,
+    what: &'static str,
     net: Netlist,
 }
 
 /// Number of mutants of one unit, and those that live.
 fn mutate(net: &Netlist, latency: usize, set: &VectorSet) -> (usize, Vec<Survivor>) {
-    let all: Vec<(usize, &str, FlatOp)> = net
+    let all: Vec<(usize, &'static str, FlatOp)> = net
         .ops
         .iter()
         .enumerate()
         .flat_map(|(i, op)| neighbours(op).into_iter().map(move |(w, o)| (i, w, o)))
         .collect();
-    let lives = |(i, what, op): &(usize, &str, FlatOp)| {
+    let lives = |(i, what, op): &(usize, &'static str, FlatOp)| {
         let mut other = net.clone();
         other.ops[*i] = *op;
         let name = || format!("{i} {} {:?} -> {what}", name(net, *i), net.ops[*i].kind);
         let report = check_netlist(&other, latency, set).unwrap();
-        (report.mismatched == 0).then(|| Survivor { name: name(), net: other })
+        (report.mismatched == 0).then(|| Survivor { name: name(), op: *i, what, net: other })
     };
     (all.len(), all.par_iter().filter_map(lives).collect())
 }

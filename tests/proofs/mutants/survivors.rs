@@ -1,11 +1,14 @@
 //! What the committed vectors let live: every such mutant is judged, and `data/mutants.json` says how. It computes the same as its original for
 //! every legal operand, or not, with operands that show it, or the comparison did not end in a minute (`RELIEFRTL_SECONDS` sets another limit).
+//! Where it is inside of a part that is a unit, that unit's vectors may notice it: then the larger unit gives the part no operands that do, and it
+//! is counted. What is proved of a part holds wherever it is.
 //! `RELIEFRTL_REFRESH=1 cargo test --release --test proofs survivors -- --ignored` writes the file anew; of a netlist that it knows it takes the
 //! proofs over.
 use super::aig::Aig;
 use super::blast::Bits;
 use super::equal::{Verdict, compare_legal};
 use super::legal::legal;
+use super::parts::copies;
 use super::{Survivor, mutate};
 use rayon::prelude::*;
 use reliefrtl::catalogue::{Context, Modelled, check_netlist, units, vector_set};
@@ -35,6 +38,8 @@ struct Judged {
     /// Digest of the netlist that was mutated.
     netlist: String,
     mutants: usize,
+    /// Survivors inside of a part whose own vectors notice them.
+    in_parts: usize,
     /// Survivors that are proved to compute the same.
     equal: Vec<String>,
     /// Survivors for which the comparison did not end.
@@ -74,6 +79,33 @@ struct Unit {
     net: Netlist,
     mutants: usize,
     survivors: Vec<Survivor>,
+}
+
+/// Where a survivor is in a part: the mutant of the part by its name, where the part's own vectors let it live, too.
+struct InPart<'a> {
+    unit: &'a str,
+    lives: Option<&'a str>,
+}
+
+/// What is known of each survivor of `u` from the units that are parts of it.
+fn in_parts<'a>(u: &Unit, all: &'a [Unit]) -> BTreeMap<String, Vec<InPart<'a>>> {
+    let mut found: BTreeMap<String, Vec<InPart<'a>>> = BTreeMap::new();
+    for part in all.iter().filter(|p| p.module.name != u.module.name && p.mutants > 0) {
+        for ops in copies(&u.net, &part.net) {
+            for s in &u.survivors {
+                let Some(op) = ops.get(&s.op) else { continue };
+                let lives = part.survivors.iter().find(|other| other.op == *op && other.what == s.what);
+                let place = InPart { unit: &part.module.name, lives: lives.map(|l| l.name.as_str()) };
+                found.entry(s.name.clone()).or_default().push(place);
+            }
+        }
+    }
+    found
+}
+
+/// Whether the vectors of a part notice a survivor.
+fn is_noticed(s: &Survivor, places: &BTreeMap<String, Vec<InPart<'_>>>) -> bool {
+    places.get(&s.name).is_some_and(|at| at.iter().any(|p| p.lives.is_none()))
 }
 
 impl Unit {
@@ -119,15 +151,16 @@ impl Unit {
         Verdict::Different(row)
     }
 
-    /// All survivors; what `known` has a proof of is not proved again.
-    fn judged(&self, known: &BTreeSet<&str>) -> Judged {
+    /// All survivors besides those that a part's vectors notice; what `known` has a proof of is not proved again.
+    fn judged(&self, known: &BTreeSet<&str>, places: &BTreeMap<String, Vec<InPart<'_>>>) -> Judged {
         let start = std::time::Instant::now();
         let more = vector_set(&Design::default(), &self.module, &Binding::new(), MORE);
         let judge = |s: &Survivor| match known.contains(s.name.as_str()) {
             true => Verdict::Same,
             false => self.judge(s, &more),
         };
-        let verdicts: Vec<(&String, Verdict)> = self.survivors.par_iter().map(|s| (&s.name, judge(s))).collect();
+        let own: Vec<&Survivor> = self.survivors.iter().filter(|s| !is_noticed(s, places)).collect();
+        let verdicts: Vec<(&String, Verdict)> = own.par_iter().map(|s| (&s.name, judge(s))).collect();
         let those = |what: Verdict| verdicts.iter().filter(|v| v.1 == what).map(|v| v.0.clone()).collect();
         let example = |(name, verdict): &(&String, Verdict)| match verdict {
             Verdict::Different(row) => {
@@ -139,6 +172,7 @@ impl Unit {
             unit: self.module.name.clone(),
             netlist: digest(&self.net),
             mutants: self.mutants,
+            in_parts: self.survivors.len() - own.len(),
             equal: those(Verdict::Same),
             undecided: those(Verdict::Open),
             different: verdicts.iter().filter_map(example).collect(),
@@ -147,9 +181,10 @@ impl Unit {
         let [equal, different, undecided] = counts;
         let killed = j.mutants - self.survivors.len();
         println!(
-            "{:<17} {killed} of {} killed, {equal} equal, {different} different, {undecided} undecided ({:.1?})",
+            "{:<17} {killed} of {} killed, {} by vectors of parts, {equal} equal, {different} different, {undecided} undecided ({:.1?})",
             j.unit,
             j.mutants,
+            j.in_parts,
             start.elapsed()
         );
         j
@@ -172,7 +207,12 @@ fn committed_vectors_kill_the_mutants() {
             problems.push(format!("{name}: its mutants were judged of another netlist"));
             continue;
         };
-        let now: BTreeSet<&str> = u.survivors.iter().map(|s| s.name.as_str()).collect();
+        let places = in_parts(u, &all);
+        let now: BTreeSet<&str> =
+            u.survivors.iter().filter(|s| !is_noticed(s, &places)).map(|s| s.name.as_str()).collect();
+        if u.survivors.len() - now.len() != j.in_parts {
+            problems.push(format!("{name}: {} survivors are noticed in parts", u.survivors.len() - now.len()));
+        }
         let then = j.survivors();
         problems.extend(now.difference(&then).map(|s| format!("{name}: {s} lives and was not judged")));
         problems.extend(then.difference(&now).map(|s| format!("{name}: {s} is killed, and is still in the file")));
@@ -214,13 +254,19 @@ fn survivors_are_judged() {
     let named = std::env::var("RELIEFRTL_UNITS").ok();
     let is_named = |unit: &str| named.as_ref().is_none_or(|n| n.split(',').any(|name| name == unit));
     let mut all: BTreeMap<String, Judged> = old.into_iter().map(|j: Judged| (j.unit.clone(), j)).collect();
-    let units = units(&Design::default());
-    all.retain(|name, _| units.iter().any(|m| m.name == *name));
+    let units = all_units();
+    all.retain(|name, _| units.iter().any(|u| u.module.name == *name));
     let mut problems = Vec::new();
-    for u in units.into_iter().filter(|m| is_named(&m.name)).map(Unit::of) {
+    // Leaves first, so parts are judged before what they are in.
+    for u in units.iter().filter(|u| is_named(&u.module.name)) {
         let then = all.get(&u.module.name).filter(|j| j.netlist == digest(&u.net));
-        let known = then.filter(|_| refresh).into_iter().flat_map(|j| &j.equal).map(String::as_str).collect();
-        let now = u.judged(&known);
+        let places = in_parts(u, &units);
+        let is_present = |j: &&Judged| units.iter().any(|u| u.module.name == j.unit && digest(&u.net) == j.netlist);
+        let equal = |unit: &str| all.get(unit).filter(is_present).map_or(&[][..], |j| &j.equal);
+        let proved = |p: &InPart<'_>| p.lives.is_some_and(|name| equal(p.unit).iter().any(|e| e == name));
+        let of_parts = places.iter().filter(|(_, at)| at.iter().any(proved)).map(|(name, _)| name.as_str());
+        let before = then.filter(|_| refresh).into_iter().flat_map(|j| &j.equal).map(String::as_str);
+        let now = u.judged(&of_parts.chain(before).collect(), &places);
         problems.extend((then != Some(&now)).then(|| u.module.name.clone()));
         all.insert(u.module.name.clone(), now);
         if refresh {
