@@ -29,11 +29,22 @@ struct Graph<'a> {
     net: &'a Netlist,
     sources: Vec<Slot>,
     consts: HashMap<Slot, u64>,
+    /// Operations that an output depends on.
+    live: BTreeSet<usize>,
 }
 
 impl<'a> Graph<'a> {
     fn of(net: &'a Netlist) -> Self {
-        Self { net, sources: sources(net), consts: net.consts.iter().copied().collect() }
+        let consts = net.consts.iter().copied().collect();
+        let mut g = Self { net, sources: sources(net), consts, live: BTreeSet::new() };
+        let mut left: Vec<Slot> = net.outputs.iter().map(|o| o.slot).collect();
+        while let Some(slot) = left.pop() {
+            let reached = g.op(g.source(slot));
+            if let Some((_, op)) = reached.filter(|(k, _)| g.live.insert(*k)) {
+                left.extend(op.args);
+            }
+        }
+        g
     }
 
     fn source(&self, s: Slot) -> Slot {
@@ -81,11 +92,9 @@ impl Match<'_> {
             part.net.outputs.iter().filter_map(|o| self.slots.get(&part.source(o.slot)).copied()).collect();
         let hidden = |s: &Slot| inside.contains(&whole.source(*s)) && !outs.contains(&whole.source(*s));
         let first = whole.net.first_op;
-        let others = whole.net.ops.iter().enumerate().filter(|(k, op)| {
-            let is_wire = op.kind == Kind::Copy && op.width == op.arg_width;
-            !is_wire && !inside.contains(&(first + *k as Slot))
-        });
-        !others.flat_map(|(_, op)| op.args.iter()).any(hidden) && !whole.net.outputs.iter().any(|o| hidden(&o.slot))
+        let others = whole.live.iter().filter(|k| !inside.contains(&(first + **k as Slot)));
+        !others.flat_map(|k| whole.net.ops[*k].args.iter()).any(hidden)
+            && !whole.net.outputs.iter().any(|o| hidden(&o.slot))
     }
 }
 
@@ -103,8 +112,8 @@ pub fn copies(whole: &Netlist, part: &Netlist) -> Vec<BTreeMap<usize, usize>> {
         }
         let op = |(p, w): (&Slot, &Slot)| Some((whole.op(*w)?.0, part.op(*p)?.0));
         let ops: BTreeMap<usize, usize> = m.slots.iter().filter_map(op).collect();
-        let wires = part.net.ops.iter().filter(|o| o.kind == Kind::Copy && o.width == o.arg_width).count();
-        (ops.len() + wires == part.net.ops.len()).then_some(ops)
+        let there: BTreeSet<usize> = ops.values().copied().collect();
+        part.live.is_subset(&there).then_some(ops)
     };
     instances.iter().filter_map(one).collect()
 }
