@@ -5,6 +5,7 @@ mod clocked;
 mod datapath;
 mod entries;
 mod events;
+mod found;
 mod limits;
 mod modelled;
 mod ray_plan;
@@ -32,6 +33,7 @@ use crate::error::{Error, Result};
 use crate::ir::{Binding, Module, Port};
 use crate::units;
 use crate::vectors::{Campaign, Column, Counts, Kind, Plan, VectorSet, campaign_rows, plan_rows};
+use found::found_rows;
 use ray_stimulus::sample_rows;
 use std::sync::Arc;
 
@@ -152,6 +154,12 @@ pub fn vector_set(d: &Design, m: &Module, over: &Binding, plan: Plan) -> VectorS
             rows = [free, sampled].concat();
         }
     }
+    // They take the place of the last random rows.
+    let widths: Vec<u32> = kinds.iter().map(|k| k.width()).collect();
+    let found = found_rows(&at, &m.name, &widths);
+    let first = counts.corners + counts.random - found.len().min(counts.random);
+    let taken = rows[first..counts.corners + counts.random].iter_mut().zip(found).map(|(row, f)| *row = f).count();
+    counts = Counts { random: counts.random - taken, found: taken, ..counts };
     answered(m, &at, b, VectorSet { seed: plan.seed, counts, stimulus: rows, ..VectorSet::default() })
 }
 

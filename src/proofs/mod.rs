@@ -7,6 +7,6 @@ mod proof;
 mod run;
 mod text;
 
-pub use proof::{BIT_LEVEL, Extra, PROOF, Proof, Reach, WORD_LEVEL};
+pub use proof::{BIT_LEVEL, Extra, INVARIANT, PROOF, Proof, Reach, WORD_LEVEL};
 pub use run::{Proved, Tools, prove};
 pub use text::proof_files;

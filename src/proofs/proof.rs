@@ -13,7 +13,7 @@ pub struct Proof {
     pub claim: &'static str,
     /// Template of the harness.
     pub text: &'static str,
-    /// The solver: [`WORD_LEVEL`] or [`BIT_LEVEL`].
+    /// The solver: [`WORD_LEVEL`], [`BIT_LEVEL`] or [`INVARIANT`].
     pub engine: &'static str,
     /// Parameter values other than the defaults.
     pub over: &'static [(&'static str, i64)],
@@ -29,6 +29,9 @@ pub struct Proof {
 pub const WORD_LEVEL: &str = "smtbmc z3";
 /// Ends where the bits are many.
 pub const BIT_LEVEL: &str = "abc bmc3";
+/// Proves by induction over one clock, and looks for what is missing in it by itself. The first `pdr` is the one that counts: SymbiYosys gives
+/// its own an option that Debian's program does not know.
+pub const INVARIANT: &str = "abc scorr; pdr -v; write_cex -a engine_0/trace.aiw; pdr";
 
 /// A proof of which nothing is said.
 pub const PROOF: Proof = Proof {
@@ -63,6 +66,8 @@ pub enum Extra {
     Registers(&'static [(&'static str, &'static str)]),
     /// The memory and the pointer of a delay line of each length.
     DelayLines,
+    /// The slots and the registers of a FIFO of 16 words.
+    Fifo,
     /// The valid bits and tags of every register in which `traverse` holds a ray; the depth follows from their number.
     RaysOfTheLoop {
         /// Template of the harness where the rays are counted, because there are registers in the handshakes.

@@ -66,6 +66,7 @@ pub fn proof_files(
                 list.iter().map(|(to, from)| format!("connect -nounset -set {to} \\{from}\n")).collect()
             }
             Extra::DelayLines => rings(),
+            Extra::Fifo => slots(),
             Extra::RaysOfTheLoop { .. } => flights.script(),
         };
         let (mode, depth) = match (p.extra, p.reach) {
@@ -107,6 +108,14 @@ fn passed(m: &Module, mut params: Vec<String>) -> String {
 
 /// Clocks of the lines that are proved: all.
 const LENGTHS: std::ops::RangeInclusive<u32> = 3..=17;
+
+/// Connects the wires of a FIFO's harness to its registers and to its words; the memory becomes registers before.
+fn slots() -> String {
+    let registers = ["write_ptr", "read_ptr", "occupancy_q", "valid_q"];
+    let registers = registers.map(|r| format!("connect -nounset -set {r} \\dut.{r}\n"));
+    let words = (0..16).map(|k| format!("connect -nounset -set slot_{k} \\dut.u_words.mem[{k}]\n"));
+    std::iter::once("memory_map\n".to_string()).chain(registers).chain(words).collect()
+}
 
 /// Connects the wires of the line's harness to the words and the place of a ring of each length; the memory becomes registers before.
 fn rings() -> String {

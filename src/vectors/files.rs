@@ -49,6 +49,7 @@ fn policy(s: &VectorSet) -> String {
         (c.exhaustive, "every input once"),
         (c.corners, corners),
         (c.random, "weighted random"),
+        (c.found, "words found to tell the unit from one with a slip in it"),
         (c.rays, "what rays through the map bring"),
     ];
     let there: Vec<&str> = parts.iter().filter(|p| p.0 > 0).map(|p| p.1).collect();

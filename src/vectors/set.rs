@@ -23,6 +23,9 @@ pub struct Counts {
     /// Rows that a traced ray could bring to the unit.
     #[serde(default)]
     pub rays: usize,
+    /// Rows that were found to tell the unit from one with a slip in it.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub found: usize,
     /// Every input once (then the others are 0).
     pub exhaustive: usize,
 }
@@ -52,10 +55,14 @@ pub struct VectorSet {
     pub expected: Vec<Vec<u64>>,
 }
 
+fn is_zero(n: &usize) -> bool {
+    *n == 0
+}
+
 impl Counts {
     /// Rows in all.
     pub const fn total(&self) -> usize {
-        self.corners + self.random + self.rays + self.exhaustive
+        self.corners + self.random + self.rays + self.found + self.exhaustive
     }
 }
 

@@ -2,4 +2,12 @@
 mod mutants;
 mod roundings;
 mod stored;
+mod streams;
 mod yosys;
+
+#[path = "../support/files.rs"]
+mod files;
+#[path = "../support/float_units.rs"]
+mod float_units;
+#[path = "../support/simulators.rs"]
+mod simulators;

@@ -68,5 +68,5 @@ fn another_rounding_is_not_the_same() {
     let f = formats()[0];
     let down = FloatFormat { rounding: reliefrtl::format::Rounding::Down, ..f };
     let verdict = compare(&net(&float::fp_mul(f, 2)), &net(&general::fp_mul(down, 2)), SECONDS);
-    assert_eq!(verdict, Verdict::Different);
+    assert!(matches!(verdict, Verdict::Different(_)), "{verdict:?}");
 }

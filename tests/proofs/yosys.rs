@@ -8,7 +8,7 @@ fn tools() -> PathBuf {
     std::env::var_os("RELIEFRTL_TOOLS").map_or(plain, PathBuf::from).join("bin")
 }
 
-fn run(dir: &Path, args: &[&str]) -> Output {
+pub fn run(dir: &Path, args: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_reliefrtl"))
         .args(args)
         .current_dir(dir)
@@ -102,8 +102,8 @@ fn a_spoiled_unit_is_disproved() {
     }
 }
 
-/// What stands between valid and ready: spill registers are proved above, FIFOs and short delay lines here, long ones and `traverse` around them in
-/// [`super::stored`].
+/// What stands between valid and ready: spill registers are proved above, the FIFO after pipelines and short delay lines here,
+/// units that no traversal needs in [`super::streams`], long delay lines and `traverse` around them in [`super::stored`].
 #[test]
 fn handshakes_are_proved() {
     let dir = tempfile::tempdir().unwrap();

@@ -4,7 +4,7 @@ use super::super::row::{Context, Row};
 use super::super::unit::{UNIT, Unit};
 use super::WIDTHS;
 use crate::bits::mask;
-use crate::proofs::{BIT_LEVEL, Extra, PROOF, Proof, Reach};
+use crate::proofs::{BIT_LEVEL, Extra, INVARIANT, PROOF, Proof, Reach};
 use std::collections::VecDeque;
 
 /// The entries.
@@ -82,10 +82,36 @@ static FIFO: Unit = Unit {
     name: "fifo",
     clocked: Some(queue),
     bindings: &[&[("W", 1), ("DEPTH", 4)], &[("W", 64), ("DEPTH", 32)]],
+    proofs: &[Proof {
+        name: "fifo",
+        units: &["fifo"],
+        claim: "first in, first out, no word lost, duplicated or overwritten, the occupancy is pushes less pops, and a valid output is stable until it transfers, by induction",
+        text: harness!("fifo"),
+        over: &[("W", 5), ("DEPTH", 16)],
+        engine: INVARIANT,
+        reach: Reach::Induction(1),
+        extra: Extra::Fifo,
+        ..PROOF
+    }],
     ..UNIT
 };
 
-static ARBITER: Unit = Unit { name: "arbiter", clocked: Some(turns), bindings: &[&[("W", 1)], &[("W", 16)]], ..UNIT };
+static ARBITER: Unit = Unit {
+    name: "arbiter",
+    clocked: Some(turns),
+    bindings: &[&[("W", 1)], &[("W", 16)]],
+    proofs: &[Proof {
+        name: "arbiter",
+        units: &["arbiter"],
+        claim: "one grant at a time, to an input that is valid; the word is that input's and stable until it transfers; while an input waits, every other one transfers once at most, by induction",
+        text: harness!("arbiter"),
+        engine: INVARIANT,
+        reach: Reach::Induction(1),
+        extra: Extra::Registers(&[("first", "dut.first_q"), ("kept", "dut.kept_q")]),
+        ..PROOF
+    }],
+    ..UNIT
+};
 
 /// Words in a queue, each with the clock in which it was pushed: at the output two clocks later, at the earliest.
 fn queue(c: &Context<'_>) -> Step {

@@ -60,6 +60,18 @@ impl Aig {
         (self.xor(half, c), self.or(both, through))
     }
 
+    /// The value of a literal at these inputs.
+    pub fn value(&self, lit: Lit, inputs: &[bool]) -> bool {
+        assert_eq!(inputs.len(), self.inputs as usize);
+        let mut nodes = vec![false];
+        nodes.extend_from_slice(inputs);
+        let of = |nodes: &[bool], l: Lit| nodes[l as usize / 2] ^ (l % 2 == 1);
+        for (a, b) in &self.ands {
+            nodes.push(of(&nodes, *a) && of(&nodes, *b));
+        }
+        of(&nodes, lit)
+    }
+
     /// The graph with these outputs in the binary AIGER format.
     pub fn aiger(&self, outputs: &[Lit]) -> Vec<u8> {
         let nodes = self.inputs + self.ands.len() as u32;

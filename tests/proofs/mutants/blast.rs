@@ -1,23 +1,30 @@
 //! A unit's netlist bit by bit: operations as an and-inverter graph, written a second time, without a look at the interpreter's.
 use super::aig::{Aig, FALSE, Lit, TRUE};
 use reliefrtl::interp::{FlatOp, Kind, Netlist};
+use std::collections::BTreeMap;
 
-type Bits = Vec<Lit>;
+pub type Bits = Vec<Lit>;
 
-/// The graph of `net` and its outputs, all ports in order, lowest bit first. Registers are wires, which in a pipeline without a way back is
-/// what comes out after its latency.
-pub fn blast(net: &Netlist) -> (Aig, Bits) {
+/// What is known of the operands of a unit: 1 where it can get them.
+pub type Legal<'a> = &'a dyn Fn(&mut Aig, &BTreeMap<&str, Bits>) -> Lit;
+
+/// The graph of `net` and its outputs, all ports in order, lowest bit first; where the operands are not legal they are 0. Registers are wires,
+/// which in a pipeline without a way back is what comes out after its latency.
+pub fn blast(net: &Netlist, legal: Legal) -> (Aig, Bits) {
     assert!(net.mems.is_empty(), "a memory has no bits here");
     let mut g = Aig::new(net.inputs.iter().map(|p| net.widths[p.slot as usize]).sum());
     let mut slots: Vec<Option<Bits>> = vec![None; net.widths.len()];
     let mut next = 0;
+    let mut ports = BTreeMap::new();
     for p in &net.inputs {
         let width = net.widths[p.slot as usize];
         // The clock enable stays 1.
-        let bits = (next..next + width).map(|k| if p.name == "ce" { TRUE } else { g.input(k) }).collect();
+        let bits: Bits = (next..next + width).map(|k| if p.name == "ce" { TRUE } else { g.input(k) }).collect();
+        ports.insert(p.name.as_str(), bits.clone());
         slots[p.slot as usize] = Some(bits);
         next += width;
     }
+    let legal = legal(&mut g, &ports);
     for (slot, value) in &net.consts {
         let width = net.widths[*slot as usize];
         slots[*slot as usize] = Some((0..width).map(|k| Lit::from(value >> k & 1 == 1)).collect());
@@ -38,6 +45,7 @@ pub fn blast(net: &Netlist) -> (Aig, Bits) {
             slots[r.q as usize] = slots[r.d as usize].clone();
         }
         if let Some(bits) = outputs(&slots) {
+            let bits = bits.into_iter().map(|b| g.and(b, legal)).collect();
             return (g, bits);
         }
     }
@@ -113,7 +121,7 @@ fn sum(g: &mut Aig, a: &Bits, b: &Bits, mut carry: Lit, w: usize) -> (Bits, Lit)
 }
 
 /// Difference, and whether it borrows.
-fn difference(g: &mut Aig, a: &Bits, b: &Bits, w: usize) -> (Bits, Lit) {
+pub fn difference(g: &mut Aig, a: &Bits, b: &Bits, w: usize) -> (Bits, Lit) {
     let inverted: Bits = (0..w).map(|k| at(b, k) ^ 1).collect();
     let (bits, carry) = sum(g, a, &inverted, TRUE, w);
     (bits, carry ^ 1)

@@ -1,6 +1,8 @@
 //! A sample of mutants as Verilog: what the interpreter says of one, Verilator says too.
 //! `RELIEFRTL_MUTANTS` sets how many of a unit (default 1). A missing simulator fails unless RELIEFRTL_NO_SIMULATORS=1.
-use super::ARITHMETIC;
+use crate::files::write;
+use crate::float_units::FLOAT_UNITS;
+use crate::simulators::skip;
 use rayon::prelude::*;
 use reliefrtl::bench::{Simulator, run_bench};
 use reliefrtl::catalogue::{campaign_set, check_interp};
@@ -45,11 +47,7 @@ fn mutants(m: &Arc<Module>, count: usize) -> Vec<(String, Arc<Module>)> {
 /// Rows that differ as a bench in Verilator counts them, and how many it compared.
 fn verilator(c: &Config, unit: &str, m: &Arc<Module>, files: &[(String, String)]) -> (usize, usize) {
     let tree = tempfile::tempdir().unwrap();
-    for (path, text) in alone_text(c, std::slice::from_ref(m)).unwrap().into_iter().chain(files.iter().cloned()) {
-        let place = tree.path().join(path);
-        std::fs::create_dir_all(place.parent().unwrap()).unwrap();
-        std::fs::write(place, text).unwrap();
-    }
+    write(tree.path(), alone_text(c, std::slice::from_ref(m)).unwrap().into_iter().chain(files.iter().cloned()));
     match run_bench(Simulator::Verilator, tree.path(), unit, &Binding::new(), &[]) {
         Ok(o) => (0, o.checked),
         Err(Error::Mismatch(found)) => {
@@ -66,12 +64,12 @@ fn verilator(c: &Config, unit: &str, m: &Arc<Module>, files: &[(String, String)]
 
 #[test]
 fn verilator_judges_mutants_as_the_interpreter_does() {
-    if std::env::var("RELIEFRTL_NO_SIMULATORS").is_ok_and(|v| v == "1") {
+    if skip() {
         return;
     }
     let count = std::env::var("RELIEFRTL_MUTANTS").map_or(1, |v| v.parse().expect("a number of mutants"));
     let c = Config::default();
-    let all: Vec<_> = ARITHMETIC.iter().flat_map(|u| mutants(&alone(&c, u).unwrap(), count)).collect();
+    let all: Vec<_> = FLOAT_UNITS.iter().flat_map(|u| mutants(&alone(&c, u).unwrap(), count)).collect();
     let judge = |(what, m): &(String, Arc<Module>)| {
         let original = alone(&c, &m.name).unwrap();
         let campaign = Campaign { level: Level::One, shard: Shard::WHOLE };
