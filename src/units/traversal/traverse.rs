@@ -128,7 +128,7 @@ fn in_registers(d: &Design, source: &dyn HeightSource) -> Traverse {
     rays.ready(&b, setup.ready);
     let accept = (setup.valid & slot_ready).named("accept");
 
-    b.section("slot", "A slot holds the new ray, or the one that recirculates.");
+    b.section("slot", "Stage 0 holds the new ray, or the one that recirculates.");
     let new = heights.first(Ray::fresh(&b, &fields, |name| new[name], new["tag"]), accept);
     let (enters, entering) = match exchange.as_ref().zip(returns) {
         Some((e, returns)) => ((accept | returns).named("enters"), new.or_else(returns, &e.ray)),
@@ -163,6 +163,7 @@ fn in_registers(d: &Design, source: &dyn HeightSource) -> Traverse {
     let slots = b.close(&loops);
     // Rays in flight, at most: all pipeline stages, both FIFOs and the places of the height source are full.
     let most = clocks_setup + slots + finish + 2 * SLOTS + source.places();
+    b.section("idle", "Rays in flight: input transfers less output transfers, counted one clock late.");
     let in_transfer = (rays.valid & setup.ready).named("in_transfer");
     let out_transfer = (hit.valid & results.ready).named("out_transfer");
     b.drive(o_idle, idle(&b, in_transfer, out_transfer, most), None);
@@ -178,7 +179,6 @@ fn in_registers(d: &Design, source: &dyn HeightSource) -> Traverse {
 
 /// Whether no ray is in flight, where at most `most` are: transfers are counted one clock late, which keeps the adder off the handshake path.
 fn idle<'b>(b: &'b Builder, in_transfer: Sig<'b>, out_transfer: Sig<'b>, most: u32) -> Sig<'b> {
-    b.section("idle", "Rays in flight: input transfers less output transfers, counted one clock late.");
     let width = u32::BITS - most.leading_zeros();
     let entered = b.loop_reg("in_transfer_q", 1, true).doc("input transfer in the previous clock");
     let left = b.loop_reg("out_transfer_q", 1, true).doc("output transfer in the previous clock");
