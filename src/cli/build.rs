@@ -2,13 +2,36 @@
 use super::args::{BuildArgs, Cli};
 use super::output::{spinner, table};
 use crate::config::{Config, View};
-use crate::engine::EngineName;
+use crate::engine::{CheckedFigures, EngineName};
 use crate::error::Result;
 use crate::golden::RayHit;
-use crate::measure::steps;
+use crate::measure::{StepFigures, steps};
 use crate::project::{self, Scene, check_tree, encode, surface_picture};
 use crate::scene::{Camera, ViewRay};
+use serde::Serialize;
 use serde_json::json;
+use std::path::Path;
+
+/// What a build made and found, as `--json` prints it.
+#[derive(Serialize)]
+struct Built<'a> {
+    /// Directory.
+    out: &'a Path,
+    /// The map.
+    map: serde_json::Value,
+    /// Modules written.
+    modules: usize,
+    /// Slots of the loop.
+    slots: u32,
+    /// Clocks from a ray's acceptance to the loop.
+    setup: u32,
+    /// Clocks from the loop to the output.
+    finish: u32,
+    /// Units whose vectors were checked.
+    units: Vec<CheckedFigures<'a>>,
+    /// Iterations of each view.
+    views: Vec<StepFigures>,
+}
 
 /// Runs `build`.
 pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
@@ -41,13 +64,16 @@ pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
     bar.finish_and_clear();
     let (t, depth) = (&p.traverse, p.traverse.setup + p.traverse.slots + p.traverse.finish);
     if cli.json {
-        let views: Vec<_> = views
-            .iter()
-            .map(|(v, s)| json!({"view": v.word(), "rays": s.rays, "mean_steps": s.mean, "max_steps": s.max, "max_ray": s.witness, "given_up": s.limits}))
-            .collect();
-        let units: Vec<_> =
-            checked.iter().map(|x| json!({"unit": x.unit, "checked": x.rows, "mismatched": 0})).collect();
-        let value = json!({"out": a.out, "map": map_of(&scene), "modules": p.modules.len(), "slots": t.slots, "setup": t.setup, "finish": t.finish, "units": units, "views": views});
+        let value = Built {
+            out: &a.out,
+            map: map_of(&scene),
+            modules: p.modules.len(),
+            slots: t.slots,
+            setup: t.setup,
+            finish: t.finish,
+            units: checked.iter().map(Into::into).collect(),
+            views: views.iter().map(|(view, s)| StepFigures::new(view.word(), s)).collect(),
+        };
         println!("{}", serde_json::to_string_pretty(&value).expect("plain data"));
         return Ok(());
     }

@@ -1,14 +1,11 @@
 //! What an engine checked, unit by unit.
 use super::args::Cli;
-use crate::engine::Checked;
+use crate::engine::{Checked, CheckedFigures};
 
 /// Prints what was checked.
 pub fn print(cli: &Cli, done: &[Checked]) {
     if cli.json {
-        let rows: Vec<_> = done
-            .iter()
-            .map(|x| serde_json::json!({"unit": x.unit, "checked": x.rows, "mismatched": 0, "slots": x.slots}))
-            .collect();
+        let rows: Vec<CheckedFigures<'_>> = done.iter().map(Into::into).collect();
         println!("{}", serde_json::to_string_pretty(&rows).expect("plain data"));
         return;
     }

@@ -5,9 +5,8 @@ use super::views::{Pixels, Viewed, look};
 use crate::config::check::plain;
 use crate::config::{Config, View};
 use crate::error::{Error, Result};
-use crate::fit::{Budget, Fit, Limits, SETS, Trial, Truth, fit_checked};
+use crate::fit::{Budget, Fit, FitFigures, Limits, SETS, Trial, Truth, fit_checked};
 use crate::project::Scene;
-use serde_json::json;
 
 /// Runs `fit`.
 pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
@@ -147,15 +146,7 @@ fn configuration(c: &Config, found: &Fit, a: &FitArgs, views: &[Viewed]) -> Resu
 fn print(cli: &Cli, f: &Fit, check: &Trial, budget: Budget, by_view: &[(String, Trial)]) -> Result<()> {
     let c = &f.chosen.cost;
     if cli.json {
-        let trial = |t: &Trial| {
-            json!({"rays": t.rays, "wrong": t.wrong, "wrong_ray": t.witness, "wrong_on_own_ray": t.wrong_own, "uv_p99": t.uv_p99, "uv_max": t.uv_max.0,
-                "uv_max_ray": t.uv_max.1, "steps_mean": t.steps.mean, "steps_max": t.steps.max, "steps_max_ray": t.steps.witness, "given_up": t.steps.limits})
-        };
-        let d = &f.chosen.design;
-        let rejected: Vec<_> = f.rejected.iter().map(|r| json!({"what": r.what, "why": r.why})).collect();
-        let all = json!({"traverse": d.traverse, "mode": d.mode, "datapath": d.datapath, "exp": d.format.exp, "man": d.format.man,
-            "bits": {"logic": c.logic, "products": c.products, "registers": c.registers, "memory": c.memory},
-            "search": trial(&f.chosen), "fresh": trial(check), "fresh_by_view": by_view.iter().map(|(v, t)| (v.clone(), trial(t))).collect::<serde_json::Map<_, _>>(), "reasons": f.reasons, "rejected": rejected, "tried": f.tried});
+        let all = FitFigures::new(f, check, by_view);
         println!("{}", serde_json::to_string_pretty(&all).expect("plain data"));
         return Ok(());
     }

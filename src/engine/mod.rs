@@ -7,4 +7,4 @@ mod simulated;
 pub mod stored;
 
 pub use name::EngineName;
-pub use run::{Checked, Engine, Replay, SlotLoad, Traced};
+pub use run::{Checked, CheckedFigures, Engine, Replay, SlotLoad, Traced};

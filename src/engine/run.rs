@@ -59,6 +59,25 @@ pub struct Checked {
     pub slots: Option<SlotLoad>,
 }
 
+/// The same as figures: what `--json` prints of a unit.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct CheckedFigures<'a> {
+    /// Unit.
+    pub unit: &'a str,
+    /// Rows compared.
+    pub checked: usize,
+    /// Rows that differ: none, as a difference is an error.
+    pub mismatched: usize,
+    /// How full the slots of the loop were.
+    pub slots: Option<SlotLoad>,
+}
+
+impl<'a> From<&'a Checked> for CheckedFigures<'a> {
+    fn from(c: &'a Checked) -> Self {
+        Self { unit: &c.unit, checked: c.rows, mismatched: 0, slots: c.slots }
+    }
+}
+
 /// Rays that were traced.
 #[derive(Clone, Debug)]
 pub struct Traced {

@@ -2,10 +2,12 @@
 //!
 //! The truth is the exact walk of the rays as they were given, over the map as it was given; a design answers for all that it changes: it rounds
 //! the ray to its input format, computes in that format, and may hold a coarser map.
+mod figures;
 mod fresh;
 mod search;
 mod trial;
 
+pub use figures::{FitFigures, TrialFigures};
 pub use fresh::{Checked, SETS, fit_checked};
 pub use search::{Fit, Limits, Rejected, fit};
 pub use trial::{Budget, Trial, Truth};

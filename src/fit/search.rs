@@ -4,6 +4,7 @@ use crate::config::modes::{PLAIN, combinations};
 use crate::config::{Design, ModeConfig, Trim, datapaths};
 use crate::error::{Error, Result};
 use crate::golden::prepare;
+use serde::Serialize;
 
 /// What the search may change.
 #[derive(Clone, Copy, Debug)]
@@ -13,7 +14,7 @@ pub struct Limits {
 }
 
 /// A design that was tried and not taken.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub struct Rejected {
     /// What it would have changed.
     pub what: String,

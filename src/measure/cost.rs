@@ -4,9 +4,10 @@ use crate::error::Result;
 use crate::interp::{Kind, elaborate};
 use crate::ir::Binding;
 use crate::units::traversal::traverse;
+use serde::Serialize;
 
 /// Bits of hardware. Wiring (slices, joins, extensions) is free.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Cost {
     /// Result bits of additions, comparisons, selections, shifts (times their depth) and gates.
     pub logic: u64,

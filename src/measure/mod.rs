@@ -17,6 +17,6 @@ pub use again::{again, settings, trace_again};
 pub use bilinear::{Bilinear, bilinear};
 pub use cost::Cost;
 pub use spread::Spread;
-pub use steps::{PUBLISHED, Published, Steps, steps};
+pub use steps::{PUBLISHED, Published, StepFigures, Steps, steps};
 pub use uv::{DEFINITION, GIVEN_BITS, given_ray, place, uv_error};
 pub use words::{RayEnd, hex_words};

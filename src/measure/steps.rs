@@ -1,5 +1,6 @@
 //! Iterations per ray, beside the published table (PIDM-HW table 4).
 use crate::golden::RayHit;
+use serde::Serialize;
 
 /// Mean and largest number of iterations.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -14,6 +15,31 @@ pub struct Steps {
     pub max: u32,
     /// The ray that has it.
     pub witness: usize,
+}
+
+/// The same of a view, as figures: what `--json` prints.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct StepFigures {
+    /// View.
+    pub view: &'static str,
+    /// Rays counted.
+    pub rays: usize,
+    /// Mean.
+    pub mean_steps: f64,
+    /// Largest.
+    pub max_steps: u32,
+    /// The ray that has it.
+    pub max_ray: usize,
+    /// Rays given up.
+    pub given_up: usize,
+}
+
+impl StepFigures {
+    /// The iterations of a view.
+    pub const fn new(view: &'static str, s: &Steps) -> Self {
+        let Steps { rays, limits, mean, max, witness } = *s;
+        Self { view, rays, mean_steps: mean, max_steps: max, max_ray: witness, given_up: limits }
+    }
 }
 
 /// Counts the iterations of `hits`.
