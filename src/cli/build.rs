@@ -2,10 +2,11 @@
 use super::args::{BuildArgs, Cli};
 use super::output::{spinner, table};
 use crate::config::{Config, View};
-use crate::engine::{CheckedFigures, EngineName};
+use crate::emit::Hardware;
+use crate::engine::{Checked, CheckedFigures, EngineName};
 use crate::error::Result;
 use crate::golden::RayHit;
-use crate::measure::{StepFigures, steps};
+use crate::measure::{StepFigures, Steps, steps};
 use crate::project::{self, Scene, check_tree, encode, surface_picture};
 use crate::scene::{Camera, ViewRay};
 use serde::Serialize;
@@ -62,8 +63,8 @@ pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
         views.push((view, steps(&hits)));
     }
     bar.finish_and_clear();
-    let (t, depth) = (&p.traverse, p.traverse.setup + p.traverse.slots + p.traverse.finish);
     if cli.json {
+        let t = &p.traverse;
         let value = Built {
             out: &a.out,
             map: map_of(&scene),
@@ -77,6 +78,21 @@ pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
         println!("{}", serde_json::to_string_pretty(&value).expect("plain data"));
         return Ok(());
     }
+    print_summary(cli, a, &c, &scene, &p, &checked, &views);
+    Ok(())
+}
+
+/// What was made and found, for reading.
+fn print_summary(
+    cli: &Cli,
+    a: &BuildArgs,
+    c: &Config,
+    scene: &Scene,
+    p: &Hardware,
+    checked: &[Checked],
+    views: &[(&View, Steps)],
+) {
+    let (t, depth) = (&p.traverse, p.traverse.setup + p.traverse.slots + p.traverse.finish);
     match &scene.taken {
         Some(taken) => println!("map {taken}\nconfig {}, seed {}", c.hash(), c.vectors.seed),
         None => println!("map {}, config {}, seed {}", scene.name, c.hash(), c.vectors.seed),
@@ -94,7 +110,7 @@ pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
         t.setup, t.slots, t.finish
     );
     println!("golden vectors, checked by the interpreter of the emitted datapath:");
-    super::checked::print(cli, &checked);
+    super::checked::print(cli, checked);
     println!(
         "\nrays traced through the datapath (every {}th pixel of {} x {} in each direction):",
         c.view.stride, c.view.width, c.view.height
@@ -134,7 +150,6 @@ pub fn run(cli: &Cli, a: &BuildArgs) -> Result<()> {
         "  verilator --cc --exe --build -O3 -Wno-lint --prefix Vtb --top-module {top} -y rtl testbench/{top}.v testbench/verilator_main.cpp && ./obj_dir/Vtb"
     );
     println!("  open preview.png");
-    Ok(())
 }
 
 /// Rays of a camera, and their hits in the interpreter.

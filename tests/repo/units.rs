@@ -105,7 +105,6 @@ const OTHERS: &[(&str, &[&str], &str)] = &[
     ("src/config/keys.rs", &["traverse"], "a table of the configuration"),
     ("src/project/same.rs", &["traverse"], "a table of the configuration"),
     ("src/cli/synth/jobs.rs", &["traverse"], "a table of the configuration"),
-    ("src/cli/fit.rs", &["traverse"], "a table of the configuration"),
     (
         "src/config/clock/curves.rs",
         &[

@@ -128,7 +128,7 @@ fn in_registers(d: &Design, source: &dyn HeightSource) -> Traverse {
     rays.ready(&b, setup.ready);
     let accept = (setup.valid & slot_ready).named("accept");
 
-    b.section("slot", "Stage 0 holds the new ray, or the one that recirculates.");
+    b.section("slot", "A slot holds the new ray, or the one that recirculates.");
     let new = heights.first(Ray::fresh(&b, &fields, |name| new[name], new["tag"]), accept);
     let (enters, entering) = match exchange.as_ref().zip(returns) {
         Some((e, returns)) => ((accept | returns).named("enters"), new.or_else(returns, &e.ray)),
