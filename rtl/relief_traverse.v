@@ -226,7 +226,7 @@ module relief_traverse #(
   wire s0_accept = setup_valid & s0_slot_free;
 
   // ---- stage 0: slot ------------------------------------------------------------------
-  // Stage 0 holds the new ray, or the one that recirculates.
+  // A slot holds the new ray, or the one that recirculates.
   wire s0_new_refused = ~s0_new_ok;
   wire s0_slot_busy = (s0_loop_valid_q & ~s0_retire) | s0_accept;
 
@@ -390,7 +390,7 @@ module relief_traverse #(
   end
 
   // ---- stage 1: slot ------------------------------------------------------------------
-  // Stage 0 holds the new ray, or the one that recirculates.
+  // A slot holds the new ray, or the one that recirculates.
   wire [TAG_W-1:0]  s1_tag = s1_accept ? s1_new_tag : s1_loop_tag_q;
   wire [FloatW-1:0] s1_p_x = s1_accept ? s1_new_p_x : s1_loop_p_x_q;
   wire [FloatW-1:0] s1_pb_x = s1_accept ? s1_new_pb_x : s1_loop_pb_x_q;
