@@ -34,6 +34,7 @@ pub fn datapath(kind: DatapathKind) -> Model {
         DatapathKind::Watertight => Model::of::<Watertight>(),
         DatapathKind::Published => Model::of::<Published>(),
         DatapathKind::Fixed => Model::of::<Fixed>(),
+        DatapathKind::Windows => unreachable!("the model comes next"),
     }
 }
 

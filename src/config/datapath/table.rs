@@ -1,8 +1,8 @@
 //! The table of the datapaths.
 use super::facts::DatapathFacts;
 use super::kind::{DatapathConfig, DatapathKind};
-use super::{fixed, published, watertight};
-use crate::config::{Design, ModeConfig, Trim};
+use super::{fixed, published, watertight, windows};
+use crate::config::{Design, ModeConfig, Trim, WindowSet};
 use crate::format::{FloatFormat, Words};
 
 impl DatapathKind {
@@ -15,6 +15,7 @@ impl DatapathKind {
             Self::Watertight => &watertight::FACTS,
             Self::Published => &published::FACTS,
             Self::Fixed => &fixed::FACTS,
+            Self::Windows => &windows::FACTS,
         }
     }
 
@@ -57,9 +58,15 @@ impl Design {
         (self.datapath.kind.facts().words)(self)
     }
 
-    /// Datapath and widths in a few words.
+    /// Datapath and widths in a few words; of a search by windows its set, too.
     pub fn label(&self) -> String {
-        self.datapath.label(self.format)
+        let label = self.datapath.label(self.format);
+        if self.datapath.kind.facts().windows { format!("{label}, {}", self.window_set()) } else { label }
+    }
+
+    /// The windows of a search by windows.
+    pub fn window_set(&self) -> WindowSet {
+        self.windows.at(self.traverse.levels)
     }
 
     /// The chord trims that datapath and number format have.

@@ -78,7 +78,8 @@ impl DesignSpec {
         // A map eight times as wide is eight times as far to walk; who is stuck is stuck on any map.
         let wider = if self.nudge_bits == Some(0) { 0 } else { levels.saturating_sub(8).min(4) };
         c.traverse.step_limit = (self.step_limit << wider).min(65535);
-        c.datapath = DatapathConfig { kind: self.kind, ..DatapathConfig::default() };
+        c.datapath = DatapathConfig::default();
+        c.choose_datapath(self.kind);
         c.format.exp = self.exp.unwrap_or(c.format.exp);
         c.format.man = self.man.unwrap_or(c.format.man);
         c.datapath.nudge_bits = self.nudge_bits.unwrap_or(c.datapath.nudge_bits);
@@ -111,6 +112,7 @@ impl DesignSpec {
     fn arithmetic(&self) -> String {
         let datapath = DatapathConfig {
             kind: self.kind,
+            search: Default::default(),
             nudge_bits: self.nudge_bits.unwrap_or(0),
             fraction_bits: self.fraction_bits.unwrap_or(0),
             reciprocal_bits: self.reciprocal_bits.unwrap_or(0),
