@@ -1,6 +1,7 @@
 //! The configuration of a call: defaults, file, options.
-use super::args::Cli;
+use super::args::{Cli, Verb};
 use crate::config::{Choice, Config, Design, Scope, for_clock};
+use crate::engine::EngineName;
 use crate::error::{Error, Result};
 use crate::ir::Module;
 use std::sync::Arc;
@@ -12,7 +13,24 @@ use std::sync::Arc;
 pub fn load(cli: &Cli) -> Result<Config> {
     let c = load_ranges(cli, &[])?;
     c.validate()?;
+    modelled_alone(cli, &c)?;
     Ok(c)
+}
+
+/// A search by windows has a model and no hardware: verbs that need hardware say so.
+fn modelled_alone(cli: &Cli, c: &Config) -> Result<()> {
+    let models = match &cli.verb {
+        Verb::Steps(_) | Verb::Accuracy(_) | Verb::Render(_) | Verb::Config(_) => true,
+        Verb::Trace(a) => a.engine == EngineName::Golden && a.wave.is_none(),
+        Verb::Hard(a) => a.engine == EngineName::Golden,
+        _ => false,
+    };
+    if models || !c.datapath.kind.facts().windows {
+        return Ok(());
+    }
+    Err(Error::input(
+        "datapath.search = \"windows\" has a golden model and no hardware yet: steps, hard, trace, render and accuracy take it, with the golden engine; the rest needs datapath.search = \"pyramid\"",
+    ))
 }
 
 /// As [`load`] for `units`: those of arithmetic stand alone, and what a traversal asks of its numbers does not bind them; they come with the
@@ -27,6 +45,7 @@ pub fn load_for(cli: &Cli, units: &[String]) -> Result<(Config, Vec<Arc<Module>>
     let alone = alone.unwrap_or_default();
     if alone.is_empty() {
         c.validate()?;
+        modelled_alone(cli, &c)?;
         let d = c.design();
         units.iter().filter(|name| *name != "all").try_for_each(|name| crate::catalogue::find(&d, name).map(|_| ()))?;
     }

@@ -69,6 +69,14 @@ impl Design {
         self.windows.at(self.traverse.levels)
     }
 
+    /// The same with a search in the pyramid, if it searches by windows.
+    pub fn by_pyramid(&self) -> Self {
+        if !self.datapath.kind.facts().windows {
+            return *self;
+        }
+        Self { datapath: DatapathConfig { kind: DatapathKind::Fixed, ..self.datapath }, ..*self }
+    }
+
     /// The chord trims that datapath and number format have.
     pub fn trims(&self) -> &'static [Trim] {
         let facts = self.datapath.kind.facts();

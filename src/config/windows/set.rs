@@ -83,6 +83,12 @@ impl WindowSet {
         if levels < 3 { Self::unchecked(&Self::LEAST) } else { Self::unchecked(&Self::USUAL) }
     }
 
+    /// Sets that have a name in `docs/windows.md`, smallest first, and the plain form.
+    pub fn named() -> [Self; 6] {
+        ["1 4@2 16@4", "1 4@2 12@4 40@8", "1 4@2 8@4 16@8 32@16", "1 4@2 12@4 24@8 64@16", "1 4 16", "1 3 9 27"]
+            .map(|text| text.parse().expect("a legal set"))
+    }
+
     /// The set of these sizes.
     ///
     /// # Errors
