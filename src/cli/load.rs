@@ -13,21 +13,23 @@ use std::sync::Arc;
 pub fn load(cli: &Cli) -> Result<Config> {
     let c = load_ranges(cli, &[])?;
     c.validate()?;
-    modelled_alone(cli, &c)?;
     Ok(c)
 }
 
-/// A search by windows has a model and no hardware: verbs that need hardware say so.
+/// A search by windows has a model and no hardware: verbs that need hardware say so. `c` is the file's configuration.
 fn modelled_alone(cli: &Cli, c: &Config) -> Result<()> {
+    let mut c = c.clone();
+    let set = cli.sets.iter().all(|s| c.apply_set(s).is_ok());
     let models = match &cli.verb {
         Verb::Steps(_) | Verb::Accuracy(_) | Verb::Render(_) | Verb::Config(_) => true,
         Verb::Trace(a) => a.engine == EngineName::Golden && a.wave.is_none(),
         Verb::Hard(a) => a.engine == EngineName::Golden,
         _ => false,
     };
-    if models || !c.datapath.kind.facts().windows {
+    if models || !set || !c.datapath.kind.facts().windows {
         return Ok(());
     }
+    c.validate()?;
     Err(Error::input(
         "datapath.search = \"windows\" has a golden model and no hardware yet: steps, hard, trace, render and accuracy take it, with the golden engine; the rest needs datapath.search = \"pyramid\"",
     ))
@@ -45,7 +47,6 @@ pub fn load_for(cli: &Cli, units: &[String]) -> Result<(Config, Vec<Arc<Module>>
     let alone = alone.unwrap_or_default();
     if alone.is_empty() {
         c.validate()?;
-        modelled_alone(cli, &c)?;
         let d = c.design();
         units.iter().filter(|name| *name != "all").try_for_each(|name| crate::catalogue::find(&d, name).map(|_| ()))?;
     }
@@ -61,6 +62,7 @@ pub(super) fn load_ranges(cli: &Cli, units: &[String]) -> Result<Config> {
         Some(path) => Config::load(path)?,
         None => Config::default(),
     };
+    modelled_alone(cli, &c)?;
     let asked = numbers(cli, &c)?;
     if let Some(profile) = cli.profile {
         c.latency = profile.latency_for(&asked);
@@ -92,7 +94,7 @@ pub(super) fn load_ranges(cli: &Cli, units: &[String]) -> Result<Config> {
 /// The design with the datapath, the format and the kind of divider that the configuration ends up with.
 fn numbers(cli: &Cli, c: &Config) -> Result<Design> {
     let mut c = c.clone();
-    let keys = ["datapath.kind", "format.", "latency.divider"];
+    let keys = ["datapath.kind", "datapath.search", "format.", "latency.divider"];
     let numbers = |s: &&String| keys.iter().any(|key| s.trim_start().starts_with(key));
     cli.sets.iter().filter(numbers).try_for_each(|s| c.apply_set(s))?;
     Ok(c.design())

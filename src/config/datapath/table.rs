@@ -24,6 +24,12 @@ impl DatapathKind {
         self.facts().word
     }
 
+    /// The key that chooses it, and the word there.
+    pub const fn chosen_by(self) -> (&'static str, &'static str) {
+        let facts = self.facts();
+        (if facts.windows { "datapath.search" } else { "datapath.kind" }, facts.word)
+    }
+
     /// Trips of a ray through the loop that are no iterations.
     pub const fn start_trips(self, mode: &ModeConfig) -> u32 {
         (self.facts().start_trip && mode.start_level) as u32

@@ -120,9 +120,9 @@ impl WindowSet {
         ))
     }
 
-    /// Words of all maps together; the largest S - g and g decide nothing here.
+    /// Words of all maps together, on 2^`levels` texels a side.
     pub fn memory_words(&self, levels: u32) -> u64 {
-        self.sizes().iter().map(|w| 1u64 << (2 * (levels - w.grid_bits().min(levels)))).sum()
+        self.sizes().iter().map(|w| 1u64 << (2 * levels.saturating_sub(w.grid_bits()))).sum()
     }
 }
 
