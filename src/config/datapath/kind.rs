@@ -1,5 +1,4 @@
 //! The kinds of datapaths, and what is chosen of one.
-use super::written::Written;
 use serde::{Deserialize, Serialize};
 
 /// How hits are found (`docs/datapath.md`, `docs/published.md`, `docs/fixed.md`, `docs/windows.md`).
@@ -34,9 +33,8 @@ impl Search {
 }
 
 /// Which arithmetic traces the rays, and its widths.
-// The keys `kind` and `search` of a file are one field here.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(from = "Written", into = "Written")]
+// In a file it has two keys for the kind (`written.rs`).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct DatapathConfig {
     /// How hits are found.
     pub kind: DatapathKind,

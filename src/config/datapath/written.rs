@@ -1,6 +1,7 @@
 //! The section `datapath` as it stands in a file: one word for the arithmetic, one for the search.
 use super::kind::{DatapathConfig, DatapathKind, Search};
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::borrow::Cow;
 
 /// Which arithmetic traces the rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
@@ -14,11 +15,10 @@ enum Arithmetic {
     Fixed,
 }
 
-/// The keys.
+/// Which arithmetic traces the rays, and its widths.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize, schemars::JsonSchema)]
-#[schemars(rename = "DatapathConfig")]
 #[serde(deny_unknown_fields, default)]
-pub(super) struct Written {
+struct Written {
     /// The arithmetic.
     kind: Arithmetic,
     /// `fixed`: what is searched.
@@ -65,5 +65,27 @@ impl From<Written> for DatapathConfig {
         };
         let Written { nudge_bits, fraction_bits, reciprocal_bits, .. } = w;
         Self { kind, search, nudge_bits, fraction_bits, reciprocal_bits }
+    }
+}
+
+impl Serialize for DatapathConfig {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        Written::from(*self).serialize(to)
+    }
+}
+
+impl<'de> Deserialize<'de> for DatapathConfig {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        Written::deserialize(from).map(Self::from)
+    }
+}
+
+impl schemars::JsonSchema for DatapathConfig {
+    fn schema_name() -> Cow<'static, str> {
+        "DatapathConfig".into()
+    }
+
+    fn json_schema(of: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        Written::json_schema(of)
     }
 }

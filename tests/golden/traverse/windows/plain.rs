@@ -73,7 +73,7 @@ impl Plain<'_> {
         let (f, g) = (self.sizes_of().0, self.guard());
         let (k, i) = (i128::from(k), i128::from(i));
         let t = match self.fault {
-            Fault::RoundedApart => ((a.c + k * a.q) >> g) + (i * a.q >> g),
+            Fault::RoundedApart => ((a.c + k * a.q) >> g) + ((i * a.q) >> g),
             _ => (a.c + (k + i) * a.q) >> g,
         };
         t.min((1 << (f + 2)) - 1)
@@ -124,7 +124,7 @@ impl Plain<'_> {
             let c = usize::from(seen[a].1[0] > seen[a].1[1]);
             k[c] += seen[a].0[c] + 1;
             for c in 0..2 {
-                let estimate = ((axes[c].s * (m >> (f + 2 - b)) >> b) + axes[c].o) >> e;
+                let estimate = (((axes[c].s * (m >> (f + 2 - b))) >> b) + axes[c].o) >> e;
                 k[c] = k[c].max(estimate as i64);
             }
             t = m;
