@@ -21,7 +21,8 @@ fn modelled_alone(cli: &Cli, c: &Config) -> Result<()> {
     let mut c = c.clone();
     let set = cli.sets.iter().all(|s| c.apply_set(s).is_ok());
     let models = match &cli.verb {
-        Verb::Steps(_) | Verb::Accuracy(_) | Verb::Render(_) | Verb::Config(_) => true,
+        Verb::Steps(_) | Verb::Accuracy(_) | Verb::Config(_) => true,
+        Verb::Render(a) => a.engine == EngineName::Golden,
         Verb::Trace(a) => a.engine == EngineName::Golden && a.wave.is_none(),
         Verb::Hard(a) => a.engine == EngineName::Golden,
         _ => false,
@@ -31,7 +32,7 @@ fn modelled_alone(cli: &Cli, c: &Config) -> Result<()> {
     }
     c.validate()?;
     Err(Error::input(
-        "datapath.search = \"windows\" has a golden model and no hardware yet: steps, hard, trace, render and accuracy take it, with the golden engine; the rest needs datapath.search = \"pyramid\"",
+        "datapath.search = \"windows\" has a golden model and no hardware yet: steps, hard, trace, render and accuracy take it, with --engine golden; the rest needs datapath.search = \"pyramid\"",
     ))
 }
 
