@@ -21,6 +21,7 @@ pub fn sampler(d: &Design) -> Option<Sampler> {
         DatapathKind::Watertight => of(d, watertight::sample),
         DatapathKind::Published => of(d, published::sample),
         DatapathKind::Fixed => of(d, fixed::sample),
+        DatapathKind::Windows => unreachable!("configurations are refused where hardware is asked for"),
     }
 }
 

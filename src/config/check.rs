@@ -1,4 +1,5 @@
 //! One value against what its key accepts, as a sentence.
+use super::WindowSet;
 use super::keys::{Key, Legal};
 use toml::Value;
 
@@ -36,6 +37,10 @@ pub(crate) fn problem(key: &Key, value: &Value) -> Option<String> {
         (Legal::Text, _) => Some(format!("{path} = {shown} is not a text in quotes")),
         (Legal::Range, value) if is_range(value) => None,
         (Legal::Range, _) => Some(format!("{path} = {shown} is no range: {legal} is legal")),
+        (Legal::Set, Value::String(text)) => {
+            text.parse::<WindowSet>().err().map(|problem| format!("{path} = {shown} {problem}"))
+        }
+        (Legal::Set, _) => Some(format!("{path} = {shown} is no set of windows: {legal}, is legal")),
         (Legal::Size, value) if is_size(value) => None,
         (Legal::Size, _) => Some(format!("{path} = {shown} is no size: {legal}, is legal")),
         (Legal::Word(words), Value::String(word)) => word_problem(path, word, words),

@@ -1,6 +1,6 @@
 //! The configuration as a TOML file that explains itself.
-use super::Config;
 use super::keys::{KEYS, Legal, SECTIONS};
+use super::{Config, windows};
 use std::fmt::Write;
 
 impl Config {
@@ -25,7 +25,9 @@ impl Config {
                     }
                     legal => writeln!(text, "# {}: {legal}.", key.about.replace(':', ",")),
                 };
-                let value = table.get(*section).and_then(|entries| entries.get(name));
+                // What the datapath has no use for must not be given to it.
+                let unread = self.datapath.kind.facts().windows && windows::is_ignored(key.path);
+                let value = table.get(*section).and_then(|entries| entries.get(name)).filter(|_| !unread);
                 let _ = match value {
                     Some(value) => writeln!(text, "{name} = {value}"),
                     None => writeln!(text, "# {name} = {}", example(key.path)),
@@ -39,6 +41,8 @@ impl Config {
 /// What a key without a value could be; the default of those that have one.
 fn example(path: &str) -> String {
     match path {
+        "datapath.search" => "\"pyramid\"".into(),
+        "windows.set" => "\"1 4@2 12@4 40@8\"".into(),
         "map.file" => "\"map.png\"".into(),
         "map.range" => "[0.0, 100.0]".into(),
         "map.nodata" => "-9999.0".into(),
@@ -48,6 +52,10 @@ fn example(path: &str) -> String {
         "map.size" => "[1024, 1024]".into(),
         "map.byte_order" => "\"little\"".into(),
         "map.max_texels" => super::MapConfig::MAX_TEXELS.to_string(),
+        "mode.start_level" => "true".into(),
+        "mode.levels_down" => "2".into(),
+        "mode.level_up" => "\"selective\"".into(),
+        "mode.trim" => "\"none\"".into(),
         _ => "false".into(),
     }
 }

@@ -1,5 +1,5 @@
 //! What is to be generated: format, traversal parameters, modes, latencies.
-use super::{DatapathConfig, ExtraUnits};
+use super::{DatapathConfig, ExtraUnits, WindowsConfig};
 use crate::format::FloatFormat;
 use serde::{Deserialize, Serialize};
 
@@ -214,6 +214,8 @@ pub struct Design {
     pub latency: LatencyConfig,
     /// Arithmetic of the traversal.
     pub datapath: DatapathConfig,
+    /// The windows of a search by windows.
+    pub windows: WindowsConfig,
     /// Units besides what the traversal needs.
     pub extra: ExtraUnits,
     /// Widths of conversions alone.
@@ -262,6 +264,7 @@ impl Default for Design {
             mode: ModeConfig::default(),
             latency: LatencyConfig::default(),
             datapath: DatapathConfig::default(),
+            windows: WindowsConfig::default(),
             extra: ExtraUnits::default(),
             convert: ConvertConfig::default(),
         }

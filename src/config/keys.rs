@@ -2,7 +2,7 @@
 //!
 //! The commented file, the schema's ranges, the checks and their sentences all come from here.
 use super::{
-    Border, ByteOrder, DefaultNettype, ExtraUnit, LevelUp, MapKind, Rounding, Specials, Subnormals, Trim, View,
+    Border, ByteOrder, DefaultNettype, ExtraUnit, LevelUp, MapKind, Rounding, Search, Specials, Subnormals, Trim, View,
 };
 use std::fmt;
 
@@ -33,6 +33,8 @@ pub enum Legal {
     Range,
     /// Width and height; the key may be absent.
     Size,
+    /// A set of windows; the key may be absent.
+    Set,
     /// Nothing, or a Verilog identifier of at most 32 characters.
     Prefix,
     /// Nothing, or the operand of a `` `timescale``.
@@ -53,6 +55,7 @@ impl fmt::Display for Legal {
             Self::Text => f.write_str("text in quotes"),
             Self::Range => f.write_str("[low, high] with low below high, or \"auto\""),
             Self::Size => f.write_str("[width, height], each 1 to 2^31 - 1"),
+            Self::Set => f.write_str("2 to 5 windows, 1 first, each a side or side@grid (the grid a power of two up to 16, the side a multiple of it), side - grid rising, up to 63"),
             Self::Prefix => f.write_str("empty, or letters, digits and _ with no digit first, at most 32"),
             Self::Timescale => f.write_str("empty, or unit/precision of 1, 10 or 100 s, ms, us, ns, ps or fs, like 1ns/1ps, the precision no coarser than the unit"),
         }
@@ -62,7 +65,7 @@ impl fmt::Display for Legal {
 impl Legal {
     /// Whether the key may be absent; `--set key=none` then removes it.
     pub(super) const fn optional(self) -> bool {
-        matches!(self, Self::Path | Self::Number | Self::Mark | Self::Text | Self::Range | Self::Size)
+        matches!(self, Self::Path | Self::Number | Self::Mark | Self::Text | Self::Range | Self::Size | Self::Set)
     }
 
     /// Adds the range to a JSON schema entry; types and words are there already.
@@ -90,7 +93,7 @@ impl Legal {
                 entry.insert("pattern".into(), "^(10{0,2}([munpf]?s)/10{0,2}([munpf]?s))?$".into());
             }
             Self::Flag | Self::Word(_) | Self::Path | Self::Number | Self::Mark => {}
-            Self::Text | Self::Range | Self::Size => {}
+            Self::Text | Self::Range | Self::Size | Self::Set => {}
         }
     }
 }
@@ -122,6 +125,7 @@ pub const SECTIONS: &[(&str, &str)] = &[
     ("format", "Number format of the datapath: 1 sign bit, exp exponent bits, man fraction bits."),
     ("traverse", "Sizes of the traverse unit; each is a Verilog parameter."),
     ("datapath", "Which arithmetic traces the rays."),
+    ("windows", "The windows of datapath.search = \"windows\"."),
     (
         "mode",
         "Choices of the traversal. They change the number of steps, never the hit (of the published datapath: now and then).",
@@ -168,12 +172,22 @@ pub const KEYS: &[Key] = &[
         Legal::Word(&["watertight", "published", "fixed"]),
     ),
     key(
+        "datapath.search",
+        "fixed: the nodes of a pyramid one by one, or windows ahead of the ray all at once; the hits are the same",
+        Legal::Word(Search::WORDS),
+    ),
+    key(
         "datapath.nudge_bits",
         "published: a crossing lands 2^-nudge_bits texels behind its plane; 0 is no nudge",
         Legal::Whole(0, 16),
     ),
     key("datapath.fraction_bits", "fixed: fraction bits of entry point, travel and ray parameter", Legal::Whole(8, 28)),
     key("datapath.reciprocal_bits", "fixed: significant bits of the travel's reciprocal", Legal::Whole(8, 32)),
+    key(
+        "windows.set",
+        "side@grid in texels of each window, fine to coarse; without it 1 4@2 12@4 40@8, and with fewer than 3 levels 1 2@2",
+        Legal::Set,
+    ),
     key("mode.start_level", "start at the lowest level whose node holds the whole ray, not at the root", Legal::Flag),
     key("mode.levels_down", "levels per descent until the first crossing", Legal::Whole(1, 4)),
     key("mode.level_up", "when a crossing goes one level up", Legal::Word(LevelUp::WORDS)),

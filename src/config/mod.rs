@@ -10,6 +10,7 @@ mod datapath;
 mod design;
 mod divider;
 mod extra;
+mod given;
 mod input;
 pub mod keys;
 pub(crate) mod lines;
@@ -17,17 +18,20 @@ pub mod modes;
 mod profile;
 mod source;
 pub(crate) mod validate;
+mod windows;
 
 pub use crate::format::{Rounding, Specials, Subnormals};
 pub use clock::{Choice, Scope, for_clock, latency_key};
-pub use datapath::{DatapathConfig, DatapathFacts, DatapathKind, Reads, datapaths};
+pub use datapath::{DatapathConfig, DatapathFacts, DatapathKind, Reads, Search, datapaths};
 pub use design::{ConvertConfig, Design, Divider, LatencyConfig, LevelUp, ModeConfig, TraverseConfig, Trim};
 pub use extra::{ExtraUnit, ExtraUnits};
+pub use given::Given;
 pub use input::{
     Auto, Border, ByteOrder, DefaultNettype, EmitConfig, FormatConfig, Generator, MapConfig, MapKind, MapRange,
     NanRule, VectorsConfig, View, ViewConfig,
 };
 pub use profile::Profile;
+pub use windows::{Window, WindowSet, WindowWidths, WindowsConfig};
 
 use serde::{Deserialize, Serialize};
 
@@ -41,6 +45,9 @@ pub struct Config {
     pub traverse: TraverseConfig,
     /// Arithmetic of the traversal.
     pub datapath: DatapathConfig,
+    /// The windows of a search by windows.
+    #[serde(skip_serializing_if = "is_default")]
+    pub windows: WindowsConfig,
     /// Choices of the traversal.
     pub mode: ModeConfig,
     /// Clocks of each kind of unit.
@@ -55,6 +62,13 @@ pub struct Config {
     pub vectors: VectorsConfig,
     /// What the emitted files look like.
     pub emit: EmitConfig,
+    /// Which keys were written.
+    #[serde(skip)]
+    pub given: Given,
+}
+
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
 }
 
 impl Config {
@@ -66,8 +80,20 @@ impl Config {
             mode: self.mode,
             latency: self.latency,
             datapath: self.datapath,
+            windows: self.windows,
             extra: self.emit.units.iter().copied().collect(),
             convert: self.convert,
+        }
+    }
+
+    /// The same with another datapath; what that one does not read is at its default, as if nobody had given it.
+    pub fn choose_datapath(&mut self, kind: DatapathKind) {
+        (self.datapath.kind, self.datapath.search) = (kind, Search::default());
+        self.given = Given::default();
+        if kind.facts().windows {
+            self.mode = ModeConfig { bilinear: self.mode.bilinear, ..ModeConfig::default() };
+        } else {
+            self.windows = WindowsConfig::default();
         }
     }
 

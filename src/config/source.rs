@@ -56,7 +56,13 @@ impl Config {
         }
         validate::report(problems)?;
         // Everything below was checked above, so an error here is a key that the table describes wrongly.
-        toml::from_str(text).map_err(|error| syntax(text, name, &error))
+        let mut config: Self = toml::from_str(text).map_err(|error| syntax(text, name, &error))?;
+        let written = |key: &&keys::Key| {
+            let (section, entry) = key.split();
+            table.get(section).and_then(Value::as_table).is_some_and(|entries| entries.contains_key(entry))
+        };
+        keys::KEYS.iter().filter(written).for_each(|key| config.given.add(key.path));
+        Ok(config)
     }
 
     /// Applies one `key.path=value` as given to `--set`. The value is TOML; a bare word is a string, and a list of words
@@ -75,8 +81,8 @@ impl Config {
         let key = keys::find(path).ok_or_else(|| Error::input(unknown(path, "--set")))?;
         let mut table = self.table()?;
         let (section, name) = key.split();
-        let Some(Value::Table(entries)) = table.get_mut(section) else {
-            unreachable!("every section is written");
+        let Value::Table(entries) = table.entry(section).or_insert_with(|| Value::Table(Table::new())) else {
+            unreachable!("every section is a table");
         };
         if key.legal.optional() && text.is_empty() {
             let legal = key.legal;
@@ -91,9 +97,17 @@ impl Config {
             }
             entries.insert(name.to_owned(), value);
         }
-        *self = table
+        let mut given = std::mem::take(&mut self.given);
+        let read = table
             .try_into()
-            .map_err(|error: toml::de::Error| Error::input(format!("{} (--set {assignment})", error.message())))?;
+            .map_err(|error: toml::de::Error| Error::input(format!("{} (--set {assignment})", error.message())));
+        *self = read?;
+        if key.legal.optional() && text == "none" {
+            given.remove(key.path)
+        } else {
+            given.add(key.path)
+        }
+        self.given = given;
         Ok(())
     }
 
@@ -111,7 +125,7 @@ fn parse(text: &str, legal: Legal) -> Value {
     let value = parsed.and_then(|mut table| table.remove("value")).unwrap_or_else(|| Value::String(text.to_owned()));
     match (legal, value) {
         // `map.file=1` or `emit.prefix=true` is a name that happens to read as something else.
-        (Legal::Path | Legal::Word(_) | Legal::Prefix | Legal::Text, value) if !value.is_str() => {
+        (Legal::Path | Legal::Word(_) | Legal::Prefix | Legal::Text | Legal::Set, value) if !value.is_str() => {
             Value::String(text.to_owned())
         }
         (Legal::Range | Legal::Size, Value::String(list)) if list.contains(',') => {

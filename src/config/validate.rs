@@ -1,6 +1,6 @@
 //! What must hold of a whole configuration.
 use super::keys::KEYS;
-use super::{Border, Config, MapKind, MapRange, Trim, check, datapaths};
+use super::{Border, Config, MapKind, MapRange, Search, Trim, check, datapaths};
 use crate::error::{Error, Result};
 
 impl Config {
@@ -15,6 +15,7 @@ impl Config {
             self.choice_problems(&mut problems);
             self.convert_problem(&mut problems);
             self.datapath.kind.facts().limits.iter().for_each(|limit| limit(self, &mut problems));
+            self.search_problems(&mut problems);
             self.mode_problems(&mut problems);
             self.bilinear_problems(&mut problems);
             self.map_problems(&mut problems);
@@ -79,9 +80,28 @@ impl Config {
         }
     }
 
+    /// A search that the datapath does not have.
+    fn search_problems(&self, problems: &mut Vec<String>) {
+        let path = self.datapath.kind.facts();
+        if self.datapath.search != Search::default() {
+            problems.push(format!(
+                "datapath.search = \"windows\" and datapath.kind = \"{}\" exclude each other: a search by windows needs datapath.kind = \"fixed\"",
+                path.word
+            ));
+        } else if let (false, Some(set)) = (path.windows, self.windows.set) {
+            problems.push(format!(
+                "windows.set = \"{set}\" is given, but the pyramid has no windows: set datapath.kind = \"fixed\" and datapath.search = \"windows\", or leave it out"
+            ));
+        }
+    }
+
     /// What the datapath does not have.
     fn mode_problems(&self, problems: &mut Vec<String>) {
         let path = self.datapath.kind.facts();
+        if path.windows {
+            // Each was refused by name.
+            return;
+        }
         for (key, set, has) in
             [("mode.trim", self.mode.trim != Trim::None, path.trim), ("mode.lod", self.mode.lod, path.lod)]
         {
@@ -98,10 +118,10 @@ impl Config {
         }
         let path = self.datapath.kind.facts();
         if !path.bilinear {
+            let (key, word) = self.datapath.kind.chosen_by();
             let having = datapaths().filter(|k| k.facts().bilinear).map(|k| format!("\"{}\"", k.word()));
             problems.push(format!(
-                "mode.bilinear = true and datapath.kind = \"{}\" exclude each other: the refinement needs datapath.kind = {}",
-                path.word,
+                "mode.bilinear = true and {key} = \"{word}\" exclude each other: the refinement needs datapath.kind = {}",
                 having.collect::<Vec<_>>().join(" or ")
             ));
             return;

@@ -68,7 +68,8 @@ pub fn published_rates(c: &Config, dir: &Path, tell: &dyn Fn(String)) -> Result<
     for levels in sizes {
         for kind in &kinds {
             let mut c = c.clone();
-            (c.traverse.levels, c.datapath.kind, c.map.kind) = (levels, *kind, MapKind::File);
+            (c.traverse.levels, c.map.kind) = (levels, MapKind::File);
+            c.choose_datapath(*kind);
             c.map.file = Some(dir.join("-"));
             c.validate()?;
             let mut rate = Rate { datapath: c.design().label(), texels: 1 << levels, ..Rate::default() };

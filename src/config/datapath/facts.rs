@@ -20,6 +20,8 @@ pub struct DatapathFacts {
     pub start_trip: bool,
     /// Every ray ends, and in the same hit whatever the mode.
     pub modes_agree: bool,
+    /// It reads all windows ahead of the ray in one iteration: no node, no level, and none of the modes that choose them.
+    pub windows: bool,
     /// It has `mode.trim`, at number formats that [`DatapathFacts::trim_fits`] allows.
     pub trim: bool,
     /// Whether a chord trim is possible in this number format.

@@ -18,6 +18,7 @@ pub(super) const FACTS: DatapathFacts = DatapathFacts {
     divides_in_loop: false,
     start_trip: false,
     modes_agree: true,
+    windows: false,
     trim: true,
     trim_fits: |_| true,
     lod: true,
@@ -48,7 +49,7 @@ fn ladder(d: &Design) -> Vec<Vec<Design>> {
 }
 
 /// The bounds that keep every intermediate result inside its width (`docs/fixed.md`, Parameters).
-fn widths(c: &Config, problems: &mut Vec<String>) {
+pub(super) fn widths(c: &Config, problems: &mut Vec<String>) {
     let (f, w) = (c.datapath.fraction_bits, c.datapath.reciprocal_bits);
     let (levels, height, tiles) = (c.traverse.levels, c.traverse.height_bits, c.traverse.tile_bits);
     let mut most = |what: &str, value: u32, why: &str, limit: u32| {

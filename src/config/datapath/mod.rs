@@ -6,7 +6,9 @@ mod kind;
 mod published;
 mod table;
 mod watertight;
+mod windows;
+mod written;
 
 pub use facts::{DatapathFacts, Reads};
-pub use kind::{DatapathConfig, DatapathKind};
+pub use kind::{DatapathConfig, DatapathKind, Search};
 pub use table::datapaths;

@@ -11,6 +11,7 @@ pub(super) const FACTS: DatapathFacts = DatapathFacts {
     divides_in_loop: true,
     start_trip: true,
     modes_agree: false,
+    windows: false,
     trim: false,
     trim_fits: |_| false,
     lod: false,

@@ -1,8 +1,8 @@
 //! The table of the datapaths.
 use super::facts::DatapathFacts;
 use super::kind::{DatapathConfig, DatapathKind};
-use super::{fixed, published, watertight};
-use crate::config::{Design, ModeConfig, Trim};
+use super::{fixed, published, watertight, windows};
+use crate::config::{Design, ModeConfig, Trim, WindowSet};
 use crate::format::{FloatFormat, Words};
 
 impl DatapathKind {
@@ -15,12 +15,19 @@ impl DatapathKind {
             Self::Watertight => &watertight::FACTS,
             Self::Published => &published::FACTS,
             Self::Fixed => &fixed::FACTS,
+            Self::Windows => &windows::FACTS,
         }
     }
 
     /// The word in the TOML file and on the command line.
     pub const fn word(self) -> &'static str {
         self.facts().word
+    }
+
+    /// The key that chooses it, and the word there.
+    pub const fn chosen_by(self) -> (&'static str, &'static str) {
+        let facts = self.facts();
+        (if facts.windows { "datapath.search" } else { "datapath.kind" }, facts.word)
     }
 
     /// Trips of a ray through the loop that are no iterations.
@@ -57,9 +64,23 @@ impl Design {
         (self.datapath.kind.facts().words)(self)
     }
 
-    /// Datapath and widths in a few words.
+    /// Datapath and widths in a few words; of a search by windows its set, too.
     pub fn label(&self) -> String {
-        self.datapath.label(self.format)
+        let label = self.datapath.label(self.format);
+        if self.datapath.kind.facts().windows { format!("{label}, {}", self.window_set()) } else { label }
+    }
+
+    /// The windows of a search by windows.
+    pub fn window_set(&self) -> WindowSet {
+        self.windows.at(self.traverse.levels)
+    }
+
+    /// The same with a search in the pyramid, if it searches by windows.
+    pub fn by_pyramid(&self) -> Self {
+        if !self.datapath.kind.facts().windows {
+            return *self;
+        }
+        Self { datapath: DatapathConfig { kind: DatapathKind::Fixed, ..self.datapath }, ..*self }
     }
 
     /// The chord trims that datapath and number format have.

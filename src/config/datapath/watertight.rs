@@ -12,6 +12,7 @@ pub(super) const FACTS: DatapathFacts = DatapathFacts {
     divides_in_loop: false,
     start_trip: false,
     modes_agree: true,
+    windows: false,
     trim: true,
     trim_fits,
     lod: true,

@@ -10,6 +10,7 @@ impl Datapath {
             DatapathKind::Watertight => &watertight::DATAPATH,
             DatapathKind::Published => &published::DATAPATH,
             DatapathKind::Fixed => &fixed::DATAPATH,
+            DatapathKind::Windows => unreachable!("configurations are refused where hardware is asked for"),
         }
     }
 }
