@@ -189,5 +189,5 @@ fn read_heights<'b>(
 ) -> Heights<'b> {
     let address = node_address(b, s, d, "u_address", ray, level).named("address");
     b.section("height", "");
-    source.read(ray, address)
+    source.read(ray, &[address])
 }
