@@ -39,24 +39,23 @@ impl<'b> SlotMemory<'b> {
     /// If `stage` is earlier.
     pub fn read(&self, name: &str, words: &Record<'b>, stage: u32) -> Record<'b> {
         assert!(stage >= 2, "{name}: a slot's words are known from stage 2 on");
-        self.memory(name, words, self.slot.at(stage - 1)).named(name)
+        words.unbundle(self.memory(name, words, self.slot.at(stage - 1))).named(name)
     }
 
     /// The same in stage 1: the words of a ray that enters pass by the memory.
     pub fn read_early(&self, name: &str, words: &Record<'b>) -> Record<'b> {
         let enters = self.accept.named("accept").reg();
-        let held = self.memory(name, words, self.slot).named(&format!("{name}_held"));
+        let held = words.unbundle(self.memory(name, words, self.slot)).named(&format!("{name}_held"));
         let new = words.named(&format!("{name}_new"));
         new.map(|field, v| enters.mux(v.reg(), held[field]).named(&format!("{name}_{field}")))
     }
 
     /// The words of the ray that comes to stage 0 from the last slot, there.
     pub fn read_for_result(&self, name: &str, words: &Record<'b>) -> Record<'b> {
-        let bundle = self.memory(name, words, self.slot.at(self.slots - 1));
-        bundle.map(|field, v| v.rebase_stage(0).named(&format!("{name}_{field}")))
+        words.unbundle(self.memory(name, words, self.slot.at(self.slots - 1)).rebase_stage(0)).named(name)
     }
 
-    fn memory(&self, name: &str, words: &Record<'b>, slot: Sig<'b>) -> Record<'b> {
+    fn memory(&self, name: &str, words: &Record<'b>, slot: Sig<'b>) -> Sig<'b> {
         let b = self.b;
         let data = words.bundle(b);
         let params =
@@ -64,7 +63,7 @@ impl<'b> SlotMemory<'b> {
         let ins =
             [("write_en", self.accept), ("write_addr", self.slot), ("write_data", data), ("read_addr", slot)];
         let read = b.instance(&fifo_mem(), &format!("u_{name}"), &params, &ins)["read_data"];
-        words.unbundle(read.named(&format!("{name}_words")))
+        read.named(&format!("{name}_words"))
     }
 }
 

@@ -30,7 +30,7 @@ pub fn iteration<'b>(
 
     b.section("texel", "");
     let origin = AXES.map(|a| (format!("origin_{a}"), new[format!("p_{a}").as_str()].slice(&f - &s.levels, &s.levels)));
-    let origin = slots.read_early("begin", &origin.into_iter().collect::<Record<'b>>().and(two("neg")));
+    let origin = slots.read_early("origin", &origin.into_iter().collect::<Record<'b>>().and(two("neg")));
     let cut = |v: Sig<'b>| if d.latency.node > 0 { v.reg() } else { v };
     let texel = AXES.map(|a| {
         let of = |n: &str| origin[format!("{n}_{a}").as_str()];
@@ -58,7 +58,7 @@ pub fn iteration<'b>(
         o.named(&format!("{a}_product"))
     });
     let at = ahead[0]["low"].stage().expect("a product has a stage");
-    let first = slots.read("first", &two("c"), at);
+    let first = slots.read("entry", &two("c"), at);
     let plane = [0, 1].map(|k| {
         let a = AXES[k];
         let ins = [("c", first[format!("c_{a}").as_str()]), ("low", ahead[k]["low"]), ("high", ahead[k]["high"])];
@@ -111,7 +111,7 @@ pub fn iteration<'b>(
         let ins = [("travel", travels[format!("travel_{a}").as_str()]), ("m", m)];
         b.inst(&window_way::window_way(d), &format!("u_way_{a}"), &[], &ins)[0].named(&format!("way_{a}"))
     });
-    let offsets = slots.read("inside", &two("offset"), ways[0].stage().expect("a way has a stage"));
+    let offsets = slots.read("offset", &two("offset"), ways[0].stage().expect("a way has a stage"));
     let k = [0, 1].map(|n| {
         let a = AXES[n];
         let passed = o[format!("passed_{a}").as_str()].named(&format!("passed_{a}"));
@@ -135,9 +135,9 @@ fn ended<'b>(b: &'b Builder, s: &Sizes, ray: &Ray<'b>, hit: Sig<'b>, below: Sig<
     let given_up = (ends_now & !hit & moves).named("given_up");
     let wall = ray.get("done").mux(ray.get("wall"), hit & below).named("wall_next");
     ray.with(&[
-        ("done", ray.get("done") | ends_now),
+        ("done", (ray.get("done") | ends_now).named("done_next")),
         ("wall", wall),
-        ("limit", ray.get("limit") | given_up),
+        ("limit", (ray.get("limit") | given_up).named("limit_next")),
         ("steps", steps),
     ])
 }

@@ -25,14 +25,14 @@ pub fn plane_sum(d: &Design) -> Arc<Module> {
     b.plan(l, &[("lower product", 7), ("upper product", 7)]);
     b.section("lower product", "");
     let tall = (&p.plane + 1).larger(&p.count + &low_w + 1);
-    let begin = (c.zext(&tall) + low.zext(&tall)).named("begin");
+    let start = (c.zext(&tall) + low.zext(&tall)).named("start");
     b.section("upper product", "All bits above a word are one: such a plane is never met.");
     let upper_w = &p.plane + &p.count + 1 - &low_w;
-    let upper = high.zext(&upper_w) + begin.slice(&low_w, &tall - &low_w).zext(&upper_w);
+    let upper = high.zext(&upper_w) + start.slice(&low_w, &tall - &low_w).zext(&upper_w);
     let upper = upper.named("upper");
     let rest = &p.plane - &low_w;
     let beyond = upper.slice(&rest, &p.count + 1).any().named("is_beyond");
-    let plane = b.cat(&[beyond, upper.slice(0, rest), begin.slice(0, &low_w)]).named("plane_ahead");
+    let plane = b.cat(&[beyond, upper.slice(0, rest), start.slice(0, &low_w)]).named("plane_ahead");
     b.drive(out, plane, Some(l));
     b.finish(Some(l), &bindings())
 }

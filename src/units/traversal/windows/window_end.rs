@@ -18,7 +18,7 @@ pub fn window_end(d: &Design) -> Arc<Module> {
     b.clock_enable();
     let plane = b.input("plane", &p.plane + 1, FINE, "parameter of the plane ahead of the texel");
     let span = b.input("span", &wide, FINE, "from there to the end of the window, at most 78 planes");
-    let out = b.output("end", &wide, FINE, "parameter of that plane");
+    let out = b.output("ends_at", &wide, FINE, "parameter of that plane");
     let l = latency(&d.latency);
     b.drive(out, (plane.zext(&wide) + span).named("window_end"), Some(l));
     b.finish(Some(l), &bindings())

@@ -50,7 +50,7 @@ pub fn window_exit(d: &Design) -> Arc<Module> {
     let exit = x_first.mux(when[0], when[1]).named("t_exit");
     let fraction = x_first.mux(parts[0], parts[1]).named("exit_fraction");
     let depth = (!height).named("depth_code");
-    let inside = b.cat(&[depth, b.zeros(1)]).lt(b.cat(&[exit.slice(&low, &h), fraction])).named("inside");
+    let inside = b.cat(&[depth, b.zeros(1)]).lt(b.cat(&[exit.slice(&low, &h), fraction])).named("can_hold");
     b.drive(o_exit, exit, Some(l));
     b.drive(o_first, x_first, Some(l));
     b.drive(o_fraction, fraction, Some(l));
