@@ -1,6 +1,6 @@
 //! The golden model: what every unit must return, to the bit, computed without any thought of hardware.
 //!
-//! It implements `docs/datapath.md`, `docs/published.md`, `docs/fixed.md` and `docs/bilinear.md` on its own: exact integers times a power of two and one rounding, no guard bits,
+//! It implements `docs/datapath.md`, `docs/published.md`, `docs/fixed.md`, `docs/windows.md` and `docs/bilinear.md` on its own: exact integers times a power of two and one rounding, no guard bits,
 //! no pipelines. It shares only the format's constants and the configuration with the units it judges.
 mod datapath;
 pub mod fixed;
@@ -14,6 +14,8 @@ mod registry;
 mod trim;
 mod walk;
 mod watertight;
+mod window_maps;
+mod windows;
 
 pub use datapath::Datapath;
 pub use level::{Crossing, descend_levels, level_up, start_level, trim_return};
@@ -24,3 +26,5 @@ pub use record::{BilinearHit, Chord, Decision, Iteration, Patch, RayHit, RayInpu
 pub use registry::{Model, datapath, decode_time, encode_ray, prepare};
 pub use watertight::bilinear::{self, Refined};
 pub use watertight::{Axis, Watertight};
+pub use window_maps::{WindowMap, WindowMaps};
+pub use windows::{WindowAxis, Windows};

@@ -1,5 +1,8 @@
 //! The maximum pyramid and its place in memory.
+use super::window_maps::{Made, WindowMaps};
+use crate::config::WindowSet;
 use crate::error::{Error, Result};
+use std::sync::Arc;
 
 /// A pyramid of maxima over a square map that repeats; level 0 is the map, level `levels` one node.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -8,6 +11,8 @@ pub struct Pyramid {
     height_bits: u32,
     /// Words in the order of the addresses.
     words: Vec<u32>,
+    /// Maps of windows that were made of it.
+    windows: Made,
 }
 
 /// Word address of node `(i, j)` of level `k` in the memory of a pyramid over 2^n x 2^n texels; `i`, `j` below 2^(n-k).
@@ -63,7 +68,7 @@ impl Pyramid {
                 }
             }
         }
-        Ok(Self { levels, height_bits, words })
+        Ok(Self { levels, height_bits, words, windows: Made::default() })
     }
 
     /// Maximum height code of node `(i, j)` of a level; the indices are below 2^(levels - level).
@@ -74,6 +79,14 @@ impl Pyramid {
     /// The memory image: (4^(levels + 1) - 1) / 3 words of `height_bits` bits, by address.
     pub fn memory(&self) -> &[u32] {
         &self.words
+    }
+
+    /// The maps of windows over the same texels (`docs/windows.md`), made when they are first asked for.
+    ///
+    /// # Panics
+    /// If a window's grid is larger than the map.
+    pub fn windows(&self, set: &WindowSet) -> Arc<WindowMaps> {
+        self.windows.get(set, || WindowMaps::build(self.levels, set, |k, i, j| self.node(k, i, j)))
     }
 
     /// log2 of the map's side.

@@ -4,6 +4,7 @@ use super::fixed::Fixed;
 use super::published::Published;
 use super::record::RayInput;
 use super::watertight::Watertight;
+use super::windows::Windows;
 use crate::config::{DatapathKind, Design};
 use crate::error::Result;
 
@@ -34,7 +35,7 @@ pub fn datapath(kind: DatapathKind) -> Model {
         DatapathKind::Watertight => Model::of::<Watertight>(),
         DatapathKind::Published => Model::of::<Published>(),
         DatapathKind::Fixed => Model::of::<Fixed>(),
-        DatapathKind::Windows => unreachable!("the model comes next"),
+        DatapathKind::Windows => Model::of::<Windows>(),
     }
 }
 

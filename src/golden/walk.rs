@@ -79,7 +79,7 @@ fn walk_on<const RECORD: bool, P: PlaneArithmetic>(
 }
 
 /// Wrapped texel and position inside it: where the ray is at `t`, kept in the level-`lod` node of texel `x`.
-fn leave<P: PlaneArithmetic>(planes: &P, axis: &P::Axis, x: i64, t: u64, lod: u32) -> (u32, u32) {
+pub(super) fn leave<P: PlaneArithmetic>(planes: &P, axis: &P::Axis, x: i64, t: u64, lod: u32) -> (u32, u32) {
     let size = &planes.design().traverse;
     let mask = (1i64 << lod) - 1;
     let (first, behind) = ((x & !mask) << size.frac_bits, ((x | mask) + 1) << size.frac_bits);

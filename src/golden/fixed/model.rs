@@ -37,7 +37,7 @@ fn illegal(d: &Design) -> Option<&'static str> {
 /// The fixed-point model of one design, with the design's constants at hand.
 #[derive(Clone, Debug)]
 pub struct Fixed {
-    pub(super) design: Design,
+    pub(in crate::golden) design: Design,
     /// FRACTION_W: fraction bits of positions, in tiles.
     pub(super) fraction: u32,
     /// RECIP_W: significant bits of the reciprocal.
@@ -49,7 +49,7 @@ pub struct Fixed {
     /// G: fraction bits of the ray parameter.
     pub(super) time_fraction: u32,
     /// The largest ray parameter; no height is met there.
-    pub(super) never: u64,
+    pub(in crate::golden) never: u64,
 }
 
 impl Fixed {

@@ -20,7 +20,7 @@ pub fn design(f: u32, w: u32, levels: u32, height_bits: u32, tile_bits: u32) -> 
 
 /// Kinds of rays; all but the first are hard in some way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+pub enum Kind {
     Generic,
     /// Entry and travel are multiples of an eighth of a texel or more.
     Lattice,
@@ -39,7 +39,7 @@ enum Kind {
 }
 
 impl Kind {
-    const ALL: [Self; 9] = [
+    pub const ALL: [Self; 9] = [
         Self::Generic,
         Self::Lattice,
         Self::AxisParallel,
@@ -53,7 +53,7 @@ impl Kind {
 }
 
 /// A valid ray of a kind.
-fn ray(d: &Design, kind: Kind, rng: &mut ChaCha8Rng) -> RayInput {
+pub fn ray(d: &Design, kind: Kind, rng: &mut ChaCha8Rng) -> RayInput {
     let (f, n, tile) = (d.datapath.fraction_bits, d.traverse.levels, d.traverse.tile_bits);
     let (one, far) = (1i64 << f, 1i64 << (f + tile));
     let texel = 1i64 << (f - n);

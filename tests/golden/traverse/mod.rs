@@ -3,6 +3,7 @@
 //! `RELIEFRTL_RAYS` sets the rays per map; `RELIEFRTL_SEED` their seed.
 mod fixed;
 mod scenes;
+mod windows;
 
 use reliefrtl::config::{Design, LevelUp, ModeConfig, TraverseConfig, Trim};
 use reliefrtl::format::FloatFormat;

@@ -1,0 +1,62 @@
+//! The search by windows ahead of the ray (`docs/windows.md`): the arithmetic and the hits of the fixed-point datapath, another way to them.
+//!
+//! Plain integer arithmetic in 128 bits, as in [`super::fixed`], whose setup and place it uses.
+mod setup;
+mod walk;
+
+pub use setup::WindowAxis;
+
+use super::datapath::Datapath;
+use super::fixed::Fixed;
+use super::pyramid::Pyramid;
+use super::record::{Iteration, RayHit, RayInput};
+use crate::config::{Design, WindowSet, WindowWidths};
+use crate::error::{Error, Result};
+
+/// The model of one design, with the design's constants at hand.
+#[derive(Clone, Debug)]
+pub struct Windows {
+    /// The datapath whose hits it finds.
+    fixed: Fixed,
+    set: WindowSet,
+    widths: WindowWidths,
+}
+
+impl Windows {
+    /// The widths of its words.
+    pub fn widths(&self) -> &WindowWidths {
+        &self.widths
+    }
+}
+
+impl Datapath for Windows {
+    fn prepare(design: &Design) -> Result<Self> {
+        let (fixed, set) = (Fixed::prepare(design)?, design.window_set());
+        if let Some(problem) = set.misfit(design.traverse.levels) {
+            return Err(Error::input(format!("no search by windows of this set: {set} {problem} (`docs/windows.md`)")));
+        }
+        if design.mode.lod {
+            return Err(Error::input("no search by windows with mode.lod: it has no levels (`docs/windows.md`)"));
+        }
+        Ok(Self { fixed, set, widths: WindowWidths::of(design) })
+    }
+
+    fn encode(design: &Design, ray: [f64; 4]) -> RayInput {
+        Fixed::encode(design, ray)
+    }
+
+    fn decode(design: &Design, t: u64) -> f64 {
+        Fixed::decode(design, t)
+    }
+
+    fn design(&self) -> &Design {
+        self.fixed.design()
+    }
+
+    fn trace_with(&self, map: &Pyramid, ray: &RayInput, on_iteration: Option<&mut dyn FnMut(&Iteration)>) -> RayHit {
+        match on_iteration {
+            Some(see) => self.walk(map, ray, see),
+            None => self.walk(map, ray, &mut |_| ()),
+        }
+    }
+}
