@@ -111,6 +111,10 @@ pub fn find(d: &Design, name: &str) -> Result<Arc<Module>> {
 /// The design that a module's parameter values describe.
 pub fn design_at(d: &Design, b: &Binding) -> Design {
     let mut d = *d;
+    if d.datapath.kind.facts().windows {
+        // The emitted text has one set, whatever its parameters are.
+        d.windows.set = Some(d.window_set());
+    }
     let set = |name: &str, slot: &mut u32| {
         if let Some(v) = b.get(name) {
             *slot = *v as u32;

@@ -1,6 +1,5 @@
 //! Where a ray goes wrong: the pipeline's signals beside the golden model's, iteration by iteration.
 use super::interp::Pipeline;
-use super::memory::images;
 use crate::config::{Design, Trim};
 use crate::error::Result;
 use crate::format::{FloatFormat, Words};
@@ -106,7 +105,7 @@ pub fn diagnose_in(p: &Pipeline, design: &Design, pyramid: &Pyramid, ray: &RayIn
     // The trip that finds the start level comes first, and is no iteration.
     let trips = path.start_trips(&design.mode) as usize;
     let clocks = p.depth as usize + (iterations.len() + trips) * p.slots as usize + 2 + WAITS;
-    let (log, start) = record(&p.net, &p.inputs, pyramid, ray, clocks, &probes);
+    let (log, start) = record(p, pyramid, ray, clocks, &probes);
     let start = start + trips * p.slots as usize;
     for (n, it) in iterations.iter().enumerate() {
         for ((name, shown, model), (k, (stage, net, slot))) in list.iter().zip(probes.iter().enumerate()) {
@@ -136,16 +135,15 @@ fn find(net: &Netlist, name: &str) -> (u32, String, Slot) {
 
 /// Probed values clock by clock, and the clock in which the ray stands in stage 0 for the first time.
 fn record(
-    net: &Netlist,
-    inputs: &[&str],
+    p: &Pipeline,
     pyramid: &Pyramid,
     ray: &RayInput,
     clocks: usize,
     probes: &[(u32, String, Slot)],
 ) -> (Vec<Vec<u64>>, usize) {
+    let (net, inputs) = (&p.net, &p.inputs);
     let mut sim = Lanes::new(net, 1);
-    let image: Vec<u64> = pyramid.memory().iter().map(|w| u64::from(*w)).collect();
-    images(net, &image).into_iter().enumerate().for_each(|(k, words)| sim.load(k, words));
+    p.images(pyramid).into_iter().enumerate().for_each(|(k, words)| sim.load(k, words));
     let set = |sim: &mut Lanes, name: &str, v: u64| sim.set(net.input(name), 0, v);
     set(&mut sim, "rst", 1);
     sim.eval();

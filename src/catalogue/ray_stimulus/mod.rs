@@ -4,6 +4,7 @@ pub(super) mod fixed;
 pub(super) mod published;
 mod sample;
 pub(super) mod watertight;
+pub(super) mod windows;
 
 use sample::AxisSample;
 pub use sample::RaySample;
