@@ -11,7 +11,12 @@ use std::sync::Arc;
 
 /// Clocks through `ray_setup`; at least one, so that a ready never follows from a valid in the same clock.
 pub fn latency(d: &Design) -> u32 {
-    d.latency.div.max(1)
+    magnitude(d) + d.latency.div.max(1)
+}
+
+/// Clocks of the travel's magnitude: a search by windows has one, as its loop is faster than a sum and a count of zeros in series.
+fn magnitude(d: &Design) -> u32 {
+    u32::from(d.datapath.kind.facts().windows && d.latency.div > 1)
 }
 
 /// What setup computes for one axis.
@@ -121,6 +126,7 @@ fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &str, p: Sig<'b>, trave
     let ok = (!(neg & low.none())).named(&n("ok"));
     let flip = neg.rep(reach.clone());
     let a = ((low ^ flip) + b.cat(&[b.zeros(reach - 1), neg])).named(&n("a"));
+    let a = a.at(magnitude(d));
 
     b.section(&n("slope"), "Height codes per length, and lengths per height code: the travel times 2^HEIGHT_W / M.");
     let o = b.inst(&reciprocal(d), &format!("u_{name}_reciprocal"), &[], &[("a", a)]);

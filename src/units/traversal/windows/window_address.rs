@@ -38,14 +38,14 @@ pub fn window_address(d: &Design) -> Arc<Module> {
         b.output(&format!("border_{a}"), CELL_W, "texels", "texels up to the border of the grid's cell, along the ray")
     });
     let last = b.konst((&levels - &grid).pow2() - 1, &cell_w).named("last_cell");
-    let back = b.konst(cells - 1, 6).zext(&cell_w + 6).slice(0, &cell_w);
-    b.unused(back);
+    // Modulo the cells of a map, which may be fewer than those of a window.
+    let back = b.konst(cells - 1, &cell_w).named("cells_back");
     let mut places = Vec::new();
     for ((a, at, neg), border) in axes.into_iter().zip(borders) {
-        let cell = b.cat(&[b.zeros(1), at]).slice(&grid, &cell_w).named(&format!("cell_{a}"));
+        let cell = b.cat(&[b.zeros(1), at]).named(&format!("texel_{a}")).slice(&grid, &cell_w).named(&format!("cell_{a}"));
         let first = (cell - (back & neg.rep(cell_w.clone()))) & last;
         places.push(first.named(&format!("first_{a}")));
-        let low = at.zext(&levels + CELL_W).slice(0, CELL_W);
+        let low = at.zext(&levels + CELL_W).named(&format!("tall_{a}")).slice(0, CELL_W);
         let left = low ^ (!neg).rep(CELL_W);
         b.drive(border, (left & b.konst(grid.pow2() - 1, CELL_W).named("in_cell")).named(&format!("left_{a}")), None);
     }

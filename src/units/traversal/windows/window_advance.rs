@@ -55,7 +55,9 @@ pub fn window_advance(d: &Design) -> Arc<Module> {
         let by = (texels & moves.rep(SPAN_W)).named(&format!("by_{a}"));
         // One more, as the carry into the sum.
         let tall = &count + 1;
-        let sum = b.cat(&[k, moves]) + b.cat(&[by.zext(&count + SPAN_W).slice(0, &count), moves]);
+        let by = by.zext(&count + SPAN_W).named(&format!("by_{a}_tall"));
+        b.unused(by);
+        let sum = b.cat(&[k, moves]) + b.cat(&[by.slice(0, &count), moves]);
         let sum = sum.named(&format!("sum_{a}"));
         b.unused(sum);
         b.drive(out, sum.slice(1, &tall - 1).named(&format!("k_{a}_passed")), Some(l));

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 /// Clocks through `window_constants`.
 pub fn latency(l: &LatencyConfig) -> u32 {
-    l.add + l.mul
+    l.add + l.mul + 1
 }
 
 /// Builds `window_constants`.
@@ -33,40 +33,42 @@ pub fn window_constants(d: &Design) -> Arc<Module> {
     let o_s = b.output("travel", &e.travel, "2^-(EstimateW+HEIGHT_W) texels", "travel per height code, less its bias");
     let o_o = b.output("offset", &e.offset, "2^-EstimateW texels", "how far in its texel the ray begins; its top bit is 0");
     let l = latency(&d.latency);
-    let plan = [("distance", 5), ("products", 9), ("product", 6), ("step", 5), ("align", 5), ("first plane", 5)];
+    let plan = [("distance", 5), ("products", 9), ("product", 6), ("leading zeros", 5), ("align", 5), ("first plane", 2)];
     b.plan(l, &plan);
 
-    let (first, still) = first_plane(&b, &f, &p, entry, neg, r, z);
+    let (travel, offset) = estimate(&b, &f, &p, &e, entry, neg, s);
+    b.drive(o_s, travel, Some(l));
+    b.drive(o_o, offset, Some(l));
     b.section("step", "Of a ray that moves, r has its top bit set: how far it may be moved up does not depend on it.");
     let below = (&f - &p.levels).smaller(&p.w + &p.tile - 2);
     let extra = b.konst(&f - &p.levels - &below, 6).named("place");
     let room = b.konst(&p.levels + &p.tile, &shift_w).named("room");
+    let still = (!r.msb()).named("is_still");
     let far = (room.lt(z) | still).named("is_far");
     let step = r.zext(&p.plane).shift_left(extra).named("step_low").shift_left(z).named("step");
+    let (step, far) = if l > 1 { (step.reg(), far.reg()) } else { (step, far) };
     b.drive(o_q, (step | far.rep(p.plane.clone())).named("step_plane"), Some(l));
+
+    let first = first_plane(&b, &f, &p, entry, neg, (r, z), still);
     b.drive(o_c, first, Some(l));
-    let (travel, offset) = estimate(&b, &f, &p, &e, entry, neg, s);
-    b.drive(o_s, travel, Some(l));
-    b.drive(o_o, offset, Some(l));
     b.finish(Some(l), &bindings())
 }
 
-/// The parameter of the first plane, and whether the ray does not move along this axis.
+/// The parameter of the first plane, of a ray that moves along this axis.
 fn first_plane<'b>(
     b: &'b Builder,
     f: &Expr,
     p: &Planes,
     entry: Sig<'b>,
     neg: Sig<'b>,
-    r: Sig<'b>,
-    z: Sig<'b>,
-) -> (Sig<'b>, Sig<'b>) {
+    (r, z): (Sig<'b>, Sig<'b>),
+    still: Sig<'b>,
+) -> Sig<'b> {
     b.section("distance", "Of the first plane, along the ray.");
     let part = f - &p.levels;
     let dist_w = &part + 1;
     let inside = (entry.slice(0, &dist_w) & b.konst(part.pow2() - 1, &dist_w).named("texel_mask")).named("in_texel");
     let dist = neg.mux(inside, b.konst(part.pow2(), &dist_w).named("texel") - inside).named("distance");
-    let still = (!r.msb()).named("is_still");
     b.section("products", "Half of the reciprocal each, as multipliers are.");
     let low_w = Expr::from(super::params::OPERAND).smaller(&p.w - 1);
     let low = dist.product(r.slice(0, &low_w)).named("low_product");
@@ -77,15 +79,16 @@ fn first_plane<'b>(
     let below = part.smaller(&p.w + &p.tile - 2);
     let carry = (high.zext(&dist_w + &p.w - &low_w) + low.slice(&low_w, &dist_w).zext(&dist_w + &p.w - &low_w)).named("upper");
     let product = b.cat(&[carry, low.slice(0, &low_w)]).zext(&total).named("product");
+    b.section("leading zeros", "What is moved out at the top lies beyond the bottom plane.");
     let count = lzc(b, "u_lzc", product, "lz_count");
-    b.section("align", "What is moved out at the top lies beyond the bottom plane.");
     let wide = count.width() + 1;
     let lost = count.zext(&wide).lt(z.zext(&wide)).named("is_lost");
+    b.section("align", "");
     let moved = product.shift_left(z).named("moved");
     b.unused(moved);
     b.section("first plane", "");
-    let first = (moved.slice(below, &p.plane) | (lost | still).named("is_never").rep(p.plane.clone())).named("first_plane");
-    (first, still)
+    let never = (lost | still).named("is_never").rep(p.plane.clone());
+    (moved.slice(below, &p.plane) | never).named("first_plane")
 }
 
 /// Travel and offset of the estimate.
