@@ -129,7 +129,8 @@ fn rays(views: &[Viewed], each: usize, set: usize) -> Vec<[f64; 4]> {
 fn configuration(c: &Config, found: &Fit, a: &FitArgs, views: &[Viewed]) -> Result<Config> {
     let (mut c, d) = (c.clone(), found.chosen.design);
     (c.format.exp, c.format.man) = (d.format.exp, d.format.man);
-    (c.traverse, c.mode, c.datapath) = (d.traverse, d.mode, d.datapath);
+    c.choose_datapath(d.datapath.kind);
+    (c.traverse, c.mode, c.datapath, c.windows) = (d.traverse, d.mode, d.datapath, d.windows);
     // A configuration names standard views; camera files and tables are named again where it is judged.
     let names: Vec<View> = views.iter().filter_map(|v| v.set.standard()).collect();
     if !names.is_empty() {

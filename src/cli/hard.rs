@@ -133,7 +133,7 @@ fn endure(cli: &Cli, ground: &HardGround<'_>, tasks: &[HardTask<'_>], rays: usiz
         let row = |of: &EnduredCase| {
             let longest = of.longest.as_ref();
             let long =
-                longest.map_or_else(Default::default, |l| [l.steps.to_string(), l.words.join(" "), l.mode.label()]);
+                longest.map_or_else(Default::default, |l| [l.steps.to_string(), l.words.join(" "), l.way.clone()]);
             let counts = [format!("{} of {}", of.given_up, of.rays), of.refused.to_string()];
             [std::slice::from_ref(&of.case), &counts[..], &long[..]].concat()
         };
@@ -153,7 +153,7 @@ fn endure(cli: &Cli, ground: &HardGround<'_>, tasks: &[HardTask<'_>], rays: usiz
     match sum.witness.filter(|_| c.datapath.kind.facts().modes_agree) {
         None => Ok(()),
         Some((ray, m)) => {
-            Err(Error::mismatch(format!("a ray does not end: {} ({})", hex_words(&ray).join(" "), m.label())))
+            Err(Error::mismatch(format!("a ray does not end: {} ({})", hex_words(&ray).join(" "), m.way())))
         }
     }
 }
@@ -205,6 +205,6 @@ fn witness(f: &HardCase) -> Vec<Vec<String>> {
     let limit =
         limit.map(|g| line("given up".into(), g.ray, &g.words, format!("{} iterations", g.steps), "a hit".into()));
     let differs = f.first_that_differs.as_ref();
-    let differs = differs.map(|d| line(d.mode.label(), d.ray, &d.words, d.got.to_string(), d.expected.to_string()));
+    let differs = differs.map(|d| line(d.way.clone(), d.ray, &d.words, d.got.to_string(), d.expected.to_string()));
     wrong.into_iter().chain(limit).chain(differs).collect()
 }

@@ -18,7 +18,7 @@ pub fn run(cli: &Cli, a: &StepsArgs) -> Result<()> {
         return counted(cli, &c, &scene, &views, None).map(|_| ());
     };
     c.map.published_border()?;
-    let mut sums = vec![0.0; step_rows(&c).count()];
+    let mut sums = vec![0.0; step_rows(&c).len()];
     let mut cells = Vec::new();
     for p in &PUBLISHED {
         let mut c = c.clone();
@@ -30,11 +30,20 @@ pub fn run(cli: &Cli, a: &StepsArgs) -> Result<()> {
         sums.iter_mut().zip(found.sums()).for_each(|(s, m)| *s += m);
         cells.extend(found.beside.into_iter().map(|x| Beside { what: format!("{}, {}", p.scene, x.what), ..x }));
     }
-    if !cli.json {
+    if cli.json {
+        return Ok(());
+    }
+    let rows = step_rows(&c);
+    if let [(name, _)] = &rows[..] {
+        println!(
+            "mean over scenes and views: {name}, {:.2} iterations a ray",
+            sums[0] / (PUBLISHED.len() * View::ALL.len()) as f64
+        );
+    } else {
         println!("mean over scenes and views, relative to {}:", BEST.label());
-        let base = step_rows(&c).zip(&sums).find(|row| row.0.1 == BEST).map_or(f64::NAN, |row| *row.1);
-        let row = |((name, _), s): ((String, _), &f64)| vec![name, format!("{:.3}", s / base)];
-        println!("{}", table(&["mode", "relative"], &step_rows(&c).zip(&sums).map(row).collect::<Vec<_>>()));
+        let base = rows.iter().zip(&sums).find(|row| row.0.1 == BEST).map_or(f64::NAN, |row| *row.1);
+        let row = |((name, _), s): (&(String, _), &f64)| vec![name.clone(), format!("{:.3}", s / base)];
+        println!("{}", table(&["mode", "relative"], &rows.iter().zip(&sums).map(row).collect::<Vec<_>>()));
         println!("{}", verdict(&cells));
     }
     Ok(())
@@ -71,7 +80,7 @@ fn counted(
         let beside = s.published.map_or(String::new(), off);
         [format!("{:.2}{beside}", s.mean), format!("{} @{} of {}", s.max, s.max_ray, s.rays + s.given_up)]
     };
-    let named = step_rows(c).zip(&found.rows);
+    let named = step_rows(c).into_iter().zip(&found.rows);
     let lines = named.map(|((name, _), row)| [name.to_string()].into_iter().chain(row.iter().flat_map(cell)).collect());
     let kind = if means.is_some() { "ours / published" } else { "ours" };
     println!("{}: iterations per ray, {kind}; max @ray of rays (every {}th pixel)", scene.name, c.view.stride);

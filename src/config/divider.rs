@@ -53,9 +53,9 @@ impl Design {
                 self.format
             ));
         }
-        let path = self.datapath.kind.facts();
-        if !path.reads.format {
-            say(format!("is how fp_div is built, and datapath.kind = \"{}\" has none", path.word));
+        let (key, word) = self.datapath.kind.chosen_by();
+        if !self.datapath.kind.facts().reads.format {
+            say(format!("is how fp_div is built, and {key} = \"{word}\" has none"));
         }
         problems
     }

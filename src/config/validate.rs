@@ -118,10 +118,10 @@ impl Config {
         }
         let path = self.datapath.kind.facts();
         if !path.bilinear {
+            let (key, word) = self.datapath.kind.chosen_by();
             let having = datapaths().filter(|k| k.facts().bilinear).map(|k| format!("\"{}\"", k.word()));
             problems.push(format!(
-                "mode.bilinear = true and datapath.kind = \"{}\" exclude each other: the refinement needs datapath.kind = {}",
-                path.word,
+                "mode.bilinear = true and {key} = \"{word}\" exclude each other: the refinement needs datapath.kind = {}",
                 having.collect::<Vec<_>>().join(" or ")
             ));
             return;

@@ -1,7 +1,7 @@
 //! The search: one dimension after the other, each to the least that keeps the budget.
 use super::trial::{Budget, Trial, Truth};
 use crate::config::modes::{PLAIN, combinations};
-use crate::config::{Design, ModeConfig, Trim, datapaths};
+use crate::config::{Design, ModeConfig, Trim, WindowSet, WindowsConfig, datapaths};
 use crate::error::{Error, Result};
 use crate::golden::prepare;
 
@@ -106,6 +106,7 @@ impl Search<'_> {
             let mut before: Option<Trial> = None;
             let mut of = *d;
             of.datapath.kind = kind;
+            of.windows = WindowsConfig::default();
             for step in (kind.facts().ladder)(&of) {
                 let Some(candidate) = step.into_iter().find(|d| prepare(d).is_ok()) else { continue };
                 let t = self.run(&candidate)?;
@@ -190,8 +191,7 @@ impl Search<'_> {
     /// The modes with the least bits times cycles; they never change a hit of the datapaths that are tried.
     fn modes(&mut self, best: Trial) -> Result<Trial> {
         let mut all: Vec<Trial> = Vec::new();
-        for mode in modes() {
-            let d = Design { mode, ..best.design };
+        for d in ways(&best.design) {
             if prepare(&d).is_ok() {
                 all.push(self.run(&d)?);
             }
@@ -204,13 +204,17 @@ impl Search<'_> {
         let Some(chosen) = all.next() else { return Ok(best) };
         if let Some(next) = all.next() {
             let why = format!("{:.2} steps, {} bits", next.steps.mean, next.cost.bits());
-            self.rejected.push(Rejected { what: next.design.mode.label(), why });
+            self.rejected.push(Rejected { what: next.design.way(), why });
         }
         let against =
             plain.map_or(String::new(), |p| format!("; without any {:.2} steps, {} bits", p.steps.mean, p.cost.bits()));
         self.reasons.push(format!(
-            "modes {}: {:.2} steps a ray (max {} at ray {}), {} bits{against}",
-            chosen.design.mode.label(),
+            "{}: {:.2} steps a ray (max {} at ray {}), {} bits{against}",
+            if chosen.design.datapath.kind.facts().windows {
+                chosen.design.way()
+            } else {
+                format!("modes {}", chosen.design.way())
+            },
             chosen.steps.mean,
             chosen.steps.max,
             chosen.steps.witness,
@@ -244,7 +248,12 @@ impl Search<'_> {
     }
 }
 
-/// The modes that are tried; four levels down take more steps than three (PIDM-HW table 3).
-fn modes() -> impl Iterator<Item = ModeConfig> {
-    combinations(PLAIN, &Trim::ALL).into_iter().filter(|mode| mode.levels_down < 4)
+/// The modes that are tried; four levels down take more steps than three (PIDM-HW table 3). A search by windows has sets instead.
+fn ways(d: &Design) -> Vec<Design> {
+    if d.datapath.kind.facts().windows {
+        let set = |set| Design { windows: WindowsConfig { set }, mode: ModeConfig::default(), ..*d };
+        return [None].into_iter().chain(WindowSet::named().map(Some)).map(set).collect();
+    }
+    let modes = combinations(PLAIN, &Trim::ALL).into_iter().filter(|mode| mode.levels_down < 4);
+    modes.map(|mode| Design { mode, ..*d }).collect()
 }

@@ -1,6 +1,6 @@
 //! Whether every ray ends: a hard case's rays in all modes in turn, counted, and nothing else asked.
-use crate::config::modes::combinations;
-use crate::config::{Design, ModeConfig};
+use crate::config::Design;
+use crate::config::modes::ways;
 use crate::error::Result;
 use crate::golden::{Datapath, Pyramid, RayInput, encode_ray, prepare};
 use crate::scene::hard::HardScene;
@@ -13,8 +13,8 @@ pub struct Longest {
     pub steps: u32,
     /// Its words.
     pub ray: RayInput,
-    /// The mode it was traced in.
-    pub mode: ModeConfig,
+    /// The design it was traced in: its mode, or its windows.
+    pub design: Design,
 }
 
 /// What became of a case's rays.
@@ -25,7 +25,7 @@ pub struct Endured {
     /// Rays given up at the step limit.
     pub given_up: usize,
     /// The first of them.
-    pub witness: Option<(RayInput, ModeConfig)>,
+    pub witness: Option<(RayInput, Design)>,
     /// Rays that the design does not take.
     pub refused: usize,
     /// The longest of the rest.
@@ -35,14 +35,14 @@ pub struct Endured {
 impl Endured {
     fn of(tracer: &dyn Datapath, pyramid: &Pyramid, ray: &RayInput) -> Self {
         let hit = tracer.trace(pyramid, ray);
-        let mode = tracer.design().mode;
+        let design = *tracer.design();
         let given_up = hit.limit && hit.steps > 0;
         Self {
             rays: 1,
             given_up: usize::from(given_up),
-            witness: given_up.then_some((*ray, mode)),
+            witness: given_up.then_some((*ray, design)),
             refused: usize::from(hit.limit && hit.steps == 0),
-            longest: (!hit.limit).then_some(Longest { steps: hit.steps, ray: *ray, mode }),
+            longest: (!hit.limit).then_some(Longest { steps: hit.steps, ray: *ray, design }),
         }
     }
 
@@ -67,8 +67,7 @@ impl Endured {
 pub fn endure(scene: &HardScene) -> Result<Endured> {
     let design = scene.design;
     let pyramid = Pyramid::build(design.traverse.levels, design.traverse.height_bits, &scene.texels)?;
-    let tracers: Vec<Box<dyn Datapath>> =
-        modes(&design).into_iter().map(|mode| prepare(&Design { mode, ..design })).collect::<Result<_>>()?;
+    let tracers: Vec<Box<dyn Datapath>> = modes(&design).iter().map(prepare).collect::<Result<_>>()?;
     let one =
         |(k, ray): (usize, &[f64; 4])| Endured::of(&*tracers[k % tracers.len()], &pyramid, &encode_ray(&design, *ray));
     // In order, so that the witnesses do not depend on the threads.
@@ -83,7 +82,7 @@ pub fn endure(scene: &HardScene) -> Result<Endured> {
     Ok(parts.into_iter().fold(Endured::default(), Endured::and))
 }
 
-/// Every mode that the design's datapath and format have: 40, or 120 with the chord trims.
-pub fn modes(design: &Design) -> Vec<ModeConfig> {
-    combinations(design.mode, design.trims())
+/// Every mode that the design's datapath and format have: 40, or 120 with the chord trims. A search by windows: other sets, and the pyramid.
+pub fn modes(design: &Design) -> Vec<Design> {
+    ways(design, design.trims())
 }

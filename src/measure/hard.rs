@@ -1,7 +1,7 @@
 //! A design on a hard case: wrong texels, rays given up, and whether every mode finds the same.
 use super::accuracy::{Accuracy, accuracy, exact_ray};
-use crate::config::modes::combinations;
-use crate::config::{Design, ModeConfig, Trim};
+use crate::config::modes::ways;
+use crate::config::{Design, Trim};
 use crate::error::Result;
 use crate::golden::{Datapath, Pyramid, RayHit, RayInput, decode_time, encode_ray, prepare};
 use crate::oracle::ExactMap;
@@ -13,9 +13,9 @@ use rayon::prelude::*;
 pub struct Differs {
     /// Index of the ray.
     pub ray: usize,
-    /// The mode, and what it found.
-    pub mode: ModeConfig,
-    /// As `mode` found it.
+    /// That mode's design, and what it found.
+    pub design: Design,
+    /// As `design` found it.
     pub got: RayHit,
     /// As the configured mode found it.
     pub expected: RayHit,
@@ -70,13 +70,12 @@ impl HardFigures {
         let margins: Vec<f64> = rays.par_iter().map(margin).collect::<Result<_>>()?;
         let tied = margins.iter().filter(|margin| **margin == 0.0).count();
         let ties = accuracy.wrong.iter().filter(|w| w.margin == 0.0).count();
-        let modes: Vec<Box<dyn Datapath>> =
-            modes(design.mode).into_iter().map(|mode| prepare(&Design { mode, ..design })).collect::<Result<_>>()?;
+        let modes: Vec<Box<dyn Datapath>> = modes(&design).iter().map(prepare).collect::<Result<_>>()?;
         let first = |ray: usize| {
             modes.iter().find_map(|tracer| {
                 let (got, expected) = (tracer.trace(&pyramid, &rays[ray]), hits[ray]);
-                let mode = tracer.design().mode;
-                (answer(&got) != answer(&expected)).then_some(Differs { ray, mode, got, expected })
+                let design = *tracer.design();
+                (answer(&got) != answer(&expected)).then_some(Differs { ray, design, got, expected })
             })
         };
         let differ = (0..rays.len()).into_par_iter().filter_map(first).collect();
@@ -97,10 +96,11 @@ impl HardFigures {
     }
 }
 
-/// The modes that a design is compared in: 40 without chord trim; and 40 with that of `base`, if it has one.
-pub fn modes(base: ModeConfig) -> Vec<ModeConfig> {
-    let both = [Trim::None, base.trim];
-    combinations(base, if base.trim == Trim::None { &both[..1] } else { &both })
+/// The designs that a design is compared with: 40 modes without chord trim; and 40 with its own, if it has one. A search by windows: other sets, and the
+/// pyramid.
+pub fn modes(base: &Design) -> Vec<Design> {
+    let both = [Trim::None, base.mode.trim];
+    ways(base, if base.mode.trim == Trim::None { &both[..1] } else { &both })
 }
 
 /// The parts of the travels after which rays end, 0 to 1.

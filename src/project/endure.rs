@@ -1,6 +1,6 @@
 //! Whether every ray of the hard cases ends.
 use super::hard::{HardGround, HardTask};
-use crate::config::ModeConfig;
+use crate::config::{Design, ModeConfig};
 use crate::error::{Error, Result};
 use crate::golden::RayInput;
 use crate::measure::endure::{Endured, endure, modes};
@@ -16,6 +16,8 @@ pub struct LongestRay {
     pub words: [String; 4],
     /// The mode that it was traced in.
     pub mode: ModeConfig,
+    /// The same in a few words; of a search by windows the set.
+    pub way: String,
 }
 
 /// What became of a case's rays.
@@ -46,9 +48,9 @@ pub struct EnduredSum {
     pub refused: usize,
     /// Each case.
     pub cases: Vec<EnduredCase>,
-    /// The first ray given up, and its mode.
+    /// The first ray given up, and the design that it was traced in.
     #[serde(skip)]
-    pub witness: Option<(RayInput, ModeConfig)>,
+    pub witness: Option<(RayInput, Design)>,
 }
 
 /// Deals `rays` rays over the tasks that fit the design, at most `most` of each, and counts those that end.
@@ -79,7 +81,7 @@ pub fn endure_cases(
         let mut scene = ground.scene(task, share).map_err(Error::input)?;
         if let HardTask::Set(..) = task {
             // Each ray in every mode, then the next; all over again where there are too few.
-            let (given, modes) = (scene.rays, modes(&ground.c.design()).len());
+            let (given, modes) = (scene.rays, modes(&scene.design).len());
             scene.rays = (0..share).map(|k| given[k / modes % given.len()]).collect();
         }
         let of = endure(&scene)?;
@@ -88,7 +90,12 @@ pub fn endure_cases(
             rays: of.rays,
             given_up: of.given_up,
             refused: of.refused,
-            longest: of.longest.map(|l| LongestRay { steps: l.steps, words: hex_words(&l.ray), mode: l.mode }),
+            longest: of.longest.map(|l| LongestRay {
+                steps: l.steps,
+                words: hex_words(&l.ray),
+                mode: l.design.mode,
+                way: l.design.way(),
+            }),
         });
         sum = sum.and(of);
     }

@@ -95,6 +95,8 @@ pub struct HardDiffers {
     pub words: [String; 4],
     /// The other mode.
     pub mode: ModeConfig,
+    /// The same in a few words; of a search by windows the other set, or the pyramid's mode.
+    pub way: String,
     /// Where it ends in that.
     pub got: RayEnd,
     /// Where it ends in the configured mode.
@@ -159,7 +161,8 @@ impl HardCase {
         let differs = f.differ.first().map(|d| HardDiffers {
             ray: d.ray,
             words: words(d.ray),
-            mode: d.mode,
+            mode: d.design.mode,
+            way: d.design.way(),
             got: (&d.got).into(),
             expected: (&d.expected).into(),
         });

@@ -9,10 +9,13 @@ use crate::scene::{RaySet, ViewRay};
 use crate::trace::trace_golden;
 use serde::Serialize;
 
-/// The published rows, then those with fewer iterations, where the datapath has them.
-pub fn step_rows(c: &Config) -> impl Iterator<Item = (String, ModeConfig)> {
-    let trims = c.datapath.kind.facts().trim;
-    published_rows().chain(trimmed().filter(move |_| trims)).map(|mode| (mode.label(), mode))
+/// The published rows, then those with fewer iterations, where the datapath has them; of a search by windows its one row.
+pub fn step_rows(c: &Config) -> Vec<(String, ModeConfig)> {
+    let facts = c.datapath.kind.facts();
+    if facts.windows {
+        return vec![(c.design().way(), c.mode)];
+    }
+    published_rows().chain(trimmed().filter(move |_| facts.trim)).map(|mode| (mode.label(), mode)).collect()
 }
 
 /// Iterations of one view in one mode.
@@ -25,6 +28,8 @@ pub struct ModeSteps {
     /// The view.
     pub view: String,
     /// Mean iterations of the rays that end.
+    pub iterations_per_ray: f64,
+    /// The same under the name that it had first.
     pub mean: f64,
     /// The published mean, where there is one.
     pub published: Option<f64>,
@@ -65,7 +70,7 @@ impl SceneSteps {
     }
 }
 
-/// Counts the iterations of the rays of each view, in tiles of the design; `means` are published ones by row and view.
+/// Counts the iterations of the rays of each view, in tiles of the design; `means` are published ones by row and view, of rows that are published.
 ///
 /// # Errors
 /// An illegal design.
@@ -76,14 +81,15 @@ pub fn scene_steps(
     means: Option<&[[Option<f64>; 3]; 7]>,
 ) -> Result<SceneSteps> {
     let mut out = SceneSteps::default();
-    for (r, (name, mode)) in step_rows(c).enumerate() {
+    for (r, (name, mode)) in step_rows(c).into_iter().enumerate() {
         let mut d = c.design();
         d.mode = mode;
         let mut row = Vec::new();
         for (v, (set, rays)) in views.iter().enumerate() {
             let rays: Vec<RayInput> = rays.iter().map(|x| encode(c, x)).collect();
             let s = steps(&trace_golden(&d, &scene.pyramid, &rays)?);
-            let published = means.and_then(|m| *m.get(r)?.get(v)?);
+            let published = means.filter(|_| published_rows().nth(r) == Some(mode));
+            let published = published.and_then(|m| *m.get(r)?.get(v)?);
             out.beside.extend(published.map(|p| Beside {
                 what: format!("{}, {}", set.name, name),
                 off: s.mean / p - 1.0,
@@ -93,6 +99,7 @@ pub fn scene_steps(
                 scene: scene.name.clone(),
                 row: name.clone(),
                 view: set.name.clone(),
+                iterations_per_ray: s.mean,
                 mean: s.mean,
                 published,
                 max: s.max,

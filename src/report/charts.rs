@@ -103,7 +103,7 @@ pub fn pareto(plan: &Plan, points: &[DesignPoint<'_>], plot: Plot) -> String {
             said.push(*place);
             label = d.design.label();
             if d.design.mode != BEST {
-                label += &format!(", {}", d.design.mode.label());
+                label += &format!(", {}", d.design.way());
             }
             if twins > 0 && !headline {
                 label += &format!(" and {twins} more");

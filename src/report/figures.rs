@@ -119,7 +119,7 @@ pub struct DesignPoint<'a> {
 impl DesignPoint<'_> {
     /// Design and mode.
     pub fn label(&self) -> String {
-        format!("{}, {}", self.design.label(), self.design.mode.label())
+        format!("{}, {}", self.design.label(), self.design.way())
     }
 
     /// Cycles count the rays that end. Where more than 1 of 100 does not, they tell nothing, and the design is in no frontier.

@@ -55,7 +55,7 @@ pub fn cells(cells: &[Measurement]) -> Table {
             json!(c.spec.stride),
             json!(d.label()),
             json!(d.word_bits()),
-            json!(d.mode.label()),
+            json!(d.way()),
             json!(c.rays),
             json!(c.unjudged),
             json!(c.wrong),
@@ -113,7 +113,7 @@ pub fn steps(plan: &Plan, cells: &[Measurement]) -> Table {
                     |f: &dyn Fn(&Measurement) -> f64| p.cells.iter().map(|c| f(c)).sum::<f64>() / p.cells.len() as f64;
                 t.push(vec![
                     json!(h.label()),
-                    json!(h.mode.label()),
+                    json!(h.way()),
                     json!(n),
                     json!(view),
                     json!(p.rays()),

@@ -45,7 +45,7 @@ pub fn pareto(points: &[DesignPoint<'_>]) -> Table {
         let (rate, zero) = d.aggregate.rate_or_bound();
         t.push(vec![
             json!(d.design.label()),
-            json!(d.design.mode.label()),
+            json!(d.design.way()),
             json!(d.design.word_bits()),
             real(d.aggregate.cycles()),
             json!(d.size),

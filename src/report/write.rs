@@ -20,7 +20,7 @@ pub type Output = Vec<(String, Vec<u8>)>;
 
 /// A card of the verdict strip.
 fn card(plan: &Plan, headline: &Headline, dot: Option<&DesignPoint<'_>>) -> Value {
-    let (name, label, mode) = (&headline.name, headline.design.label(), headline.design.mode.sentence());
+    let (name, label, mode) = (&headline.name, headline.design.label(), headline.design.sentence());
     let Some(d) = dot else {
         let same = |r: &&super::plan::NotLegal| r.design.starts_with(&label);
         let reason = plan.not_legal.iter().find(same).map_or("not measured", |r| r.reason.as_str());

@@ -16,6 +16,7 @@ mod steps;
 mod trace;
 mod vectors;
 mod views;
+mod windows;
 
 #[path = "../support/program.rs"]
 mod program;

@@ -113,7 +113,7 @@ fn chord_trims() {
 fn names_are_unique_and_scenes_repeat() {
     let names: BTreeSet<&str> = Case::all().map(|case| case.name).collect();
     assert_eq!(names.len(), Case::all().count());
-    assert_eq!(modes(Design::default().mode).len(), 40);
+    assert_eq!(modes(&Design::default()).len(), 40);
     let docs = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/hard-cases.md")).unwrap();
     let mut d = Design::default();
     d.traverse.levels = 5;

@@ -310,7 +310,7 @@ fn the_spread_is_what_it_says() {
         let traverses = e.units.iter().any(|m| m.name == "traverse");
         let least = match e.config.datapath.kind {
             _ if !traverses => 15,
-            DatapathKind::Fixed => 17,
+            DatapathKind::Fixed | DatapathKind::Windows => 17,
             DatapathKind::Watertight | DatapathKind::Published => 23,
         };
         assert!(e.units.len() >= least, "{}: {} units", e.label, e.units.len());

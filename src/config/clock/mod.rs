@@ -82,11 +82,15 @@ fn for_traversal(mhz: u32, d: &Design) -> Result<Choice> {
     let tier = kind.facts().clock_by_units.then(|| TIERS.iter().find(|t| mhz <= t.to)).flatten();
     let Some(tier) = tier else {
         let placed = PLACED.iter().filter(|p| p.kind == kind);
-        let best = placed.clone().map(|p| p.mhz).max().unwrap_or_default();
+        let (key, word) = kind.chosen_by();
+        let Some(best) = placed.clone().map(|p| p.mhz).max() else {
+            return Err(Error::input(format!(
+                "--clock {mhz}: no clock of a whole traversal with {key} = {word} was measured; leave out --clock, and set latency.*"
+            )));
+        };
         let fits = placed.clone().find(|p| p.mhz >= mhz).ok_or_else(|| {
             Error::input(format!(
-                "--clock {mhz} is more than any whole traversal with datapath.kind = {} reached: at most --clock {best} is legal",
-                kind.word()
+                "--clock {mhz} is more than any whole traversal with {key} = {word} reached: at most --clock {best} is legal"
             ))
         })?;
         let latency = fits.profile.latency_for(d);

@@ -24,6 +24,12 @@ impl DatapathKind {
         self.facts().word
     }
 
+    /// The key that chooses it, and the word there.
+    pub const fn chosen_by(self) -> (&'static str, &'static str) {
+        let facts = self.facts();
+        (if facts.windows { "datapath.search" } else { "datapath.kind" }, facts.word)
+    }
+
     /// Trips of a ray through the loop that are no iterations.
     pub const fn start_trips(self, mode: &ModeConfig) -> u32 {
         (self.facts().start_trip && mode.start_level) as u32
@@ -67,6 +73,14 @@ impl Design {
     /// The windows of a search by windows.
     pub fn window_set(&self) -> WindowSet {
         self.windows.at(self.traverse.levels)
+    }
+
+    /// The same with a search in the pyramid, if it searches by windows.
+    pub fn by_pyramid(&self) -> Self {
+        if !self.datapath.kind.facts().windows {
+            return *self;
+        }
+        Self { datapath: DatapathConfig { kind: DatapathKind::Fixed, ..self.datapath }, ..*self }
     }
 
     /// The chord trims that datapath and number format have.

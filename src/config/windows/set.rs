@@ -83,6 +83,12 @@ impl WindowSet {
         if levels < 3 { Self::unchecked(&Self::LEAST) } else { Self::unchecked(&Self::USUAL) }
     }
 
+    /// Sets that have a name in `docs/windows.md`, smallest first, and the plain form.
+    pub fn named() -> [Self; 6] {
+        ["1 4@2 16@4", "1 4@2 12@4 40@8", "1 4@2 8@4 16@8 32@16", "1 4@2 12@4 24@8 64@16", "1 4 16", "1 3 9 27"]
+            .map(|text| text.parse().expect("a legal set"))
+    }
+
     /// The set of these sizes.
     ///
     /// # Errors
@@ -114,9 +120,9 @@ impl WindowSet {
         ))
     }
 
-    /// Words of all maps together; the largest S - g and g decide nothing here.
+    /// Words of all maps together, on 2^`levels` texels a side.
     pub fn memory_words(&self, levels: u32) -> u64 {
-        self.sizes().iter().map(|w| 1u64 << (2 * (levels - w.grid_bits().min(levels)))).sum()
+        self.sizes().iter().map(|w| 1u64 << (2 * levels.saturating_sub(w.grid_bits()))).sum()
     }
 }
 

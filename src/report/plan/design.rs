@@ -1,6 +1,6 @@
 //! A design as the report names it.
 use crate::config::modes::BEST;
-use crate::config::{Config, DatapathConfig, DatapathKind, Design, MapConfig, ModeConfig, TraverseConfig};
+use crate::config::{Config, DatapathConfig, DatapathKind, Design, MapConfig, ModeConfig, TraverseConfig, WindowSet};
 use crate::error::Result;
 use crate::format::FloatFormat;
 use crate::golden::prepare;
@@ -21,6 +21,9 @@ pub struct DesignSpec {
     pub fraction_bits: Option<u32>,
     /// `fixed`: bits of the reciprocal.
     pub reciprocal_bits: Option<u32>,
+    /// The set of a search by windows.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub windows: Option<WindowSet>,
     /// TILE_W.
     pub tile_bits: u32,
     /// FRAC_W.
@@ -37,7 +40,8 @@ const STUCK_LIMIT: u32 = 511;
 impl DesignSpec {
     /// The configuration's design, with its own tile bits, fraction bits and step limit.
     pub fn new(c: &Config, datapath: DatapathConfig, exp: u32, man: u32, mode: ModeConfig) -> Self {
-        Self::sized(&c.traverse, datapath, exp, man, mode)
+        let windows = datapath.kind.facts().windows.then_some(c.windows.set).flatten();
+        Self { windows, ..Self::sized(&c.traverse, datapath, exp, man, mode) }
     }
 
     /// A design that is compared with others: positions and step limit are the usual ones, for what a configuration (of `fit`, say) needs of
@@ -63,6 +67,7 @@ impl DesignSpec {
             nudge_bits: facts.reads.nudge_bits.then_some(datapath.nudge_bits),
             fraction_bits: facts.reads.fraction_bits.then_some(datapath.fraction_bits),
             reciprocal_bits: facts.reads.fraction_bits.then_some(datapath.reciprocal_bits),
+            windows: None,
             tile_bits: t.tile_bits,
             frac_bits: t.frac_bits,
             step_limit: t.step_limit.min(cap),
@@ -80,6 +85,7 @@ impl DesignSpec {
         c.traverse.step_limit = (self.step_limit << wider).min(65535);
         c.datapath = DatapathConfig::default();
         c.choose_datapath(self.kind);
+        c.windows.set = self.windows;
         c.format.exp = self.exp.unwrap_or(c.format.exp);
         c.format.man = self.man.unwrap_or(c.format.man);
         c.datapath.nudge_bits = self.nudge_bits.unwrap_or(c.datapath.nudge_bits);
@@ -118,6 +124,26 @@ impl DesignSpec {
             reciprocal_bits: self.reciprocal_bits.unwrap_or(0),
         };
         datapath.label(FloatFormat::new(self.exp.unwrap_or(0), self.man.unwrap_or(0)))
+    }
+
+    /// How hits are found, in a few words: the mode, or the windows.
+    pub fn way(&self) -> String {
+        match (self.kind.facts().windows, self.windows) {
+            (false, _) => self.mode.label(),
+            (true, None) => "windows".to_owned(),
+            (true, Some(set)) => format!("windows {set}"),
+        }
+    }
+
+    /// The same in a sentence.
+    pub fn sentence(&self) -> String {
+        if !self.kind.facts().windows {
+            return self.mode.sentence();
+        }
+        let of = self.windows.map_or_else(String::new, |set| format!(" ({set})"));
+        format!(
+            "reads all windows ahead of the ray{of} in one iteration, and goes on to the farthest place that one of them proves empty"
+        )
     }
 
     /// Bits of a word of a ray's entry point.

@@ -121,7 +121,7 @@ impl Plan {
                     continue;
                 }
                 if let Err(e) = spec.design(&self.config, levels) {
-                    let name = format!("{}, {}", spec.label(), spec.mode.label());
+                    let name = format!("{}, {}", spec.label(), spec.way());
                     let refused = NotLegal { design: name, levels, reason: e.to_string().replace("\n  - ", " ") };
                     if !self.not_legal.contains(&refused) {
                         self.not_legal.push(refused);

@@ -123,7 +123,8 @@ impl Selection {
             }
         }
         for kind in datapaths().filter(chosen) {
-            let known = |m: &ModeConfig| kind.facts().trim || m.trim == Trim::None;
+            let facts = kind.facts();
+            let known = |m: &ModeConfig| if facts.windows { *m == BEST } else { facts.trim || m.trim == Trim::None };
             self.modes().into_iter().filter(known).for_each(|mode| add(at(kind, bits), one, mode));
         }
         let configured = configured(c);

@@ -16,7 +16,7 @@ const FORMATS: [(u32, u32); 3] = [(24, 24), (20, 18), (12, 10)];
 fn design(fraction_bits: u32, reciprocal_bits: u32) -> Design {
     let kind = DatapathKind::Fixed;
     Design {
-        datapath: DatapathConfig { kind, fraction_bits, reciprocal_bits, nudge_bits: 0 },
+        datapath: DatapathConfig { kind, fraction_bits, reciprocal_bits, nudge_bits: 0, ..DatapathConfig::default() },
         latency: Profile::Published.latency(kind),
         ..Design::default()
     }

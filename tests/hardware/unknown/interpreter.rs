@@ -102,6 +102,7 @@ fn unknown_values_reach_no_handshake_in_any_mode() {
         let c = config(&[&format!("datapath.kind={kind}")], None);
         let all: Vec<ModeConfig> = modes(&c.design())
             .into_iter()
+            .map(|d| d.mode)
             .filter(|mode| {
                 let c = Config { mode: *mode, ..c.clone() };
                 c.validate().is_ok()

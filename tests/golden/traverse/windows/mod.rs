@@ -3,6 +3,7 @@
 //! `RELIEFRTL_RAYS` sets the rays a map; `RELIEFRTL_SEED` their seed.
 mod canaries;
 mod designs;
+mod maps;
 mod plain;
 
 use super::fixed::{Kind, ray};
