@@ -19,6 +19,15 @@ struct Port {
     valid: Option<String>,
 }
 
+/// A memory of a search by windows.
+#[derive(Serialize)]
+struct Size {
+    /// Its address bits.
+    addr: String,
+    /// Its words.
+    words: String,
+}
+
 #[derive(Serialize)]
 struct Param {
     name: String,
@@ -75,7 +84,7 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Arc<Module>, u32)>,
     let value = context! {
         enters, valid => valid.unwrap_or_else(|| format!("s{enters}_valid")),
         prefix, unit => "traverse", dut => format!("{prefix}traverse"), params => params(traverse), terms => terms(traverse),
-        files => files_of(traverse), warm_up,
+        files => files_of(traverse), warm_up, sizes => sizes(traverse),
         // The published datapath has rays that never end by themselves.
         lingers => traverse.params.iter().any(|p| p.name == "NUDGE_W"),
         inputs => named(&crate::trace::inputs(traverse)), outputs => named(&crate::trace::outputs(traverse)),
@@ -84,6 +93,17 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Arc<Module>, u32)>,
     files.insert(format!("testbench/{prefix}tb_traverse_top.v"), render("top", value));
     files.insert(format!("testbench/{prefix}tb_traverse.f"), list(traverse, prefix));
     files
+}
+
+/// The memories of a search by windows, in the order of their load ports: as many as the instances that they are.
+fn sizes(traverse: &Module) -> Vec<Size> {
+    let is_load = |p: &&crate::ir::Port| p.name.starts_with("load_addr_");
+    let ports = traverse.data_inputs().map(|(_, p)| p).filter(is_load);
+    let words = traverse.insts.iter().filter_map(|i| {
+        let memory = matches!(i.module.body, crate::ir::Body::Prim(crate::ir::Prim::Memory | crate::ir::Prim::Banks));
+        i.params.iter().find(|p| memory && p.0 == "DEPTH").map(|p| p.1.expanded().to_string())
+    });
+    ports.zip(words).map(|(p, words)| Size { addr: format!("({})", p.width.expanded()), words }).collect()
 }
 
 /// The outputs of a unit: what stands beside a valid that is 0 is not compared.

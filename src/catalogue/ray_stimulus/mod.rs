@@ -75,6 +75,21 @@ pub fn one_axis(s: &RaySample, port: &str) -> Option<u64> {
     })
 }
 
+/// A ray's constants along an axis for a search by windows, the planes behind it, and a window's height.
+pub fn window_axis(s: &RaySample, port: &str) -> Option<u64> {
+    let a = &s.axes[usize::from(port.ends_with("_y"))];
+    Some(match port {
+        "q" => a.step,
+        "c" => a.begin,
+        "k" => a.k,
+        "travel" => a.travel,
+        "offset" => a.offset,
+        "height" => s.height,
+        "end_x" | "end_y" => a.end_of_window,
+        _ => return one_axis(s, port),
+    })
+}
+
 /// As [`one_axis`], with the texel in which the ray is.
 pub fn one_axis_in_node(s: &RaySample, port: &str) -> Option<u64> {
     if port == "x" { Some(s.axes[0].at) } else { one_axis(s, port) }

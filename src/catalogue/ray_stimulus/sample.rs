@@ -57,4 +57,6 @@ pub(super) struct AxisSample {
     pub(super) begin: u64,
     pub(super) travel: u64,
     pub(super) offset: u64,
+    /// Parameter of the plane that ends some window.
+    pub(super) end_of_window: u64,
 }

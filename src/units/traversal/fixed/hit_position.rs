@@ -90,7 +90,7 @@ fn way<'b>(b: &'b Builder, s: Sig<'b>, t: Sig<'b>, time: &Expr, reach: &Expr) ->
     b.section("way", "");
     let wide = &s_high + &t_w;
     let sum = (high + low.slice(&s_low, &t_w).zext(&wide)).named("way_sum");
-    b.unused(low);
+    b.unused(low.at(sum.stage().expect("a product has a stage")));
     b.unused(sum);
     // What lies below the point of s * t is cut off.
     let below = time - &s_low;

@@ -42,10 +42,12 @@ pub fn window_address(d: &Design) -> Arc<Module> {
     let back = b.konst(cells - 1, &cell_w).named("cells_back");
     let mut places = Vec::new();
     for ((a, at, neg), border) in axes.into_iter().zip(borders) {
-        let cell = b.cat(&[b.zeros(1), at]).named(&format!("texel_{a}")).slice(&grid, &cell_w).named(&format!("cell_{a}"));
+        let tall = at.zext(&levels + CELL_W).named(&format!("tall_{a}"));
+        b.unused(tall);
+        let cell = tall.slice(&grid, &cell_w).named(&format!("cell_{a}"));
         let first = (cell - (back & neg.rep(cell_w.clone()))) & last;
         places.push(first.named(&format!("first_{a}")));
-        let low = at.zext(&levels + CELL_W).named(&format!("tall_{a}")).slice(0, CELL_W);
+        let low = tall.slice(0, CELL_W);
         let left = low ^ (!neg).rep(CELL_W);
         b.drive(border, (left & b.konst(grid.pow2() - 1, CELL_W).named("in_cell")).named(&format!("left_{a}")), None);
     }

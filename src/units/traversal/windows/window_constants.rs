@@ -104,6 +104,7 @@ fn estimate<'b>(
     b.section("estimate", "Less than the travel by more than a reciprocal that was rounded up adds to a plane's parameter.");
     let from = f - &p.levels - &e.fraction;
     b.unused(s);
+    b.unused(entry);
     let v = s.slice(from.clone(), &e.travel + 1).named("v");
     let tall = v.zext(&e.travel + 2).named("v_tall");
     let part = b.konst(p.w.smaller(&e.travel + 1), 6).named("bias_shift");

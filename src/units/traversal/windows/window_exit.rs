@@ -33,18 +33,17 @@ pub fn window_exit(d: &Design) -> Arc<Module> {
     b.plan(l, &[("nearer plane", 9), ("exit", 7)]);
     b.section("nearer plane", "Cut to a ray parameter. Of two planes that are never met the first is that of u.");
     let low = f.clone() - &h + GUARD;
-    let (mut when, mut beyond, mut parts) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut when, mut parts) = (Vec::new(), Vec::new());
     for (a, end) in ["x", "y"].into_iter().zip(ends) {
         let far = end.slice(&p.plane, SPAN_W).any().named(&format!("{a}_is_beyond"));
         let t_a = (end.slice(&p.guard, &time) | far.rep(time.clone())).named(&format!("t_{a}"));
         parts.push(t_a.slice(0, &low).any().named(&format!("{a}_fraction")));
         when.push(t_a);
-        beyond.push(far);
         b.unused(end);
     }
     // Of words that are not cut yet, so that the comparison waits for nothing.
     let whole = |k: usize| ends[k].slice(&p.guard, &time + SPAN_W);
-    let y_less = (whole(1).lt(whole(0)) & !(beyond[0] & beyond[1])).named("y_before_x");
+    let y_less = (whole(1).lt(whole(0)) & !when[1].all()).named("y_before_x");
     let x_first = (!y_less).named("x_first");
     b.section("exit", "A depth has only a height code's bits: of the exit its own, and whether any bit below is set.");
     let exit = x_first.mux(when[0], when[1]).named("t_exit");
