@@ -79,11 +79,11 @@ fn first_plane<'b>(
     let below = part.smaller(&p.w + &p.tile - 2);
     let carry = (high.zext(&dist_w + &p.w - &low_w) + low.slice(&low_w, &dist_w).zext(&dist_w + &p.w - &low_w)).named("upper");
     let product = b.cat(&[carry, low.slice(0, &low_w)]).zext(&total).named("product");
-    b.section("leading zeros", "What is moved out at the top lies beyond the bottom plane.");
+    b.section("leading zeros", "");
     let count = lzc(b, "u_lzc", product, "lz_count");
+    b.section("align", "What is moved out at the top lies beyond the bottom plane.");
     let wide = count.width() + 1;
     let lost = count.zext(&wide).lt(z.zext(&wide)).named("is_lost");
-    b.section("align", "");
     let moved = product.shift_left(z).named("moved");
     b.unused(moved);
     b.section("first plane", "");
