@@ -76,6 +76,9 @@ fn the_key_table_is_the_configuration() {
         "map.lossy=true",
         "map.crop=true",
         "map.pad=true",
+        "datapath.kind=fixed",
+        "datapath.search=windows",
+        "windows.set=1 4@2",
     ]);
     let json = serde_json::to_value(&config).unwrap();
     let mut fields = Vec::new();

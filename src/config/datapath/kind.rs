@@ -33,7 +33,8 @@ impl Search {
     pub const WORDS: &'static [&'static str] = &["pyramid", "windows"];
 }
 
-/// Which arithmetic traces the rays, and its widths. The keys `kind` and `search` of the TOML file are the field `kind`.
+/// Which arithmetic traces the rays, and its widths.
+// The keys `kind` and `search` of a file are one field here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(from = "Written", into = "Written")]
 pub struct DatapathConfig {
