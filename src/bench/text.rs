@@ -1,6 +1,6 @@
 //! Text of the emitted benches, one pair of files a unit, from templates.
 use crate::emit::{Files, file_list};
-use crate::ir::{Expr, Module};
+use crate::ir::{Body, Expr, Module, Prim};
 use crate::verilog::{Style, delayed_net};
 use minijinja::{Environment, context};
 use serde::Serialize;
@@ -99,11 +99,18 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Arc<Module>, u32)>,
 fn sizes(traverse: &Module) -> Vec<Size> {
     let is_load = |p: &&crate::ir::Port| p.name.starts_with("load_addr_");
     let ports = traverse.data_inputs().map(|(_, p)| p).filter(is_load);
-    let words = traverse.insts.iter().filter_map(|i| {
-        let memory = matches!(i.module.body, crate::ir::Body::Prim(crate::ir::Prim::Memory | crate::ir::Prim::Banks));
-        i.params.iter().find(|p| memory && p.0 == "DEPTH").map(|p| p.1.expanded().to_string())
-    });
+    let words = window_words(traverse).into_iter().map(|e| e.to_string());
     ports.zip(words).map(|(p, words)| Size { addr: format!("({})", p.width.expanded()), words }).collect()
+}
+
+/// Words of each memory of a search by windows; of no other search any.
+pub(super) fn window_words(traverse: &Module) -> Vec<Expr> {
+    if traverse.port("load_addr_0").is_none() {
+        return Vec::new();
+    }
+    let is_memory = |m: &Module| matches!(m.body, Body::Prim(Prim::Memory | Prim::Banks));
+    let memories = traverse.insts.iter().filter(|i| is_memory(&i.module));
+    memories.filter_map(|i| i.params.iter().find(|p| p.0 == "DEPTH").map(|p| p.1.expanded())).collect()
 }
 
 /// The outputs of a unit: what stands beside a valid that is 0 is not compared.

@@ -76,6 +76,14 @@ const POSITIONS: [Probe; 14] = [
     ("y_next", Shown::Integer, |i| Some(i.next_y as u64)),
 ];
 
+/// Of a search by windows: the texel is wrapped, as the memories see it.
+const WINDOWS: [Probe; 4] = [
+    ("t", Shown::Time, |i| Some(i.t)),
+    ("texel_x", Shown::Integer, |i| Some(i.x as u64)),
+    ("texel_y", Shown::Integer, |i| Some(i.y as u64)),
+    ("m", Shown::Time, |i| Some(i.m)),
+];
+
 /// More clocks than the registers of any handshake hold a single ray up.
 const WAITS: usize = 16;
 
@@ -98,7 +106,11 @@ pub fn diagnose_in(p: &Pipeline, design: &Design, pyramid: &Pyramid, ray: &RayIn
     let mut iterations = Vec::new();
     prepare(design)?.trace_with(pyramid, ray, Some(&mut |i| iterations.push(*i)));
     let path = design.datapath.kind;
-    let signals: &[Probe] = if path.facts().steps_indices { &PLANES } else { &POSITIONS };
+    let signals: &[Probe] = match path.facts() {
+        facts if facts.windows => &WINDOWS,
+        facts if facts.steps_indices => &PLANES,
+        _ => &POSITIONS,
+    };
     let traced = |q: &&Probe| design.mode.trim != Trim::None || !CHORD.contains(&q.0);
     let list: Vec<&Probe> = signals.iter().filter(traced).collect();
     let probes: Vec<(u32, String, Slot)> = list.iter().map(|q| find(&p.net, q.0)).collect();
