@@ -327,7 +327,8 @@ module {{ prefix }}tb_traverse #(
       words_left <= words_left - 1;
       // The next size has a file of its own.
       if (words_left == 1 && file_size + 1 < Sizes) begin
-        if ($fscanf(mem_fd, "%h", word) == 1) begin
+        got = $fscanf(mem_fd, "%h", word);
+        if (got == 1) begin
           $display("FAIL tb_traverse: memory.hex.%0d in %0s holds more than %0d words", file_size,
                    dir, words_of(file_size));
           finish(8'd2);
