@@ -27,7 +27,7 @@ pub use row::{Context, Row};
 pub use table::{UNITS, entry, proofs, unit_entries};
 pub use unit::{Counted, Legal, Model, Stimulus, Unit};
 
-use crate::config::{Config, DatapathKind, Design, datapaths};
+use crate::config::{Config, Design, datapaths};
 use crate::error::{Error, Result};
 use crate::ir::{Binding, Module, Port};
 use crate::units;
@@ -83,12 +83,10 @@ pub const SETTINGS: [&str; 11] = [
 /// The first of [`SETTINGS`], or another datapath, with which there is a module of this name.
 fn setting_of(d: &Design, name: &str) -> Option<String> {
     unit_entries().find(|u| u.name == name)?;
+    let kinds = datapaths().map(|kind| format!("datapath.kind={}", kind.word()));
     // A search by windows is a datapath of its own, chosen by two keys.
-    let kind = |kind: DatapathKind| match kind.facts().windows {
-        true => "datapath.kind=fixed --set datapath.search=windows".to_string(),
-        false => format!("datapath.kind={}", kind.word()),
-    };
-    SETTINGS.map(String::from).into_iter().filter(|s| s.contains('=')).chain(datapaths().map(kind)).find(|set| {
+    let kinds = kinds.chain(["datapath.kind=fixed --set datapath.search=windows".to_string()]);
+    SETTINGS.map(String::from).into_iter().filter(|s| s.contains('=')).chain(kinds).find(|set| {
         let mut c = Config::default();
         (c.mode, c.latency, c.datapath) = (d.mode, d.latency, d.datapath);
         let set = set.split(" --set ").try_for_each(|one| c.apply_set(one)).and_then(|()| c.validate()).is_ok();

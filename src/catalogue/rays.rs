@@ -105,9 +105,7 @@ pub fn ray_set_at(
     };
     if d.datapath.kind.facts().windows {
         let maps = pyramid.windows(&d.window_set());
-        let one = |map: &WindowMap| {
-            image(&format!("windows {}, row by row", map.window()), &mut map.memory().iter())
-        };
+        let one = |map: &WindowMap| image(&format!("windows {}, row by row", map.window()), &mut map.memory().iter());
         return Ok(RaySet { set, memory: String::new(), banks: maps.maps().iter().map(one).collect(), trace });
     }
     let memory = image("height pyramid: level 0 first, the root last", &mut pyramid.memory().iter());

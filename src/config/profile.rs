@@ -41,7 +41,11 @@ impl Profile {
         let latency = self.with_dividers(kind.facts().divides_in_loop);
         if kind.facts().windows && !matches!(self, Self::Published) {
             // The loop is faster than two rows of a divider in series, and than a difference and a clamp.
-            return LatencyConfig { div: Self::SINGLE_ROWS, hit: if latency.hit > 1 { latency.hit } else { 1 }, ..latency };
+            return LatencyConfig {
+                div: Self::SINGLE_ROWS,
+                hit: if latency.hit > 1 { latency.hit } else { 1 },
+                ..latency
+            };
         }
         latency
     }

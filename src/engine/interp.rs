@@ -57,11 +57,7 @@ fn rays(replay: &Replay<'_>) -> Result<Checked> {
         Some(_) => ("the windows have", p.net.mems.iter().filter(|m| !m.own).map(|m| m.depth).sum()),
     };
     if image.len() != words {
-        return Err(Error::input(format!(
-            "{}/memory.hex has {} words, {what} {words}",
-            place.display(),
-            image.len(),
-        )));
+        return Err(Error::input(format!("{}/memory.hex has {} words, {what} {words}", place.display(), image.len(),)));
     }
     let images = images(&p.net, &image);
     let stream = p.stream();

@@ -627,6 +627,7 @@ module {{ prefix }}tb_traverse #(
     end
   end
 {%- if not sizes %}
+
 `ifdef ITERATIONS
   integer it_fd;
   reg [8*1020-1:0] it_path;

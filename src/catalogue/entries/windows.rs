@@ -1,6 +1,6 @@
 //! Units that the search by windows alone has.
 use super::super::datapath::WINDOWS;
-use super::super::ray_stimulus::{window_axis, whole_ray, windows::with_least_set};
+use super::super::ray_stimulus::{whole_ray, window_axis, windows::with_least_set};
 use super::super::row::Context;
 use super::super::unit::Unit;
 use super::fixed;
@@ -228,7 +228,13 @@ static CHOICE: Unit = Unit {
         out["exit"] = word("exit", a);
         out["x_first"] = word("x_first", a);
         out["fraction"] = word("fraction", a);
-        out["depth"] = if is_in(0) { word("depth", 0) } else if a < last { word("depth", a + 1) } else { 0 };
+        out["depth"] = if is_in(0) {
+            word("depth", 0)
+        } else if a < last {
+            word("depth", a + 1)
+        } else {
+            0
+        };
         out["takes_exit"] = u64::from(!is_in(0) && goes);
         out["takes_depth"] = u64::from(goes && if is_in(0) { ends } else { a < last });
         out["crosses"] = u64::from(goes && !ends);

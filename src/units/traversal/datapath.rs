@@ -11,14 +11,8 @@ use crate::units::float::FormatParams;
 use std::sync::Arc;
 
 /// Builds an iteration: from the slot's ray to the ray that goes back; where constants stand in slot memories, from these, too.
-pub type Iterate = for<'b> fn(
-    &'b Builder,
-    &Sizes,
-    &Design,
-    &Ray<'b>,
-    &mut dyn HeightPort<'b>,
-    Option<&SlotMemory<'b>>,
-) -> Ray<'b>;
+pub type Iterate =
+    for<'b> fn(&'b Builder, &Sizes, &Design, &Ray<'b>, &mut dyn HeightPort<'b>, Option<&SlotMemory<'b>>) -> Ray<'b>;
 
 /// The parts of one datapath.
 pub struct Datapath {

@@ -43,8 +43,7 @@ pub fn memory(d: &Design) -> Arc<Module> {
 fn read<'b>(place: Place<'b>, load: &Load<'b>, address: Sig<'b>) -> Sig<'b> {
     let Place { b, s, d, .. } = place;
     let clocks = d.latency.memory;
-    let mut params =
-        vec![("ADDR_W", load.addr.width()), ("DATA_W", s.height.clone()), ("DEPTH", load.words.clone())];
+    let mut params = vec![("ADDR_W", load.addr.width()), ("DATA_W", s.height.clone()), ("DEPTH", load.words.clone())];
     params.extend((clocks > 1).then(|| ("BANK_W", bank_bits())));
     let address = if clocks > 3 { address.reg() } else { address };
     let ins = [("write_en", load.en), ("write_addr", load.addr), ("write_data", load.data), ("read_addr", address)];

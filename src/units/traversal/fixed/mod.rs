@@ -15,8 +15,8 @@ pub use hit_position::hit_position;
 pub use node_crossing::node_crossing;
 pub use plane_time::plane_time;
 pub use predicted_hit::predicted_hit;
-pub use ray_setup::ray_setup;
 pub use ray_setup::latency as setup_clocks;
+pub use ray_setup::ray_setup;
 pub use reciprocal::reciprocal;
 
 use super::datapath::Datapath;

@@ -72,7 +72,8 @@ impl Params<'_> {
 /// narrower; else every legal width has them.
 pub fn chunks(d: &Design) -> u32 {
     let rows = |bits: u32| bits + 2;
-    let most = if d.datapath.kind.facts().windows { d.datapath.reciprocal_bits } else { d.datapath.reciprocal_bits.min(8) };
+    let most =
+        if d.datapath.kind.facts().windows { d.datapath.reciprocal_bits } else { d.datapath.reciprocal_bits.min(8) };
     d.latency.div.clamp(1, rows(most))
 }
 

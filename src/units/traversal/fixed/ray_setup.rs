@@ -90,23 +90,23 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     b.drive(o_ok, ok, Some(l));
     let gate = |v: Sig<'_>| -> NodeId { (v.at(l) & ok.rep(v.width())).id() };
     if let Some(o_level) = o_level {
-    b.section("level", "");
-    let level = match (axes[0].last, axes[1].last) {
-        (Some(x_end), Some(y_end)) => {
-            let first = |k: usize| axes[k].first.expect("with the nodes' level comes a first texel");
-            let ins = [("x", first(0)), ("y", first(1)), ("x_end", x_end), ("y_end", y_end)];
-            let unit = start_level(&d.traverse);
-            b.inst(&unit, "u_start_level", &[("IDX_W", s.idx.clone())], &ins)[0].named("start")
+        b.section("level", "");
+        let level = match (axes[0].last, axes[1].last) {
+            (Some(x_end), Some(y_end)) => {
+                let first = |k: usize| axes[k].first.expect("with the nodes' level comes a first texel");
+                let ins = [("x", first(0)), ("y", first(1)), ("x_end", x_end), ("y_end", y_end)];
+                let unit = start_level(&d.traverse);
+                b.inst(&unit, "u_start_level", &[("IDX_W", s.idx.clone())], &ins)[0].named("start")
+            }
+            _ => b.konst(&s.n, &level_w).named("root"),
+        };
+        let mut level = level;
+        if let Some((lod, o_lod)) = lod.zip(o_lod) {
+            let o = b.inst(&finest_level(&d.traverse), "u_finest", &[], &[("lod", lod), ("start", level)]);
+            level = o[1].named("first_level");
+            b.drive(o_lod, b.sig(gate(o[0].named("finest"))), Some(l));
         }
-        _ => b.konst(&s.n, &level_w).named("root"),
-    };
-    let mut level = level;
-    if let Some((lod, o_lod)) = lod.zip(o_lod) {
-        let o = b.inst(&finest_level(&d.traverse), "u_finest", &[], &[("lod", lod), ("start", level)]);
-        level = o[1].named("first_level");
-        b.drive(o_lod, b.sig(gate(o[0].named("finest"))), Some(l));
-    }
-    b.drive(o_level, b.sig(gate(level)), Some(l));
+        b.drive(o_level, b.sig(gate(level)), Some(l));
     }
     for (name, (a, o)) in ["x", "y"].iter().zip(axes.iter().zip(outs)) {
         b.section(&format!("axis {name}"), "");

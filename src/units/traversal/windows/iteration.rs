@@ -2,7 +2,10 @@
 use super::params::Planes;
 use super::window_address;
 use super::window_span;
-use super::{plane_product, plane_sum, window_advance, window_choice, window_end, window_exit, window_index, window_texel, window_way};
+use super::{
+    plane_product, plane_sum, window_advance, window_choice, window_end, window_exit, window_index, window_texel,
+    window_way,
+};
 use crate::config::Design;
 use crate::ir::{Builder, Expr, Record, Sig};
 use crate::units::traversal::height_source::HeightPort;
@@ -26,7 +29,9 @@ pub fn iteration<'b>(
     let (f, w) = (Expr::param("FRACTION_W"), Expr::param("RECIP_W"));
     let planes = Planes::of(b, &f, &w, &s.levels, &s.tile);
     let new = slots.new_words();
-    let two = |name: &str| AXES.map(|a| format!("{name}_{a}")).map(|n| (n.clone(), new[n.as_str()])).into_iter().collect::<Record<'b>>();
+    let two = |name: &str| {
+        AXES.map(|a| format!("{name}_{a}")).map(|n| (n.clone(), new[n.as_str()])).into_iter().collect::<Record<'b>>()
+    };
 
     b.section("texel", "");
     let origin = AXES.map(|a| (format!("origin_{a}"), new[format!("p_{a}").as_str()].slice(&f - &s.levels, &s.levels)));
@@ -41,7 +46,12 @@ pub fn iteration<'b>(
     let (mut addresses, mut borders) = (Vec::new(), Vec::new());
     for (c, size) in set.sizes().iter().enumerate() {
         let ins = [("x", texel[0]), ("y", texel[1]), ("neg_x", origin["neg_x"]), ("neg_y", origin["neg_y"])];
-        let o = b.instance(&window_address::window_address(d), &format!("u_address_{c}"), &window_address::size(*size), &ins);
+        let o = b.instance(
+            &window_address::window_address(d),
+            &format!("u_address_{c}"),
+            &window_address::size(*size),
+            &ins,
+        );
         addresses.push(o["address"].named(&format!("address_{c}")));
         borders.push(AXES.map(|a| o[format!("border_{a}").as_str()].named(&format!("border_{a}_{c}"))));
     }
@@ -51,53 +61,22 @@ pub fn iteration<'b>(
 
     b.section("plane ahead", "That of the texel along each axis: C + kQ.");
     let step = slots.read("step", &two("q"), 2);
-    let ahead = AXES.map(|a| {
+    let products = AXES.map(|a| {
         let k = ray.get(if a == "x" { "k_x" } else { "k_y" });
         let ins = [("k", k), ("q", step[format!("q_{a}").as_str()])];
         let o = b.instance(&plane_product(d), &format!("u_product_{a}"), &[], &ins);
         o.named(&format!("{a}_product"))
     });
-    let at = ahead[0]["low"].stage().expect("a product has a stage");
+    let at = products[0]["low"].stage().expect("a product has a stage");
     let first = slots.read("entry", &two("c"), at);
     let plane = [0, 1].map(|k| {
         let a = AXES[k];
-        let ins = [("c", first[format!("c_{a}").as_str()]), ("low", ahead[k]["low"]), ("high", ahead[k]["high"])];
+        let ins = [("c", first[format!("c_{a}").as_str()]), ("low", products[k]["low"]), ("high", products[k]["high"])];
         b.inst(&plane_sum(d), &format!("u_plane_{a}"), &[], &ins)[0].named(&format!("plane_{a}"))
     });
 
-    b.section("windows", "Of each size where it ends, its highest code, and whether that can be met before.");
-    let mut ins = vec![("stays".to_string(), ray.get("done"))];
-    for (c, size) in set.sizes().iter().enumerate() {
-        let ends = [0, 1].map(|k| {
-            let a = AXES[k];
-            if size.side == 1 {
-                b.unused(borders[c][k]);
-                let wide = planes.plane.clone() + super::params::SPAN_W;
-                let end = plane[k].zext(&wide).named(&format!("end_{a}_{c}"));
-                return end.at(end.stage().expect("a plane has a stage") + window_end::latency(&d.latency));
-            }
-            let span = [("q", step[format!("q_{a}").as_str()]), ("border", borders[c][k])];
-            let span = b.inst(&window_span::window_span(d), &format!("u_span_{a}_{c}"), &window_span::size(*size), &span);
-            let ins = [("plane", plane[k]), ("span", span[0].named(&format!("span_{a}_{c}")))];
-            b.inst(&window_end::window_end(d), &format!("u_end_{a}_{c}"), &[], &ins)[0].named(&format!("end_{a}_{c}"))
-        });
-        let exits = [("end_x", ends[0]), ("end_y", ends[1]), ("height", heights.words[c]), ("t", ray.get("t"))];
-        let o = b.instance(&window_exit::window_exit(d), &format!("u_exit_{c}"), &[], &exits);
-        for (name, v) in o.iter() {
-            let v = v.named(&format!("{name}_{c}"));
-            match (name, c) {
-                ("is_open", 0) => ins.push(("is_open".into(), v)),
-                ("is_open", _) => b.unused(v),
-                _ => ins.push((format!("{name}_{c}"), v)),
-            }
-        }
-    }
-    let coarsest = borders.last().expect("two sizes or more");
-    AXES.iter().zip(coarsest).for_each(|(a, v)| ins.push((format!("border_{a}"), *v)));
-
-    b.section("choice", "");
-    let ins: Vec<(&str, Sig<'_>)> = ins.iter().map(|(n, v)| (n.as_str(), *v)).collect();
-    let choice = b.instance(&window_choice::window_choice(d), "u_choice", &[], &ins).named("chosen");
+    let ahead = Ahead { step, plane, borders, heights: heights.words };
+    let choice = ahead.choose(b, d, ray, &planes);
     let hit = choice["hit"];
     b.section("advance", "");
     let mut ins: Vec<(&str, Sig<'_>)> = choice.iter().filter(|(n, _)| *n != "hit").collect();
@@ -119,6 +98,60 @@ pub fn iteration<'b>(
         b.inst(&window_index::window_index(d), &format!("u_index_{a}"), &[], &ins)[0].named(&format!("k_{a}_next"))
     });
     ended(b, s, ray, hit, below).with(&[("k_x", k[0]), ("k_y", k[1]), ("t", m)])
+}
+
+/// What is known of the way ahead of a ray.
+struct Ahead<'b> {
+    /// Q of each axis.
+    step: Record<'b>,
+    /// The plane of the texel along each axis.
+    plane: [Sig<'b>; 2],
+    /// Of each size, the texels up to the border of the grid's cell.
+    borders: Vec<[Sig<'b>; 2]>,
+    /// Of each size, the highest code in its window.
+    heights: Vec<Sig<'b>>,
+}
+
+impl<'b> Ahead<'b> {
+    /// Which windows are empty, and what they say of the way ahead: the outputs of `window_choice`.
+    fn choose(&self, b: &'b Builder, d: &Design, ray: &Ray<'b>, planes: &Planes) -> Record<'b> {
+        let set = d.window_set();
+        b.section("windows", "Of each size where it ends, its highest code, and whether that can be met before.");
+        let mut ins = vec![("stays".to_string(), ray.get("done"))];
+        for (c, size) in set.sizes().iter().enumerate() {
+            let ends = [0, 1].map(|k| {
+                let a = AXES[k];
+                if size.side == 1 {
+                    b.unused(self.borders[c][k]);
+                    let wide = planes.plane.clone() + super::params::SPAN_W;
+                    let end = self.plane[k].zext(&wide).named(&format!("end_{a}_{c}"));
+                    return end.at(end.stage().expect("a plane has a stage") + window_end::latency(&d.latency));
+                }
+                let span = [("q", self.step[format!("q_{a}").as_str()]), ("border", self.borders[c][k])];
+                let span =
+                    b.inst(&window_span::window_span(d), &format!("u_span_{a}_{c}"), &window_span::size(*size), &span);
+                let ins = [("plane", self.plane[k]), ("span", span[0].named(&format!("span_{a}_{c}")))];
+                b.inst(&window_end::window_end(d), &format!("u_end_{a}_{c}"), &[], &ins)[0]
+                    .named(&format!("end_{a}_{c}"))
+            });
+            let exits = [("end_x", ends[0]), ("end_y", ends[1]), ("height", self.heights[c]), ("t", ray.get("t"))];
+            let o = b.instance(&window_exit::window_exit(d), &format!("u_exit_{c}"), &[], &exits);
+            for (name, v) in o.iter() {
+                let v = v.named(&format!("{name}_{c}"));
+                match (name, c) {
+                    ("is_open", 0) => ins.push(("is_open".into(), v)),
+                    ("is_open", _) => b.unused(v),
+                    _ => ins.push((format!("{name}_{c}"), v)),
+                }
+            }
+        }
+        let coarsest = self.borders.last().expect("two sizes or more");
+        AXES.iter().zip(coarsest).for_each(|(a, v)| ins.push((format!("border_{a}"), *v)));
+
+        b.section("choice", "");
+        let ins: Vec<(&str, Sig<'_>)> = ins.iter().map(|(n, v)| (n.as_str(), *v)).collect();
+        b.instance(&window_choice::window_choice(d), "u_choice", &[], &ins).named("chosen")
+    }
 }
 
 /// Steps, and whether the ray ends in this iteration. A finished ray moves no more: its windows say the same once more.

@@ -33,7 +33,6 @@ pub use window_way::window_way;
 
 use super::datapath::Datapath;
 use super::fixed::{self, hit_position, ray_setup, reciprocal};
-use crate::config::WindowSet;
 
 pub(super) static DATAPATH: Datapath = Datapath {
     search: &search::WINDOWS,
@@ -72,9 +71,3 @@ pub(super) static DATAPATH: Datapath = Datapath {
         _ => "fixed-point arithmetic instead of floating-point units",
     },
 };
-
-/// The set as a word of letters, digits and `_`.
-fn set_word(set: &WindowSet) -> String {
-    let size = |w: &crate::config::Window| format!("{}at{}", w.side, w.grid);
-    set.sizes().iter().map(size).collect::<Vec<_>>().join("_")
-}

@@ -1,5 +1,5 @@
 //! Widths of the units of a search by windows (`docs/windows.md`).
-use crate::config::Design;
+use crate::config::{Design, Window, WindowSet};
 use crate::ir::{Binding, Builder, Expr};
 use crate::units::traversal::fixed::params::{Params, time_width};
 
@@ -112,4 +112,10 @@ fn estimate_fraction(f: &Expr, levels: &Expr, tile: &Expr) -> Expr {
 /// Parameter values at which the units are verified besides their defaults.
 pub fn bindings() -> Vec<Binding> {
     crate::units::traversal::fixed::params::bindings()
+}
+
+/// The set as a word of letters, digits and `_`.
+pub fn set_word(set: &WindowSet) -> String {
+    let size = |w: &Window| format!("{}at{}", w.side, w.grid);
+    set.sizes().iter().map(size).collect::<Vec<_>>().join("_")
 }

@@ -1,6 +1,5 @@
 //! The state of a ray in a search by windows, the memories of the windows, and what a result needs of a ray that leaves.
-use super::params::count_width;
-use super::set_word;
+use super::params::{count_width, set_word};
 use super::window_address::address_width;
 use crate::config::Design;
 use crate::ir::{Builder, Expr, Record, Sig};
@@ -70,7 +69,10 @@ const KEPT: [&str; 7] = ["tag", "p_x", "s_x", "neg_x", "p_y", "s_y", "neg_y"];
 
 /// The ray of the loop registers with its constants, and its texel, which may lie on another tile.
 fn leaving<'b>(b: &'b Builder, s: &Sizes, held: &Ray<'b>, slots: &SlotMemory<'b>) -> Ray<'b> {
-    b.section("texel of the result", "By the planes behind the ray; on which tile, the position in the texel has to know.");
+    b.section(
+        "texel of the result",
+        "By the planes behind the ray; on which tile, the position in the texel has to know.",
+    );
     let kept: Record<'b> = KEPT.iter().map(|n| (*n, slots.new_words()[*n])).collect();
     let kept = slots.read_for_result("kept", &kept);
     let mut more: Vec<(&'static str, Sig<'b>)> = KEPT.iter().map(|n| (*n, kept[*n])).collect();

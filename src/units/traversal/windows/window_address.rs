@@ -16,7 +16,11 @@ pub fn size(w: Window) -> [(&'static str, Expr); 2] {
 
 /// Builds `window_address`, combinational (parameters GRID_W, CELLS beside the map's).
 pub fn window_address(d: &Design) -> Arc<Module> {
-    let b = Builder::new("window_address", file!(), "address of the window that begins at a texel, and the texels to its grid");
+    let b = Builder::new(
+        "window_address",
+        file!(),
+        "address of the window that begins at a texel, and the texels to its grid",
+    );
     let w = d.window_set().sizes()[1];
     let (levels, _) = Widths::new(&b, d).map();
     let grid = b.param("GRID_W", w.grid_bits(), "log2 of the grid on which windows begin, in texels");

@@ -12,7 +12,8 @@ pub fn latency(l: &LatencyConfig) -> u32 {
 
 /// Builds `window_advance`.
 pub fn window_advance(d: &Design) -> Arc<Module> {
-    let b = Builder::new("window_advance", file!(), "how far the way is empty, and the planes that are passed by an exit");
+    let b =
+        Builder::new("window_advance", file!(), "how far the way is empty, and the planes that are passed by an exit");
     let widths = Widths::new(&b, d);
     let f = widths.f.clone();
     let (levels, tile) = widths.map();

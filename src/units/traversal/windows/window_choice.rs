@@ -1,5 +1,5 @@
 //! `window_choice`: hit, or how far the windows are empty: the exit of the largest window that can't hold the hit, and the depth of the next one.
-use super::params::{CELL_W, SPAN_W, Widths, bindings};
+use super::params::{CELL_W, SPAN_W, Widths, bindings, set_word};
 use crate::config::Design;
 use crate::ir::{Builder, Module, Sig};
 use crate::units::traversal::fixed::params::TIME;
@@ -23,7 +23,7 @@ struct Channel<'b> {
 pub fn window_choice(d: &Design) -> Arc<Module> {
     let b = Builder::new("window_choice", file!(), "which windows are empty, and what they say of the way ahead");
     let set = d.window_set();
-    b.choice("windows", super::set_word(&set));
+    b.choice("windows", set_word(&set));
     let widths = Widths::new(&b, d);
     let h = widths.of.height(&widths.f);
     let time = widths.time();
@@ -31,7 +31,9 @@ pub fn window_choice(d: &Design) -> Arc<Module> {
     b.clock_enable();
     let stays = b.input("stays", 1, "bit", "a finished ray: it moves no more");
     let open = b.input("is_open", 1, "bit", "the texel's exit lies behind t");
-    let borders = ["x", "y"].map(|a| b.input(&format!("border_{a}"), CELL_W, "texels", "texels up to the border of the coarsest grid's cell"));
+    let borders = ["x", "y"].map(|a| {
+        b.input(&format!("border_{a}"), CELL_W, "texels", "texels up to the border of the coarsest grid's cell")
+    });
     let channel = |c: usize| {
         let bit = |n: &str, doc: &str| b.input(&format!("{n}_{c}"), 1, "bit", doc);
         Channel {
@@ -51,7 +53,8 @@ pub fn window_choice(d: &Design) -> Arc<Module> {
     let o_takes_exit = b.output("takes_exit", 1, "bit", "the ray is at the exit at least");
     let o_takes_depth = b.output("takes_depth", 1, "bit", "the ray is at the depth at least");
     let o_crosses = b.output("crosses", 1, "bit", "the ray goes behind the exit");
-    let o_past = ["x", "y"].map(|a| b.output(&format!("past_{a}"), SPAN_W, "texels", "texels of the window beyond this one"));
+    let o_past =
+        ["x", "y"].map(|a| b.output(&format!("past_{a}"), SPAN_W, "texels", "texels of the window beyond this one"));
 
     b.section("largest empty window", "One-hot; of none it is the texel itself.");
     let last = list.len() - 1;
@@ -102,6 +105,7 @@ pub fn window_choice(d: &Design) -> Arc<Module> {
 /// What the size picked one-hot has; sizes that have nothing give 0.
 fn picked<'b>(picks: &[Sig<'b>], name: &str, of: impl Fn(usize) -> Option<Sig<'b>>) -> Sig<'b> {
     let terms = picks.iter().enumerate().filter_map(|(c, pick)| Some((pick, of(c)?)));
-    let words = terms.map(|(pick, v)| if v.width().as_const() == Some(1) { *pick & v } else { pick.rep(v.width()) & v });
+    let words =
+        terms.map(|(pick, v)| if v.width().as_const() == Some(1) { *pick & v } else { pick.rep(v.width()) & v });
     words.reduce(|a, v| a | v).expect("two sizes or more").named(name)
 }

@@ -31,9 +31,11 @@ pub fn window_constants(d: &Design) -> Arc<Module> {
     let o_q = b.output("q", &p.plane, FINE, "parameter from plane to plane; all ones: no plane is met but the first");
     let o_c = b.output("c", &p.plane, FINE, "parameter of the first plane; all ones: never");
     let o_s = b.output("travel", &e.travel, "2^-(EstimateW+HEIGHT_W) texels", "travel per height code, less its bias");
-    let o_o = b.output("offset", &e.offset, "2^-EstimateW texels", "how far in its texel the ray begins; its top bit is 0");
+    let o_o =
+        b.output("offset", &e.offset, "2^-EstimateW texels", "how far in its texel the ray begins; its top bit is 0");
     let l = latency(&d.latency);
-    let plan = [("distance", 5), ("products", 9), ("product", 6), ("leading zeros", 5), ("align", 5), ("first plane", 2)];
+    let plan =
+        [("distance", 5), ("products", 9), ("product", 6), ("leading zeros", 5), ("align", 5), ("first plane", 2)];
     b.plan(l, &plan);
 
     let (travel, offset) = estimate(&b, &f, &p, &e, entry, neg, s);
@@ -77,7 +79,8 @@ fn first_plane<'b>(
     // As many bits as the plane's parameter has, with what is cut off below.
     let total = f + &p.tile + &p.w;
     let below = part.smaller(&p.w + &p.tile - 2);
-    let carry = (high.zext(&dist_w + &p.w - &low_w) + low.slice(&low_w, &dist_w).zext(&dist_w + &p.w - &low_w)).named("upper");
+    let carry =
+        (high.zext(&dist_w + &p.w - &low_w) + low.slice(&low_w, &dist_w).zext(&dist_w + &p.w - &low_w)).named("upper");
     let product = b.cat(&[carry, low.slice(0, &low_w)]).zext(&total).named("product");
     b.section("leading zeros", "");
     let count = lzc(b, "u_lzc", product, "lz_count");
@@ -101,7 +104,10 @@ fn estimate<'b>(
     neg: Sig<'b>,
     s: Sig<'b>,
 ) -> (Sig<'b>, Sig<'b>) {
-    b.section("estimate", "Less than the travel by more than a reciprocal that was rounded up adds to a plane's parameter.");
+    b.section(
+        "estimate",
+        "Less than the travel by more than a reciprocal that was rounded up adds to a plane's parameter.",
+    );
     let from = f - &p.levels - &e.fraction;
     b.unused(s);
     b.unused(entry);
@@ -111,7 +117,8 @@ fn estimate<'b>(
     let less = (tall - b.lit(1, &e.travel + 2) - tall.shift_right(part)).named("v_less");
     b.unused(less.msb());
     let over = less.slice(&e.travel, 1).named("is_over");
-    let travel = ((less.slice(0, &e.travel) | over.rep(e.travel.clone())) & v.any().rep(e.travel.clone())).named("travel");
+    let travel =
+        ((less.slice(0, &e.travel) | over.rep(e.travel.clone())) & v.any().rep(e.travel.clone())).named("travel");
     let low = entry.slice(from, &e.offset) ^ neg.rep(e.offset.clone());
     let offset = (low & b.konst(e.fraction.pow2() - 1, &e.offset).named("offset_mask")).named("offset");
     (travel, offset)

@@ -20,6 +20,6 @@ pub fn window_end(d: &Design) -> Arc<Module> {
     let span = b.input("span", &wide, FINE, "from there to the end of the window, at most 78 planes");
     let out = b.output("ends_at", &wide, FINE, "parameter of that plane");
     let l = latency(&d.latency);
-    b.drive(out, (plane.zext(&wide) + span).named("window_end"), Some(l));
+    b.drive(out, (plane.zext(&wide) + span).named("end_plane"), Some(l));
     b.finish(Some(l), &bindings())
 }

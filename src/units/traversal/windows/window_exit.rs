@@ -12,7 +12,8 @@ pub fn latency(l: &LatencyConfig) -> u32 {
 
 /// Builds `window_exit`.
 pub fn window_exit(d: &Design) -> Arc<Module> {
-    let b = Builder::new("window_exit", file!(), "where a ray leaves a window, and whether the window can hold the hit");
+    let b =
+        Builder::new("window_exit", file!(), "where a ray leaves a window, and whether the window can hold the hit");
     let widths = Widths::new(&b, d);
     let (f, p) = (widths.f.clone(), widths.planes());
     let h = widths.of.height(&f);

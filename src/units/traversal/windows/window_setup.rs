@@ -14,7 +14,8 @@ pub fn latency(d: &Design) -> u32 {
 
 /// Builds `window_setup`.
 pub fn window_setup(d: &Design) -> Arc<Module> {
-    let b = Builder::new("window_setup", file!(), "a ray's constants for a search by windows, from texture coordinates");
+    let b =
+        Builder::new("window_setup", file!(), "a ray's constants for a search by windows, from texture coordinates");
     b.note("A ray that can't be traced (see ok) has p, s and neg 0, as one that does not move.");
     let widths = Widths::new(&b, d);
     let f = widths.f.clone();

@@ -14,7 +14,8 @@ pub fn window_way(d: &Design) -> Arc<Module> {
     let time = widths.time();
     b.clock();
     b.clock_enable();
-    let travel = b.input("travel", &e.travel, "2^-(EstimateW+HEIGHT_W) texels", "travel per height code, less its bias");
+    let travel =
+        b.input("travel", &e.travel, "2^-(EstimateW+HEIGHT_W) texels", "travel per height code, less its bias");
     let m = b.input("m", &time, TIME, "parameter");
     let out = b.output("way", &e.travel, "2^-EstimateW texels", "how far the ray has come");
     let l = super::plane_product::latency(&d.latency);
