@@ -35,8 +35,11 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
     let out = b.output("fraction", &frac, "1/2^FRAC_W texel", "position inside the texel");
     let o_texel = d.mode.lod.then(|| b.output("texel", &n, "texels", "texel of the hit, wrapped"));
     let l = latency(&d.latency);
-    let plan = [("products", 9), ("halves", 7), ("way", 7), ("position", 5), ("offset", 5), ("clamp", 4)];
+    // A register before the multipliers, where there is a clock for it: their operands come from memories far away.
+    let plan =
+        [("operands", 1), ("products", 9), ("halves", 7), ("way", 7), ("position", 5), ("offset", 5), ("clamp", 4)];
     b.plan(l, &plan);
+    b.section("operands", "");
     let way = way(&b, s, t, &time, &reach);
     b.section("position", "");
     let at = position(&b, p, way, neg, &reach, None);
