@@ -62,7 +62,7 @@ impl Windows {
     pub fn planes_behind(&self, axis: &WindowAxis, m: u64) -> i64 {
         let w = &self.widths;
         let m = i128::from(m >> (w.parameter - w.time));
-        (((i128::from(axis.s) * m >> w.time) + i128::from(axis.o)) >> w.estimate_fraction) as i64
+        ((((i128::from(axis.s) * m) >> w.time) + i128::from(axis.o)) >> w.estimate_fraction) as i64
     }
 }
 

@@ -6,6 +6,9 @@ use super::slot_memory::SlotMemory;
 use crate::config::Design;
 use crate::ir::Builder;
 
+/// Builds the ray that leaves, from the loop's registers and the slot memories.
+pub type Leaving = for<'b> fn(&'b Builder, &Sizes, &Ray<'b>, &SlotMemory<'b>) -> Ray<'b>;
+
 /// The parts of one search.
 pub struct Search {
     /// What `traverse` does with it, in one sentence.
@@ -21,7 +24,7 @@ pub struct Search {
     /// What an iteration changes.
     pub state: fn(&Sizes, &Design) -> Vec<Field>,
     /// Where constants of a ray stand in slot memories: all that a result needs of a ray that leaves; the loop's words come first.
-    pub leaving: Option<for<'b> fn(&'b Builder, &Sizes, &Ray<'b>, &SlotMemory<'b>) -> Ray<'b>>,
+    pub leaving: Option<Leaving>,
 }
 
 /// The nodes of a pyramid, one an iteration.

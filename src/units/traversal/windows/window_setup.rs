@@ -54,7 +54,7 @@ pub fn window_setup(d: &Design) -> Arc<Module> {
         let of = |n: &str| ray[format!("{n}_{a}").as_str()].named(&format!("{a}_{n}"));
         let ins = ["p", "s", "r", "z", "neg"].map(|n| (n, of(n)));
         let found = b.instance(&window_constants(d), &format!("u_{a}_constants"), &[], &ins);
-        let given = ["p", "s", "neg"].map(|n| of(n));
+        let given = ["p", "s", "neg"].map(of);
         let made = ["q", "c", "travel", "offset"].map(|n| found[n].named(&format!("{a}_{n}")));
         for (port, v) in outs.into_iter().zip(given.into_iter().chain(made)) {
             b.drive(port, v, Some(l));
