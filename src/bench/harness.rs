@@ -1,6 +1,7 @@
 //! The traverse unit in Verilator under a C++ harness that is made for speed: rays and results in memory, the model built with
 //! `-O3 -march=native`, and only the traversal timed. What `bench` compares with.
 use super::run::first_lines;
+use super::text::window_words;
 use crate::emit::Files;
 use crate::error::{Error, Result};
 use crate::files::Scratch;
@@ -58,7 +59,9 @@ pub fn harness_text(traverse: &Module, top: &str) -> String {
     env.set_keep_trailing_newline(true);
     env.add_template("harness", include_str!("templates/harness.cpp")).expect("the template is well formed");
     let tag = traverse.port("in_tag").map_or(1, |p| p.1.width.eval(&traverse.default_binding()));
+    let sizes: Vec<i64> = window_words(traverse).iter().map(|e| e.eval(&traverse.default_binding())).collect();
     let value = context! {
+        sizes,
         top, inputs => inputs(traverse), outputs => outputs(traverse), tags => 1u64 << tag.clamp(1, 16),
         // More than 65535 iterations of a full loop take.
         patience => 65536u64 * 256,

@@ -1,6 +1,6 @@
 //! Text of the emitted benches, one pair of files a unit, from templates.
 use crate::emit::{Files, file_list};
-use crate::ir::{Expr, Module};
+use crate::ir::{Body, Expr, Module, Prim};
 use crate::verilog::{Style, delayed_net};
 use minijinja::{Environment, context};
 use serde::Serialize;
@@ -17,6 +17,15 @@ struct Port {
     select: String,
     /// The valid port that says whether its word counts, if there is one.
     valid: Option<String>,
+}
+
+/// A memory of a search by windows.
+#[derive(Serialize)]
+struct Size {
+    /// Its address bits.
+    addr: String,
+    /// Its words.
+    words: String,
 }
 
 #[derive(Serialize)]
@@ -75,7 +84,7 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Arc<Module>, u32)>,
     let value = context! {
         enters, valid => valid.unwrap_or_else(|| format!("s{enters}_valid")),
         prefix, unit => "traverse", dut => format!("{prefix}traverse"), params => params(traverse), terms => terms(traverse),
-        files => files_of(traverse), warm_up,
+        files => files_of(traverse), warm_up, sizes => sizes(traverse),
         // The published datapath has rays that never end by themselves.
         lingers => traverse.params.iter().any(|p| p.name == "NUDGE_W"),
         inputs => named(&crate::trace::inputs(traverse)), outputs => named(&crate::trace::outputs(traverse)),
@@ -84,6 +93,24 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Arc<Module>, u32)>,
     files.insert(format!("testbench/{prefix}tb_traverse_top.v"), render("top", value));
     files.insert(format!("testbench/{prefix}tb_traverse.f"), list(traverse, prefix));
     files
+}
+
+/// The memories of a search by windows, in the order of their load ports: as many as the instances that they are.
+fn sizes(traverse: &Module) -> Vec<Size> {
+    let is_load = |p: &&crate::ir::Port| p.name.starts_with("load_addr_");
+    let ports = traverse.data_inputs().map(|(_, p)| p).filter(is_load);
+    let words = window_words(traverse).into_iter().map(|e| e.to_string());
+    ports.zip(words).map(|(p, words)| Size { addr: format!("({})", p.width.expanded()), words }).collect()
+}
+
+/// Words of each memory of a search by windows; of no other search any.
+pub(super) fn window_words(traverse: &Module) -> Vec<Expr> {
+    if traverse.port("load_addr_0").is_none() {
+        return Vec::new();
+    }
+    let is_memory = |m: &Module| matches!(m.body, Body::Prim(Prim::Memory | Prim::Banks));
+    let memories = traverse.insts.iter().filter(|i| is_memory(&i.module));
+    memories.filter_map(|i| i.params.iter().find(|p| p.0 == "DEPTH").map(|p| p.1.expanded())).collect()
 }
 
 /// The outputs of a unit: what stands beside a valid that is 0 is not compared.

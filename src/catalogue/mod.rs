@@ -86,10 +86,12 @@ pub const SETTINGS: [&str; 11] = [
 fn setting_of(d: &Design, name: &str) -> Option<String> {
     unit_entries().find(|u| u.name == name)?;
     let kinds = datapaths().map(|kind| format!("datapath.kind={}", kind.word()));
+    // A search by windows is a datapath of its own, chosen by two keys.
+    let kinds = kinds.chain(["datapath.kind=fixed --set datapath.search=windows".to_string()]);
     SETTINGS.map(String::from).into_iter().filter(|s| s.contains('=')).chain(kinds).find(|set| {
         let mut c = Config::default();
         (c.mode, c.latency, c.datapath) = (d.mode, d.latency, d.datapath);
-        let set = c.apply_set(set).and_then(|()| c.validate()).is_ok();
+        let set = set.split(" --set ").try_for_each(|one| c.apply_set(one)).and_then(|()| c.validate()).is_ok();
         set && units::all(&c.design()).iter().any(|m| m.name == name)
     })
 }
@@ -113,6 +115,10 @@ pub fn find(d: &Design, name: &str) -> Result<Arc<Module>> {
 /// The design that a module's parameter values describe.
 pub fn design_at(d: &Design, b: &Binding) -> Design {
     let mut d = *d;
+    if d.datapath.kind.facts().windows {
+        // The emitted text has one set, whatever its parameters are.
+        d.windows.set = Some(d.window_set());
+    }
     let set = |name: &str, slot: &mut u32| {
         if let Some(v) = b.get(name) {
             *slot = *v as u32;

@@ -2,7 +2,7 @@
 use super::design_at;
 use crate::config::{Design, Trim};
 use crate::error::Result;
-use crate::golden::{Iteration, Pyramid, RayHit, RayInput, prepare};
+use crate::golden::{Iteration, Pyramid, RayHit, RayInput, WindowMap, prepare};
 use crate::ir::{Binding, Module};
 use crate::trace::{hit_row, inputs, outputs, row};
 use crate::units::traversal::traverse;
@@ -14,9 +14,9 @@ use std::fmt::Write;
 pub struct RaySet {
     /// Rays and expected hits.
     pub set: VectorSet,
-    /// The pyramid, `$readmemh` text: a word a line.
+    /// The pyramid, `$readmemh` text: a word a line; empty where windows are searched.
     pub memory: String,
-    /// Where hits are refined, the words of the four memories of the map, as `$readmemh` text each.
+    /// Where hits are refined, the words of the four memories of the map; of a search by windows those of each size; as `$readmemh` text each.
     pub banks: Vec<String>,
     /// Every iteration of every ray, CSV.
     pub trace: String,
@@ -26,7 +26,8 @@ impl RaySet {
     /// The text files of the memories by their names in a directory of vectors: `memory.hex`, and of each bank that name with its number after it.
     pub fn memory_files(&self) -> impl Iterator<Item = (String, &String)> {
         let banks = self.banks.iter().enumerate().map(|(k, text)| (format!("memory.hex.{k}"), text));
-        std::iter::once(("memory.hex".to_string(), &self.memory)).chain(banks)
+        let whole = Some(("memory.hex".to_string(), &self.memory)).filter(|_| !self.memory.is_empty());
+        whole.into_iter().chain(banks)
     }
 }
 
@@ -102,6 +103,11 @@ pub fn ray_set_at(
             text
         })
     };
+    if d.datapath.kind.facts().windows {
+        let maps = pyramid.windows(&d.window_set());
+        let one = |map: &WindowMap| image(&format!("windows {}, row by row", map.window()), &mut map.memory().iter());
+        return Ok(RaySet { set, memory: String::new(), banks: maps.maps().iter().map(one).collect(), trace });
+    }
     let memory = image("height pyramid: level 0 first, the root last", &mut pyramid.memory().iter());
     let texels = 1usize << (2 * d.traverse.levels);
     let bank = |k: usize| {

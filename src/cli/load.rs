@@ -1,7 +1,6 @@
 //! The configuration of a call: defaults, file, options.
-use super::args::{Cli, Verb};
+use super::args::Cli;
 use crate::config::{Choice, Config, Design, Scope, for_clock};
-use crate::engine::EngineName;
 use crate::error::{Error, Result};
 use crate::ir::Module;
 use std::sync::Arc;
@@ -14,26 +13,6 @@ pub fn load(cli: &Cli) -> Result<Config> {
     let c = load_ranges(cli, &[])?;
     c.validate()?;
     Ok(c)
-}
-
-/// A search by windows has a model and no hardware: verbs that need hardware say so. `c` is the file's configuration.
-fn modelled_alone(cli: &Cli, c: &Config) -> Result<()> {
-    let mut c = c.clone();
-    let set = cli.sets.iter().all(|s| c.apply_set(s).is_ok());
-    let models = match &cli.verb {
-        Verb::Steps(_) | Verb::Accuracy(_) | Verb::Config(_) => true,
-        Verb::Render(a) => a.engine == EngineName::Golden,
-        Verb::Trace(a) => a.engine == EngineName::Golden && a.wave.is_none(),
-        Verb::Hard(a) => a.engine == EngineName::Golden,
-        _ => false,
-    };
-    if models || !set || !c.datapath.kind.facts().windows {
-        return Ok(());
-    }
-    c.validate()?;
-    Err(Error::input(
-        "datapath.search = \"windows\" has a golden model and no hardware yet: steps, hard, trace, render and accuracy take it, with --engine golden; the rest needs datapath.search = \"pyramid\"",
-    ))
 }
 
 /// As [`load`] for `units`: those of arithmetic stand alone, and what a traversal asks of its numbers does not bind them; they come with the
@@ -63,7 +42,6 @@ pub(super) fn load_ranges(cli: &Cli, units: &[String]) -> Result<Config> {
         Some(path) => Config::load(path)?,
         None => Config::default(),
     };
-    modelled_alone(cli, &c)?;
     let asked = numbers(cli, &c)?;
     if let Some(profile) = cli.profile {
         c.latency = profile.latency_for(&asked);

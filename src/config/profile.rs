@@ -38,8 +38,20 @@ impl Profile {
 
     /// Its latencies for the published format.
     pub const fn latency(self, kind: DatapathKind) -> LatencyConfig {
-        self.with_dividers(kind.facts().divides_in_loop)
+        let latency = self.with_dividers(kind.facts().divides_in_loop);
+        if kind.facts().windows && !matches!(self, Self::Published) {
+            // The loop is faster than two rows of a divider in series, and than a difference and a clamp.
+            return LatencyConfig {
+                div: Self::SINGLE_ROWS,
+                hit: if latency.hit > 1 { latency.hit } else { 1 },
+                ..latency
+            };
+        }
+        latency
     }
+
+    /// Clocks of a reciprocal of 24 bits with one row a clock.
+    const SINGLE_ROWS: u32 = 29;
 
     /// Its latencies for the published format, and dividers in the loop or outside of it: in it, the published latencies make the published 15 stages.
     pub(super) const fn with_dividers(self, in_loop: bool) -> LatencyConfig {

@@ -52,13 +52,12 @@ fn rays(replay: &Replay<'_>) -> Result<Checked> {
     let image = memory(place)?;
     let p = Pipeline::new(design, over)?;
     let d = &design_at(design, &set.params);
-    if image.len() != p.net.mems[0].depth {
-        return Err(Error::input(format!(
-            "{}/memory.hex has {} words, the pyramid has {}",
-            place.display(),
-            image.len(),
-            p.net.mems[0].depth
-        )));
+    let (what, words) = match p.set {
+        None => ("the pyramid has", p.net.mems[0].depth),
+        Some(_) => ("the windows have", p.net.mems.iter().filter(|m| !m.own).map(|m| m.depth).sum()),
+    };
+    if image.len() != words {
+        return Err(Error::input(format!("{}/memory.hex has {} words, {what} {words}", place.display(), image.len(),)));
     }
     let images = images(&p.net, &image);
     let stream = p.stream();

@@ -1,6 +1,6 @@
 //! A simulator as an engine: it runs the emitted text under its bench.
 use super::run::{Checked, Engine, Replay, SlotLoad, Traced};
-use super::stored::{memory, pyramid_of, ray_of};
+use super::stored::{memory, memory_files, pyramid_of, ray_of};
 use crate::bench::{Outcome, Paths, Simulator, bench_files, run_bench_on};
 use crate::catalogue::{decoded, design_at, ray_set, takes_rays};
 use crate::config::Config;
@@ -42,9 +42,10 @@ impl Engine for Simulated {
                 crate::files::write_atomic(spoiled.path().join(name), text.as_bytes())?;
             }
             if takes_rays(m) {
-                let memory = from.join("memory.hex");
-                std::fs::copy(&memory, spoiled.path().join("memory.hex"))
-                    .map_err(|e| Error::file("copy", memory, e))?;
+                for name in memory_files(&from) {
+                    let memory = from.join(&name);
+                    std::fs::copy(&memory, spoiled.path().join(&name)).map_err(|e| Error::file("copy", memory, e))?;
+                }
             }
             from = spoiled.path().to_path_buf();
         }
@@ -62,7 +63,7 @@ impl Engine for Simulated {
         let mut files = p.files;
         files.extend(bench_files(&[], Some((&t.module, t.setup + t.slots + t.finish)), &c.emit));
         files.extend(set_files(&set.set).into_iter().map(|(n, text)| (format!("golden/traverse/{n}"), text)));
-        files.insert("golden/traverse/memory.hex".into(), set.memory);
+        files.extend(set.memory_files().map(|(n, text)| (format!("golden/traverse/{n}"), text.clone())));
         let work = Scratch::new()?;
         let tree = work.path().join("tree");
         write_tree(&tree, &files)?;

@@ -10,7 +10,7 @@ use crate::interp::{BLOCK, Traffic};
 use crate::ir::Binding;
 use crate::measure::turns::{Spread3, Turns};
 use crate::process;
-use crate::trace::{Pipeline, hit_row};
+use crate::trace::{Pipeline, hit_row, image};
 use cpu_time::ThreadTime;
 use serde::Serialize;
 use std::time::Instant;
@@ -183,7 +183,7 @@ fn measure(c: &Config, task: &SpeedTask, turns: usize, tell: &dyn Fn(&str)) -> R
     let hardware = hardware(c)?;
     let top = format!("{}traverse", c.emit.prefix);
     let (images, items) = p.words(&task.scene.pyramid, &task.rays);
-    let memory: Vec<u64> = task.scene.pyramid.memory().iter().map(|w| u64::from(*w)).collect();
+    let memory = image(p.set.as_ref(), &task.scene.pyramid);
     let load = Load { memory: &memory, rays: &items, expected: &task.expected };
     for compiler in COMPILERS.into_iter().filter(|compiler| process::starts(compiler)) {
         tell(&format!("building the harness in Verilator with {compiler}"));

@@ -1,6 +1,5 @@
 //! Where a ray goes wrong: the pipeline's signals beside the golden model's, iteration by iteration.
 use super::interp::Pipeline;
-use super::memory::images;
 use crate::config::{Design, Trim};
 use crate::error::Result;
 use crate::format::{FloatFormat, Words};
@@ -77,6 +76,14 @@ const POSITIONS: [Probe; 14] = [
     ("y_next", Shown::Integer, |i| Some(i.next_y as u64)),
 ];
 
+/// Of a search by windows: the texel is wrapped, as the memories see it.
+const WINDOWS: [Probe; 4] = [
+    ("t", Shown::Time, |i| Some(i.t)),
+    ("texel_x", Shown::Integer, |i| Some(i.x as u64)),
+    ("texel_y", Shown::Integer, |i| Some(i.y as u64)),
+    ("m", Shown::Time, |i| Some(i.m)),
+];
+
 /// More clocks than the registers of any handshake hold a single ray up.
 const WAITS: usize = 16;
 
@@ -99,14 +106,18 @@ pub fn diagnose_in(p: &Pipeline, design: &Design, pyramid: &Pyramid, ray: &RayIn
     let mut iterations = Vec::new();
     prepare(design)?.trace_with(pyramid, ray, Some(&mut |i| iterations.push(*i)));
     let path = design.datapath.kind;
-    let signals: &[Probe] = if path.facts().steps_indices { &PLANES } else { &POSITIONS };
+    let signals: &[Probe] = match path.facts() {
+        facts if facts.windows => &WINDOWS,
+        facts if facts.steps_indices => &PLANES,
+        _ => &POSITIONS,
+    };
     let traced = |q: &&Probe| design.mode.trim != Trim::None || !CHORD.contains(&q.0);
     let list: Vec<&Probe> = signals.iter().filter(traced).collect();
     let probes: Vec<(u32, String, Slot)> = list.iter().map(|q| find(&p.net, q.0)).collect();
     // The trip that finds the start level comes first, and is no iteration.
     let trips = path.start_trips(&design.mode) as usize;
     let clocks = p.depth as usize + (iterations.len() + trips) * p.slots as usize + 2 + WAITS;
-    let (log, start) = record(&p.net, &p.inputs, pyramid, ray, clocks, &probes);
+    let (log, start) = record(p, pyramid, ray, clocks, &probes);
     let start = start + trips * p.slots as usize;
     for (n, it) in iterations.iter().enumerate() {
         for ((name, shown, model), (k, (stage, net, slot))) in list.iter().zip(probes.iter().enumerate()) {
@@ -136,16 +147,15 @@ fn find(net: &Netlist, name: &str) -> (u32, String, Slot) {
 
 /// Probed values clock by clock, and the clock in which the ray stands in stage 0 for the first time.
 fn record(
-    net: &Netlist,
-    inputs: &[&str],
+    p: &Pipeline,
     pyramid: &Pyramid,
     ray: &RayInput,
     clocks: usize,
     probes: &[(u32, String, Slot)],
 ) -> (Vec<Vec<u64>>, usize) {
+    let (net, inputs) = (&p.net, &p.inputs);
     let mut sim = Lanes::new(net, 1);
-    let image: Vec<u64> = pyramid.memory().iter().map(|w| u64::from(*w)).collect();
-    images(net, &image).into_iter().enumerate().for_each(|(k, words)| sim.load(k, words));
+    p.images(pyramid).into_iter().enumerate().for_each(|(k, words)| sim.load(k, words));
     let set = |sim: &mut Lanes, name: &str, v: u64| sim.set(net.input(name), 0, v);
     set(&mut sim, "rst", 1);
     sim.eval();

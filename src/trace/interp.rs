@@ -1,6 +1,6 @@
 //! The traverse unit in the interpreter, as a tracer.
-use super::memory::images;
-use crate::config::Design;
+use super::memory::{image, images};
+use crate::config::{Design, WindowSet};
 use crate::error::Result;
 use crate::golden::{BilinearHit, Patch, Pyramid, RayHit, RayInput};
 use crate::interp::{BLOCK, Netlist, Stream, StreamRun, Traffic, elaborate};
@@ -20,7 +20,7 @@ pub fn row(inputs: &[&str], r: &RayInput) -> Vec<u64> {
     words.truncate(inputs.len());
     words
 }
-/// Data outputs of every `traverse`, in the order of a hit's row.
+/// Data outputs of a `traverse` over a pyramid, in the order of a hit's row; a search by windows has no crossings and goes up no levels.
 pub const OUTPUTS: [&str; 10] =
     ["out_i", "out_j", "out_fu", "out_fv", "out_t", "out_wall", "out_limit", "out_steps", "out_crossings", "out_ups"];
 /// Those that a design with the bilinear refinement has besides.
@@ -33,7 +33,10 @@ pub fn outputs(traverse: &Module) -> Vec<&'static str> {
 pub fn hit_row(design: &Design, h: &RayHit) -> Vec<u64> {
     let mut row = [h.i, h.j, h.fu, h.fv].map(u64::from).to_vec();
     row.extend([h.t, u64::from(h.wall), u64::from(h.limit)]);
-    row.extend([h.steps, h.crossings, h.ups].map(u64::from));
+    row.push(u64::from(h.steps));
+    if !design.datapath.kind.facts().windows {
+        row.extend([h.crossings, h.ups].map(u64::from));
+    }
     if design.mode.bilinear {
         // A ray that was given up keeps its words here too.
         let block = [0, u64::from(h.i), u64::from(h.j), u64::from(h.fu), u64::from(h.fv), h.t];
@@ -50,6 +53,8 @@ pub struct Pipeline {
     pub net: Netlist,
     /// Slots of the loop.
     pub slots: u32,
+    /// The windows, where it searches by windows.
+    pub set: Option<WindowSet>,
     /// Data inputs, in the order of a ray's row.
     pub inputs: Vec<&'static str>,
     /// Data outputs, in the order of a hit's row.
@@ -69,6 +74,7 @@ impl Pipeline {
         Ok(Self {
             net,
             slots: t.slots,
+            set: design.datapath.kind.facts().windows.then(|| design.window_set()),
             inputs: inputs(&t.module),
             outputs: outputs(&t.module),
             depth: t.setup + t.slots + t.finish,
@@ -102,8 +108,12 @@ impl Pipeline {
 
     /// The memories' images and a row of inputs for each ray.
     pub fn words(&self, pyramid: &Pyramid, rays: &[RayInput]) -> (Vec<Arc<Vec<u64>>>, Vec<Vec<u64>>) {
-        let image: Vec<u64> = pyramid.memory().iter().map(|w| u64::from(*w)).collect();
-        (images(&self.net, &image), rays.iter().map(|r| row(&self.inputs, r)).collect())
+        (self.images(pyramid), rays.iter().map(|r| row(&self.inputs, r)).collect())
+    }
+
+    /// The memories' images.
+    pub fn images(&self, pyramid: &Pyramid) -> Vec<Arc<Vec<u64>>> {
+        images(&self.net, &image(self.set.as_ref(), pyramid))
     }
 
     /// The unit as a stream of rays.
@@ -133,8 +143,8 @@ pub fn hit(r: &[u64]) -> RayHit {
         wall: r[5] != 0,
         limit: r[6] != 0,
         steps: r[7] as u32,
-        crossings: r[8] as u32,
-        ups: r[9] as u32,
+        crossings: r.get(8).map_or(0, |v| *v as u32),
+        ups: r.get(9).map_or(0, |v| *v as u32),
         bilinear: r.get(10).and_then(|code| Patch::ALL.into_iter().find(|p| p.code() == *code)).map(|patch| {
             BilinearHit { patch, i: r[11] as u32, j: r[12] as u32, fu: r[13] as u32, fv: r[14] as u32, t: r[15] }
         }),

@@ -1,16 +1,37 @@
-//! What loading a pyramid leaves in the memories of `traverse`.
+//! What loading a map leaves in the memories of `traverse`.
+use crate::config::WindowSet;
+use crate::golden::Pyramid;
 use crate::interp::Netlist;
 use std::sync::Arc;
+
+/// All words that go through the load ports, in their order: the pyramid, or of a search by windows the maps of all sizes.
+pub fn image(set: Option<&WindowSet>, pyramid: &Pyramid) -> Vec<u64> {
+    let words = |list: &[u32]| list.iter().map(|w| u64::from(*w)).collect::<Vec<_>>();
+    match set {
+        None => words(pyramid.memory()),
+        Some(set) => pyramid.windows(set).maps().iter().flat_map(|map| words(map.memory())).collect(),
+    }
+}
 
 /// Banks of a copy of the map.
 const BANKS: usize = 4;
 
-/// The words of each memory of `net` that all copies of it share, after the words of the pyramid's image went through the load port: the pyramid itself, then the banks of each copy of
-/// the map, which hold every fourth word of level 0.
+/// The words of each memory of `net` that all copies of it share, after the words of the image went through the load ports: the pyramid itself, then the banks of each copy of
+/// the map, which hold every fourth word of level 0; or the windows of one size after the other.
 ///
 /// # Panics
 /// If a memory is neither.
 pub fn images(net: &Netlist, image: &[u64]) -> Vec<Arc<Vec<u64>>> {
+    let shared = || net.mems.iter().filter(|m| !m.own);
+    if shared().map(|m| m.depth).sum::<usize>() == image.len() {
+        let mut rest = image;
+        let next = |depth: usize| {
+            let (words, after) = rest.split_at(depth);
+            rest = after;
+            Arc::new(words.to_vec())
+        };
+        return shared().map(|m| m.depth).map(next).collect();
+    }
     let mut banks: Vec<Option<Arc<Vec<u64>>>> = vec![None; BANKS];
     let mut of = |k: usize, depth: usize| {
         let bank = k % BANKS;
@@ -22,7 +43,6 @@ pub fn images(net: &Netlist, image: &[u64]) -> Vec<Arc<Vec<u64>>> {
         None => whole.clone(),
         Some(k) => of(k, depth),
     };
-    let shared = || net.mems.iter().filter(|m| !m.own);
     let list: Vec<_> = shared().map(|m| m.depth).enumerate().map(one).collect();
     let fit = list.iter().zip(shared()).all(|(words, m)| words.len() == m.depth);
     assert!(fit, "an image of {} words fills no memories of this size", image.len());

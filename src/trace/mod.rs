@@ -13,7 +13,7 @@ pub use csv::{HEADER, REFINED, hits_csv};
 pub use diagnose::{Divergence, decode, diagnose, diagnose_in};
 pub use interp::{INPUTS, OUTPUTS, Pipeline, hit, hit_row, inputs, outputs, row, trace_interp};
 pub use iterations::wrong_iteration;
-pub use memory::images;
+pub use memory::{image, images};
 pub use shown::shade_point;
 pub use wave::{Window, record, record_mismatch, record_ray, record_rows};
 

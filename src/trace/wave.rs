@@ -1,7 +1,6 @@
 //! One ray through the pipeline from power-up, undefined values tracked, as a waveform.
 use super::diagnose::{Divergence, diagnose};
 use super::interp::{Pipeline, hit, row};
-use super::memory::images;
 use crate::bits::mask;
 use crate::config::Design;
 use crate::error::{Error, Result};
@@ -46,8 +45,7 @@ pub fn record_ray(
     let net = &p.net;
     let mut wave = if let Some(w) = window { wave.window(w.before) } else { wave };
     let mut sim = Tracked::new(net);
-    let image: Vec<u64> = pyramid.memory().iter().map(|w| u64::from(*w)).collect();
-    images(net, &image).iter().enumerate().for_each(|(k, words)| sim.load(k, words));
+    p.images(pyramid).iter().enumerate().for_each(|(k, words)| sim.load(k, words));
     net.inputs.iter().for_each(|i| sim.set(i.slot, 0));
     sim.set(net.input("out_ready"), 1);
     let data: Vec<_> = p.inputs.iter().map(|n| net.input(n)).collect();

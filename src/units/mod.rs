@@ -20,7 +20,8 @@ pub fn arithmetic(d: &Design) -> Vec<Arc<Module>> {
 }
 
 fn arithmetic_in_registers(d: &Design) -> Vec<Arc<Module>> {
-    let mut list = vec![lzc::lzc_module(8), interleave::interleave_module(d.traverse.levels + 1)];
+    let mut list = vec![lzc::lzc_module(8)];
+    list.extend((!d.datapath.kind.facts().windows).then(|| interleave::interleave_module(d.traverse.levels + 1)));
     list.extend((traversal::Datapath::of(d).arithmetic)(d));
     list.extend(chosen(d, d.extra));
     list
@@ -42,12 +43,13 @@ pub fn all(d: &Design) -> Vec<Arc<Module>> {
     let parity = traversal::reads_parity(d);
     let mut list = arithmetic_in_registers(d);
     let trims = d.mode.trim != crate::config::Trim::None;
-    list.extend((d.mode.start_level || trims).then(|| traversal::start_level(t)));
+    let nodes = !d.datapath.kind.facts().windows;
+    list.extend((nodes && (d.mode.start_level || trims)).then(|| traversal::start_level(t)));
     if d.mode.lod {
         list.extend([traversal::finest_level(t), traversal::node_hit(t)]);
     }
     let indices = path.level_decision.is_some();
-    list.push(traversal::height_address(t));
+    list.extend(nodes.then(|| traversal::height_address(t)));
     list.extend(indices.then(|| traversal::node_planes(d, parity)));
     list.extend((path.steps)(d));
     if trims {
@@ -55,7 +57,7 @@ pub fn all(d: &Design) -> Vec<Arc<Module>> {
         list.extend((d.mode.level_up != crate::config::LevelUp::None).then(|| traversal::trim_return(d)));
     }
     list.extend(indices.then(|| traversal::multi_level_down(d)));
-    list.extend(traversal::level_up(d, (path.level_up_clocks)(d)));
+    list.extend(traversal::level_up(d, (path.level_up_clocks)(d)).filter(|_| nodes));
     list.extend(path.level_decision.map(|unit| unit(d)));
     list.extend([(path.setup)(d), (path.hit)(d), traversal::memory(d)]);
     if d.mode.bilinear {

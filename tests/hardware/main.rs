@@ -21,6 +21,7 @@ mod tracked;
 mod traverse_interp;
 mod units_interp;
 mod unknown;
+mod windows;
 
 #[path = "../support/files.rs"]
 mod files;

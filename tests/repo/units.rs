@@ -32,6 +32,11 @@ fn designs() -> Vec<Design> {
             }
         }
     }
+    // A search by windows has none of the modes.
+    let mut windows = Config::default();
+    windows.datapath.kind = DatapathKind::Windows;
+    windows.validate().unwrap();
+    list.extend([windows.design(), windows.design()]);
     let choices = |k: usize, l: LatencyConfig| LatencyConfig {
         memory: (k % 3) as u32,
         handshake: (k % 4) as u32,
@@ -130,7 +135,7 @@ const OTHERS: &[(&str, &[&str], &str)] = &[
     ("src/bench/text.rs", &["traverse"], "the bench of rays"),
     ("src/units/float/div_table.rs", &["reciprocal"], "a signal"),
     ("src/units/traversal/node_planes.rs", &["exit_plane"], "a signal"),
-    ("src/units/traversal/traverse.rs", &["level_up"], "a choice that the text states"),
+    ("src/units/traversal/search.rs", &["level_up"], "a choice that the text states"),
 ];
 
 fn rust_files(dir: &Path, out: &mut Vec<PathBuf>) {

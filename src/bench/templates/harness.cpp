@@ -61,9 +61,25 @@ int main() {
   top->rst = 1;
   top->in_valid = 0;
   top->out_ready = 1;
+{%- for words in sizes %}
+  top->load_en_{{ loop.index0 }} = 0;
+{%- else %}
   top->load_en = 0;
+{%- endfor %}
   for (int k = 0; k < 4; ++k) clock(top);
   top->rst = 0;
+{%- if sizes %}
+  const uint64_t* word = image;
+{%- for words in sizes %}
+  top->load_en_{{ loop.index0 }} = 1;
+  for (uint64_t k = 0; k < {{ words }}; ++k) {
+    top->load_addr_{{ loop.index0 }} = k;
+    top->load_data_{{ loop.index0 }} = *word++;
+    clock(top);
+  }
+  top->load_en_{{ loop.index0 }} = 0;
+{%- endfor %}
+{%- else %}
   top->load_en = 1;
   for (uint64_t k = 0; k < memory; ++k) {
     top->load_addr = k;
@@ -71,6 +87,7 @@ int main() {
     clock(top);
   }
   top->load_en = 0;
+{%- endif %}
   // A last load may be on its way through registers.
   for (int k = 0; k < 8; ++k) clock(top);
 

@@ -1,6 +1,6 @@
-// {{ prefix }}tb_traverse: loads the pyramid, sends the golden rays, and checks that each ray has
+// {{ prefix }}tb_traverse: loads {% if sizes %}the windows{% else %}the pyramid{% endif %}, sends the golden rays, and checks that each ray has
 // exactly one result, the expected one.
-//   +vectors=DIR   directory with memory.hex, stimulus.hex, expected.hex (default golden/traverse)
+//   +vectors=DIR   directory with memory.hex{% if sizes %}.0 and on{% endif %}, stimulus.hex, expected.hex (default golden/traverse)
 //   +gaps          rays are held back at random      +stalls    results are taken at random
 //   +flood         fills the pipeline with rays, resets it for one clock, and only then runs the set
 //   +reset         resets of one clock while rays are on their way; the set starts again after each
@@ -32,7 +32,7 @@ module {{ prefix }}tb_traverse #(
   localparam integer Resets = 12;             // resets while rays are on their way
   localparam integer TagBits = (TAG_W < 8) ? TAG_W : 8;
   localparam integer Tags = 1 << TagBits;
-  // Bits of a row, as stated in the head of each file, and words of the pyramid.
+  // Bits of a row, as stated in the head of each file{% if not sizes %}, and words of the pyramid{% endif %}.
   localparam integer InW =
 {%- for p in inputs %}
     ({{ p.width }}){% if not loop.last %} +{% else %};{% endif %}
@@ -41,7 +41,11 @@ module {{ prefix }}tb_traverse #(
 {%- for p in outputs %}
     ({{ p.width }}){% if not loop.last %} +{% else %};{% endif %}
 {%- endfor %}
+{%- if sizes %}
+  localparam integer Sizes = {{ sizes | length }};  // sizes of windows, each with a memory
+{%- else %}
   localparam integer Words = ((1 << (2 * LEVELS + 2)) - 1) / 3;
+{%- endif %}
 
   reg [8*1000-1:0] dir;
   reg [8*1020-1:0] path;
@@ -88,6 +92,10 @@ module {{ prefix }}tb_traverse #(
   reg        load_en;
   reg [2*LEVELS:0] load_addr;
   reg [HEIGHT_W-1:0] load_data;
+{%- if sizes %}
+  integer    load_size;  // the memory that the word is for
+  integer    file_size;  // the memory whose file is open
+{%- endif %}
   reg        in_valid;
   wire       in_ready;
   reg [TAG_W-1:0] in_tag;
@@ -133,9 +141,15 @@ module {{ prefix }}tb_traverse #(
   ) dut (
     .clk(clk),
     .rst(rst),
+{%- for s in sizes %}
+    .load_en_{{ loop.index0 }}(load_en && load_size == {{ loop.index0 }}),
+    .load_addr_{{ loop.index0 }}(load_addr[{{ s.addr }}-1:0]),
+    .load_data_{{ loop.index0 }}(load_data),
+{%- else %}
     .load_en(load_en),
     .load_addr(load_addr),
     .load_data(load_data),
+{%- endfor %}
     .in_valid(in_valid),
     .in_ready(in_ready),
     .in_tag(in_tag),
@@ -166,6 +180,21 @@ module {{ prefix }}tb_traverse #(
       if (c >= 0) c = $ungetc(c, fd);
     end
   endtask
+
+{%- if sizes %}
+
+  // Words of the memory of a size.
+  function automatic integer words_of(input integer size);
+    begin
+      case (size)
+{%- for s in sizes %}
+        {{ loop.index0 }}: words_of = {{ s.words }};
+{%- endfor %}
+        default: words_of = 0;
+      endcase
+    end
+  endfunction
+{%- endif %}
 
   // The head of a vector file: the number of rows and the bits of a row.
   task automatic read_head(input integer fd, output integer rows, output integer bits);
@@ -220,6 +249,10 @@ module {{ prefix }}tb_traverse #(
     load_en = 1'b0;
     load_addr = 0;
     load_data = 0;
+{%- if sizes %}
+    load_size = 0;
+    file_size = 0;
+{%- endif %}
     in_valid = 1'b0;
     in_tag = 0;
     next_tag = 0;
@@ -238,17 +271,17 @@ module {{ prefix }}tb_traverse #(
     told = 1'b0;
     if ($value$plusargs("patience=%d", patience) == 0) patience = 0;
     if ($value$plusargs("vectors=%s", dir) == 0) dir = "golden/traverse";
-    mem_fd = $fopen($sformatf("%0s/memory.hex", dir), "r");
+    mem_fd = $fopen($sformatf("%0s/memory.hex{% if sizes %}.0{% endif %}", dir), "r");
     stim_fd = $fopen($sformatf("%0s/stimulus.hex", dir), "r");
     exp_fd = $fopen($sformatf("%0s/expected.hex", dir), "r");
     if ((mem_fd == 0 && MEM_INIT == "") || stim_fd == 0 || exp_fd == 0) begin
-      $display("FAIL tb_traverse: cannot read memory.hex, stimulus.hex, expected.hex in %0s", dir);
+      $display("FAIL tb_traverse: cannot read memory.hex{% if sizes %}.0{% endif %}, stimulus.hex, expected.hex in %0s", dir);
       exit_code = 8'd2;
       done = 1'b1;
     end else begin
       if (MEM_INIT == "") begin
         skip_comments(mem_fd);
-        words_left = Words;
+        words_left = {% if sizes %}words_of(0){% else %}Words{% endif %};
       end
       read_head(stim_fd, stim_left, stim_bits);
       read_head(exp_fd, exp_left, exp_bits);
@@ -266,7 +299,7 @@ module {{ prefix }}tb_traverse #(
     end
   end
 
-  // Loads the pyramid, one word per clock.
+  // Loads {% if sizes %}the windows{% else %}the pyramid{% endif %}, one word per clock.
   task automatic load_word;
     integer got;
     reg [63:0] word;
@@ -274,8 +307,13 @@ module {{ prefix }}tb_traverse #(
       rst <= 1'b0;
       got = $fscanf(mem_fd, "%h", word);
       if (got != 1) begin
+{%- if sizes %}
+        $display("FAIL tb_traverse: memory.hex.%0d in %0s holds fewer words than the %0d",
+                 file_size, dir, words_of(file_size), " of a map of LEVELS = %0d", LEVELS);
+{%- else %}
         $display("FAIL tb_traverse: memory.hex in %0s holds fewer words than the %0d", dir, Words,
                  " of a pyramid of LEVELS = %0d", LEVELS);
+{%- endif %}
         finish(8'd2);
       end else if ((word >> HEIGHT_W) != 0) begin
         $display("FAIL tb_traverse: memory.hex in %0s holds %0h,", dir, word,
@@ -284,8 +322,33 @@ module {{ prefix }}tb_traverse #(
       end
       load_en <= 1'b1;
       load_data <= word[HEIGHT_W-1:0];
+{%- if sizes %}
+      load_addr <= (words_left == words_of(file_size)) ? 0 : load_addr + 1'b1;
+      load_size <= file_size;
+      words_left <= words_left - 1;
+      // The next size has a file of its own.
+      if (words_left == 1 && file_size + 1 < Sizes) begin
+        got = $fscanf(mem_fd, "%h", word);
+        if (got == 1) begin
+          $display("FAIL tb_traverse: memory.hex.%0d in %0s holds more than %0d words", file_size,
+                   dir, words_of(file_size));
+          finish(8'd2);
+        end
+        $fclose(mem_fd);
+        mem_fd = $fopen($sformatf("%0s/memory.hex.%0d", dir, file_size + 1), "r");
+        if (mem_fd == 0) begin
+          $display("FAIL tb_traverse: cannot read memory.hex.%0d in %0s", file_size + 1, dir);
+          finish(8'd2);
+        end else begin
+          skip_comments(mem_fd);
+          words_left <= words_of(file_size + 1);
+        end
+        file_size <= file_size + 1;
+      end
+{%- else %}
       load_addr <= load_en ? load_addr + 1'b1 : load_addr;
       words_left <= words_left - 1;
+{%- endif %}
     end
   endtask
 
@@ -564,6 +627,7 @@ module {{ prefix }}tb_traverse #(
       else run;
     end
   end
+{%- if not sizes %}
 
 `ifdef ITERATIONS
   integer it_fd;
@@ -580,6 +644,7 @@ module {{ prefix }}tb_traverse #(
               dut.s{{ enters }}_level, dut.s{{ enters }}_x, dut.s{{ enters }}_y, dut.s{{ enters }}_t);
   end
 `endif
+{%- endif %}
 `endif
 endmodule
 `default_nettype wire

@@ -42,7 +42,7 @@ const fn reach(c: &Context<'_>) -> u32 {
     c.design.datapath.fraction_bits + c.design.traverse.tile_bits
 }
 
-static RECIPROCAL: Unit = Unit {
+pub(super) const RECIPROCAL: Unit = Unit {
     name: "reciprocal",
     model: Some(|c, row, out| {
         let (r, z) = golden(c).reciprocal(row["a"]);
@@ -117,13 +117,14 @@ static NODE_CROSSING: Unit = Unit {
     ..FIXED
 };
 
-static RAY_SETUP: Unit = Unit {
+pub(super) const RAY_SETUP: Unit = Unit {
     name: "ray_setup",
     model: Some(|c, row, out| {
         let [u, v, du, dv] = ["u", "v", "du", "dv"].map(|p| row[p]);
         let o = golden(c).setup(&RayInput { u, v, du, dv, lod: row.get("lod").unwrap_or(0) as u32 });
         out["ok"] = u64::from(o.valid);
-        out["level"] = u64::from(o.level);
+        // A search by windows has no nodes: no level, and no first texel beside the entry point.
+        out.set("level", u64::from(o.level));
         let x = ["p_x", "s_x", "r_x", "z_x", "neg_x", "first_x", "le_x"];
         let y = ["p_y", "s_y", "r_y", "z_y", "neg_y", "first_y", "le_y"];
         for (a, [p, s, r, z, neg, first, le]) in [(o.u, x), (o.v, y)] {
@@ -132,7 +133,7 @@ static RAY_SETUP: Unit = Unit {
             out[r] = a.r;
             out[z] = u64::from(a.z);
             out[neg] = u64::from(a.neg);
-            out[first] = c.index(a.x);
+            out.set(first, c.index(a.x));
             // Only a trim asks for it.
             out.set(le, c.index(a.le));
         }
@@ -142,7 +143,7 @@ static RAY_SETUP: Unit = Unit {
     ..FIXED
 };
 
-static HIT_POSITION: Unit = Unit {
+pub(super) const HIT_POSITION: Unit = Unit {
     name: "hit_position",
     model: Some(|c, row, out| {
         let at = golden(c).place(&axis(row), row["t"]);

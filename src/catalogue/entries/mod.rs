@@ -15,6 +15,7 @@ pub mod published;
 pub mod stream;
 pub mod traversal;
 pub mod watertight;
+pub mod windows;
 
 use super::row::{Context, Row};
 

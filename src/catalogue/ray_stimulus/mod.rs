@@ -4,6 +4,7 @@ pub(super) mod fixed;
 pub(super) mod published;
 mod sample;
 pub(super) mod watertight;
+pub(super) mod windows;
 
 use sample::AxisSample;
 pub use sample::RaySample;
@@ -77,6 +78,21 @@ pub fn one_axis(s: &RaySample, port: &str) -> Option<u64> {
         "t" => s.t,
         "m" => s.m,
         _ => return None,
+    })
+}
+
+/// A ray's constants along an axis for a search by windows, the planes behind it, and a window's height.
+pub fn window_axis(s: &RaySample, port: &str) -> Option<u64> {
+    let a = &s.axes[usize::from(port.ends_with("_y"))];
+    Some(match port {
+        "q" => a.step,
+        "c" => a.begin,
+        "k" => a.k,
+        "travel" => a.travel,
+        "offset" => a.offset,
+        "height" => s.height,
+        "end_x" | "end_y" => a.end_of_window,
+        _ => return one_axis(s, port),
     })
 }
 

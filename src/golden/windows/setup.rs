@@ -26,7 +26,8 @@ impl Windows {
         setup.valid.then(|| [self.axis(setup.u), self.axis(setup.v)])
     }
 
-    fn axis(&self, fixed: FixedAxis) -> WindowAxis {
+    /// Setup of one axis, from that of the fixed-point datapath.
+    pub fn axis(&self, fixed: FixedAxis) -> WindowAxis {
         let (d, w) = (&self.fixed.design, &self.widths);
         // Bits of a position below a texel.
         let below = d.datapath.fraction_bits - d.traverse.levels;
@@ -68,12 +69,12 @@ impl Windows {
 
 impl WindowAxis {
     /// X: the texel behind `k` planes, unwrapped.
-    pub(super) fn texel(&self, k: i64) -> i64 {
+    pub fn texel(&self, k: i64) -> i64 {
         if self.fixed.neg { self.fixed.x - k } else { self.fixed.x + k }
     }
 
     /// r: texels of a window beyond the one behind `k` planes.
-    pub(super) fn beyond(&self, k: i64, window: Window) -> i64 {
+    pub fn beyond(&self, k: i64, window: Window) -> i64 {
         let x0 = if self.fixed.neg { !self.fixed.x } else { self.fixed.x };
         // Up to the border of the grid's cell, seen along the ray.
         let u = !(x0 + k) & i64::from(window.grid - 1);
@@ -81,7 +82,7 @@ impl WindowAxis {
     }
 
     /// I: the window that begins in that texel's cell and lies ahead; unwrapped.
-    pub(super) fn index(&self, k: i64, window: Window) -> i64 {
+    pub fn index(&self, k: i64, window: Window) -> i64 {
         let cell = self.texel(k) >> window.grid_bits();
         if self.fixed.neg { cell - i64::from(window.cells() - 1) } else { cell }
     }

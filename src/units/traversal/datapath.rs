@@ -2,14 +2,22 @@
 //!
 //! The loop itself (accept, tags, back-pressure, retire) is the same for all of them: `traverse.rs`.
 use super::height_source::{HeightPort, HeightSource};
-use super::loop_state::{Field, Numbers, Ray, Sizes, fields};
+use super::loop_state::{Field, Numbers, Ray, Sizes, said_by, tag};
+use super::search::Search;
+use super::slot_memory::SlotMemory;
 use crate::config::Design;
 use crate::ir::{Builder, Expr, Module, Sig};
 use crate::units::float::FormatParams;
 use std::sync::Arc;
 
+/// Builds an iteration: from the slot's ray to the ray that goes back; where constants stand in slot memories, from these, too.
+pub type Iterate =
+    for<'b> fn(&'b Builder, &Sizes, &Design, &Ray<'b>, &mut dyn HeightPort<'b>, Option<&SlotMemory<'b>>) -> Ray<'b>;
+
 /// The parts of one datapath.
 pub struct Datapath {
+    /// What it searches.
+    pub search: &'static Search,
     /// The arithmetic that the units below are made of, leaves first.
     pub arithmetic: fn(&Design) -> Vec<Arc<Module>>,
     /// The units of an iteration that are this datapath's own.
@@ -18,14 +26,14 @@ pub struct Datapath {
     pub declare: fn(&Builder, &Design) -> Option<FormatParams>,
     /// The words at the ports, with what LEVELS, HEIGHT_W and TILE_W may be.
     pub numbers: fn(&Builder, &Design, Option<FormatParams>, &Expr, &Expr, &Expr) -> Numbers,
-    /// What a ray carries besides the state that all datapaths have.
+    /// Constants that a ray carries through the loop.
     pub constants: fn(&Sizes, &Design) -> Vec<Field>,
     /// Once per ray: inputs u, v, du, dv and, with a level of detail, lod; outputs ok, level, then finest, first_x, first_y and all that fields start from.
     pub setup: fn(&Design) -> Arc<Module>,
     /// Clocks through setup, at least 1.
     pub setup_clocks: fn(&Design) -> u32,
     /// One iteration.
-    pub iteration: for<'b> fn(&'b Builder, &Sizes, &Design, &Ray<'b>, &mut dyn HeightPort<'b>) -> Ray<'b>,
+    pub iteration: Iterate,
     /// Hit, descend or cross, where an iteration steps indices; where it moves positions, the datapath has units of its own for that.
     pub level_decision: Option<fn(&Design) -> Arc<Module>>,
     /// Clocks through `level_up`.
@@ -48,9 +56,12 @@ impl Datapath {
         Sizes::declare(b, d, |levels, height, tile| (self.numbers)(b, d, declared, levels, height, tile))
     }
 
-    /// All that a ray carries: the datapath's constants of the ray, the state that every datapath has, and what the source adds.
+    /// All that a ray carries: tag and constants, unless they stand in slot memories; what an iteration changes, and what the source adds.
     pub fn fields(&self, s: &Sizes, d: &Design, source: &dyn HeightSource, setup: &Module) -> Vec<Field> {
-        let mut list = fields(s, d, (self.constants)(s, d), setup);
+        let mut list = Vec::new();
+        list.extend(self.search.leaving.is_none().then(|| tag(s)));
+        list.extend(said_by(setup, (self.constants)(s, d)));
+        list.extend((self.search.state)(s, d));
         list.extend(source.fields(s));
         list
     }

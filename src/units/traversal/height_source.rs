@@ -6,17 +6,21 @@
 //! ([`HeightPort::exchange`]). A source that never misses is [`super::OnChip`].
 use super::loop_state::{Field, Ray, Sizes};
 use crate::config::Design;
-use crate::ir::{Builder, Sig};
+use crate::ir::{Builder, Expr, Sig};
 
-/// The load port of the pyramid.
-#[derive(Clone, Copy)]
+/// A memory of heights and its load port.
+#[derive(Clone)]
 pub struct Load<'b> {
     /// Write enable (1 bit).
     pub en: Sig<'b>,
-    /// Address, in words (2 * LEVELS + 1 bits).
+    /// Address, in words.
     pub addr: Sig<'b>,
     /// Height code (HEIGHT_W bits).
     pub data: Sig<'b>,
+    /// Words.
+    pub words: Expr,
+    /// What stands after the name of the file with its first words.
+    pub file: &'static str,
 }
 
 /// The `traverse` that a source is put into.
@@ -28,13 +32,13 @@ pub struct Place<'b> {
     pub s: &'b Sizes,
     /// Its design.
     pub d: &'b Design,
-    /// The load port.
-    pub load: Load<'b>,
+    /// The memories, each with its load port.
+    pub loads: &'b [Load<'b>],
 }
 
 /// What one read gives.
 pub struct Heights<'b> {
-    /// The words of the address (HEIGHT_W bits each), each in the stage in which it is known: one node's, the only one that an iteration of today asks for.
+    /// The words of the addresses (HEIGHT_W bits each), each in the stage in which it is known: one node's, or that of each window.
     pub words: Vec<Sig<'b>>,
     /// The lookup of this ray missed: the words are not those of the address, and the iteration leaves the ray as it is (1 bit). `None`: never.
     pub missed: Option<Sig<'b>>,
@@ -95,8 +99,8 @@ pub trait HeightPort<'b> {
     fn first(&mut self, new: Ray<'b>, _accept: Sig<'b>) -> Ray<'b> {
         new
     }
-    /// The words at `address` (2 * LEVELS + 1 bits), for the ray in the slot.
-    fn read(&mut self, ray: &Ray<'b>, address: Sig<'b>) -> Heights<'b>;
+    /// The words at `addresses`, one for each memory, for the ray in the slot.
+    fn read(&mut self, ray: &Ray<'b>, addresses: &[Sig<'b>]) -> Heights<'b>;
     /// The lookup for the next iteration, at the end of the loop: the ray with the source's words. A finished ray looks nothing up.
     fn look_up(&mut self, next: Ray<'b>) -> Ray<'b> {
         next

@@ -106,19 +106,27 @@ impl Field {
     }
 }
 
-/// Tag, the datapath's constants of the ray, which are what the outputs of `setup` say, then the state that every datapath has.
-pub fn fields(s: &Sizes, d: &Design, constants: Vec<Field>, setup: &Module) -> Vec<Field> {
-    let bit = Expr::from(1);
-    let counter = Expr::from(16);
-    let mut list = vec![Field::new("tag", &s.tag, Start::Tag).doc("tag of the ray [bits]")];
-    list.extend(constants.into_iter().map(|f| match f.start {
+/// The datapath's constants of the ray, which are what the outputs of `setup` say, each with its meaning.
+pub fn said_by(setup: &Module, constants: Vec<Field>) -> impl Iterator<Item = Field> {
+    constants.into_iter().map(|f| match f.start {
         Start::Setup(port) => {
             let doc = setup.port(port).unwrap_or_else(|| panic!("{} has no {port}", setup.name)).1.meaning();
             f.doc(doc)
         }
         _ => f,
-    }));
-    list.extend([
+    })
+}
+
+/// The tag of a ray.
+pub fn tag(s: &Sizes) -> Field {
+    Field::new("tag", &s.tag, Start::Tag).doc("tag of the ray [bits]")
+}
+
+/// The state that an iteration over nodes changes.
+pub fn level_state(s: &Sizes, d: &Design) -> Vec<Field> {
+    let bit = Expr::from(1);
+    let counter = Expr::from(16);
+    let mut list = Vec::from([
         Field::new("level", &s.level_w, Start::Setup("level")).doc("level of the node [levels]"),
         Field::new("x", &s.idx, Start::Setup("first_x")).doc("a texel of the node, column, unwrapped [texels]"),
         Field::new("y", &s.idx, Start::Setup("first_y")).doc("a texel of the node, row, unwrapped [texels]"),
@@ -216,6 +224,11 @@ impl<'b> Ray<'b> {
     pub fn or_new(&self, fields: &[Field], accept: Sig<'b>, new: &Self, valid: Sig<'b>) -> Self {
         let pick = |f: &Field| (f.name, accept.mux(new.get(f.name), self.get(f.name)).named(f.net));
         Ray { valid: valid.named("valid").valid(), words: fields.iter().map(pick).collect() }
+    }
+
+    /// The ray with more words.
+    pub fn and(&self, more: Vec<(&'static str, Sig<'b>)>) -> Self {
+        Ray { valid: self.valid, words: self.words.iter().copied().chain(more).collect() }
     }
 
     /// The words with their names.

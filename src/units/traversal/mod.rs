@@ -23,11 +23,14 @@ mod plane_units;
 pub mod published;
 mod registry;
 mod result;
+mod search;
+mod slot_memory;
 mod start_level;
 mod traverse;
 mod trim;
 mod trim_return;
 pub mod watertight;
+pub mod windows;
 
 pub use chord_trim::chord_trim;
 pub use datapath::Datapath;

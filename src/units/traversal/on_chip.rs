@@ -1,13 +1,13 @@
-//! The pyramid on chip: a height source that never misses. One to four clocks a read, as `latency.memory` says.
+//! All heights on chip: a height source that never misses. One to four clocks a read, as `latency.memory` says.
 use super::height_banks::{bank_bits, height_banks};
-use super::height_memory::{height_memory, pyramid_words};
-use super::height_source::{HeightPort, HeightSource, Heights, Place};
+use super::height_memory::height_memory;
+use super::height_source::{HeightPort, HeightSource, Heights, Load, Place};
 use super::loop_state::Ray;
 use crate::config::Design;
 use crate::ir::{Module, Sig};
 use std::sync::Arc;
 
-/// The whole pyramid in memory on chip, of one node a word.
+/// The whole pyramid in memory on chip, of one node a word; or the windows of each size in one of its own.
 pub struct OnChip;
 
 impl HeightSource for OnChip {
@@ -22,8 +22,9 @@ impl HeightSource for OnChip {
 struct Port<'b>(Place<'b>);
 
 impl<'b> HeightPort<'b> for Port<'b> {
-    fn read(&mut self, _: &Ray<'b>, address: Sig<'b>) -> Heights<'b> {
-        Heights { words: vec![read(self.0, address)], missed: None }
+    fn read(&mut self, _: &Ray<'b>, addresses: &[Sig<'b>]) -> Heights<'b> {
+        let each = self.0.loads.iter().zip(addresses);
+        Heights { words: each.map(|(load, address)| read(self.0, load, *address)).collect(), missed: None }
     }
 }
 
@@ -39,14 +40,16 @@ pub fn memory(d: &Design) -> Arc<Module> {
 }
 
 /// The height at `address`. A third clock stands after the selection of the bank, a fourth before the memory.
-fn read<'b>(place: Place<'b>, address: Sig<'b>) -> Sig<'b> {
-    let Place { b, s, d, load } = place;
+fn read<'b>(place: Place<'b>, load: &Load<'b>, address: Sig<'b>) -> Sig<'b> {
+    let Place { b, s, d, .. } = place;
     let clocks = d.latency.memory;
-    let mut params =
-        vec![("ADDR_W", s.levels.clone() * 2 + 1), ("DATA_W", s.height.clone()), ("DEPTH", pyramid_words(&s.levels))];
+    let mut params = vec![("ADDR_W", load.addr.width()), ("DATA_W", s.height.clone()), ("DEPTH", load.words.clone())];
     params.extend((clocks > 1).then(|| ("BANK_W", bank_bits())));
     let address = if clocks > 3 { address.reg() } else { address };
     let ins = [("write_en", load.en), ("write_addr", load.addr), ("write_data", load.data), ("read_addr", address)];
-    let height = b.inst(&memory(d), "u_heights", &params, &ins)[0].named("height");
+    // The last part of the file's name tells memories apart, where there are several.
+    let of = load.file.replace('.', "_");
+    let height = b.inst_of_file(&memory(d), &format!("u_heights{of}"), &params, &ins, load.file);
+    let height = height[0].named(&format!("height{of}"));
     if clocks > 2 { height.reg() } else { height }
 }

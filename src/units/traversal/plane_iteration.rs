@@ -101,7 +101,7 @@ fn read_heights<'b>(
 ) -> Heights<'b> {
     let address = node_address(b, s, d, "u_address", ray, level).named("address");
     b.section("height", "");
-    source.read(ray, address)
+    source.read(ray, &[address])
 }
 
 /// Extent and exit planes of the ray's node, along x and along y: low, high, plane, beyond, and whether the plane is even where the rule asks.

@@ -1,6 +1,6 @@
 //! The hardware datapaths, by their kind: the one place that knows all of them.
 use super::datapath::Datapath;
-use super::{fixed, published, watertight};
+use super::{fixed, published, watertight, windows};
 use crate::config::{DatapathKind, Design};
 
 impl Datapath {
@@ -10,7 +10,7 @@ impl Datapath {
             DatapathKind::Watertight => &watertight::DATAPATH,
             DatapathKind::Published => &published::DATAPATH,
             DatapathKind::Fixed => &fixed::DATAPATH,
-            DatapathKind::Windows => unreachable!("configurations are refused where hardware is asked for"),
+            DatapathKind::Windows => &windows::DATAPATH,
         }
     }
 }

@@ -24,10 +24,14 @@ pub(super) fn result_fields<'a>(b: &Builder, s: &Sizes, d: &Design) -> Vec<(&'a 
         ("t", time.clone(), unit, "ray parameter: 0 at the top plane"),
         ("wall", one(), "bit", "the hit is on the side of a texel"),
         ("limit", one(), "bit", "given up: STEP_LIMIT reached, or not a ray (steps 0)"),
-        ("steps", 16.into(), "iterations", "nodes visited"),
-        ("crossings", 16.into(), "iterations", "of these, node crossings"),
-        ("ups", 16.into(), "levels", "levels gone up"),
     ];
+    let windows = d.datapath.kind.facts().windows;
+    let visited = if windows { "iterations, each over all windows" } else { "nodes visited" };
+    list.push(("steps", 16.into(), "iterations", visited));
+    if !windows {
+        list.push(("crossings", 16.into(), "iterations", "of these, node crossings"));
+        list.push(("ups", 16.into(), "levels", "levels gone up"));
+    }
     if d.mode.bilinear {
         b.require(&s.height + s.frac.clone() * 2 + &s.numbers.float.as_ref().expect("the watertight datapath").man, 60);
         list.extend([
@@ -53,9 +57,10 @@ pub(super) struct Result<'a, 'b> {
     pub d: &'a Design,
     pub path: &'a Datapath,
     pub sizes: &'a Sizes,
-    /// The loop's registers.
+    /// The ray that leaves, by the loop's registers.
     pub held: &'a Ray<'b>,
-    pub load: &'a Load<'b>,
+    /// The load ports.
+    pub loads: &'a [Load<'b>],
     /// Clocks from the loop to the output.
     pub clocks: u32,
 }
@@ -71,7 +76,8 @@ impl<'b> Result<'_, 'b> {
             true => Record::default(),
             false => [("i", "x"), ("j", "y")].map(|(i, x)| (i, held.get(x).slice(0, &self.sizes.levels))).into(),
         };
-        let carried = ["t", "wall", "limit", "steps", "crossings", "ups", "tag"].map(|n| (n, held.get(n)));
+        let carried = ["t", "wall", "limit", "steps", "crossings", "ups", "tag"];
+        let carried = carried.into_iter().filter_map(|n| Some((n, held.find(n)?))).collect::<Record<'b>>();
         if self.d.mode.bilinear {
             computed = computed.and(self.refined(hit.enable(b)));
         }
@@ -104,7 +110,7 @@ impl<'b> Result<'_, 'b> {
 
     /// The refinement beside the hit position: code of the patch, texel, position in it, ray parameter.
     fn refined(&self, ce: Sig<'b>) -> Record<'b> {
-        let (b, load) = (self.b, self.load);
+        let (b, load) = (self.b, &self.loads[0]);
         b.section("refine", "Bilinear refinement: moves the hit to the surface interpolated between texel centres.");
         let mut ins = vec![("load_en", load.en), ("load_addr", load.addr), ("load_data", load.data), ("ce", ce)];
         ins.extend(["p_x", "d_x", "r_x", "p_y", "d_y", "r_y", "t"].map(|n| (n, self.held.get(n))));

@@ -6,10 +6,11 @@
 use super::bilinear::latency as bilinear_clocks;
 use super::datapath::Datapath;
 use super::height_memory::MEM_INIT;
-use super::height_source::{HeightSource, Load, Place, Slot};
+use super::height_source::{HeightSource, Place, Slot};
 use super::loop_state::Ray;
 use super::on_chip::OnChip;
 use super::result::{Result, result_fields};
+use super::slot_memory::SlotMemory;
 use crate::config::{Design, Trim};
 use crate::ir::{Binding, Builder, Module, Sig};
 use crate::units::delay_line::in_lines;
@@ -42,32 +43,28 @@ pub fn traverse(d: &Design) -> Traverse {
 /// If the source may miss and the design trims: the node that a trim reads is not known at the end of the loop.
 pub fn traverse_from(d: &Design, source: &dyn HeightSource) -> Traverse {
     assert!(!source.misses() || d.mode.trim == Trim::None, "a height source that misses has no chord trim");
-    let t = in_registers(d, source);
+    let mut t = in_registers(d, source, SLOTS);
+    if Datapath::of(d).search.leaving.is_some() {
+        // Slot memories have a word each slot, and the schedule says how many there are.
+        t = in_registers(d, source, t.slots);
+    }
     let module = in_lines(vec![t.module], d.latency.delay_line).pop().expect("one came in");
     Traverse { module, ..t }
 }
 
-fn in_registers(d: &Design, source: &dyn HeightSource) -> Traverse {
-    let b = Builder::new(NAME, file!(), "traces rays against a height field: a looping pipeline, one node a clock");
-    b.throughput("one iteration (one node) per clock; a ray takes as many iterations as its path needs");
-    b.choice("datapath", d.datapath.kind.word());
-    b.choice("levels_down", d.mode.levels_down);
-    b.choice("level_up", d.mode.level_up.word());
+/// `slots` is how many the loop is expected to have; where no memory is addressed by them, any number will do.
+fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
     let path = Datapath::of(d);
+    let search = path.search;
+    let b = Builder::new(NAME, file!(), search.summary);
+    b.throughput(search.throughput);
+    b.choice("datapath", d.datapath.kind.word());
+    (search.choices)(d).into_iter().for_each(|(name, word)| b.choice(name, word));
     let s = path.sizes(&b, d);
-    let more =
-        if d.mode.bilinear { "; with .0 to .3 after its name, files of every fourth word of level 0" } else { "" };
-    b.file_param(
-        MEM_INIT,
-        &format!("file for $readmemh with the words of the pyramid, level 0 first{more}; \"\": none"),
-    );
+    b.file_param(MEM_INIT, &(search.image)(d));
     b.clock();
     b.reset();
-    let load = Load {
-        en: b.input_static("load_en", 1, "bit", "write a word of the pyramid (while idle is 1)"),
-        addr: b.input_static("load_addr", s.levels.clone() * 2 + 1, "words", "where: level 0 first, the root last"),
-        data: b.input_static("load_data", &s.height, "height codes", "largest height in that node"),
-    };
+    let loads = (search.loads)(&b, &s, d);
     // The reader of a port list has to see a combinational path through the unit.
     let ready_doc = match Decoupling::of(d.latency.handshake) {
         Decoupling::Combinational => "input ready (transfer when valid && ready); depends combinationally on out_ready",
@@ -90,7 +87,7 @@ fn in_registers(d: &Design, source: &dyn HeightSource) -> Traverse {
     // Loop state, read in stage 0 and written by the last stage.
     let module = (path.setup)(d);
     let fields = path.fields(&s, d, source, &module);
-    let mut heights = source.open(Place { b: &b, s: &s, d, load });
+    let mut heights = source.open(Place { b: &b, s: &s, d, loads: &loads });
     let held = Ray::registers(&b, &fields);
     let (clocks_setup, clocks_hit) = ((path.setup_clocks)(d), (path.hit_clocks)(d));
     let finish = if d.mode.bilinear { bilinear_clocks(&d.latency) } else { clocks_hit };
@@ -129,6 +126,7 @@ fn in_registers(d: &Design, source: &dyn HeightSource) -> Traverse {
     let accept = (setup.valid & slot_ready).named("accept");
 
     b.section("slot", "A slot holds the new ray, or the one that recirculates.");
+    let memories = search.leaving.map(|_| SlotMemory::new(&b, slots, accept, new.clone()));
     let new = heights.first(Ray::fresh(&b, &fields, |name| new[name], new["tag"]), accept);
     let (enters, entering) = match exchange.as_ref().zip(returns) {
         Some((e, returns)) => ((accept | returns).named("enters"), new.or_else(returns, &e.ray)),
@@ -136,14 +134,17 @@ fn in_registers(d: &Design, source: &dyn HeightSource) -> Traverse {
     };
     let slot_busy = ((held.valid & !gives_up) | enters).named("slot_busy");
     b.drive(o_busy, slot_busy, None);
-    let ray = if d.latency.node > 1 {
+    let ray = if memories.is_some() {
+        // A new ray has its constants in the slot memories, and starts from zeros.
+        held.or_new(&fields, enters, &entering, slot_busy)
+    } else if d.latency.node > 1 {
         // The select is registered before the multiplexer: it fans out to every bit of a ray.
         held.reg_words().or_new(&fields, enters.reg(), &entering.reg_words(), slot_busy.valid().reg())
     } else {
         held.or_new(&fields, enters, &entering, slot_busy)
     };
 
-    let next = (path.iteration)(&b, &s, d, &ray, heights.as_mut());
+    let next = (path.iteration)(&b, &s, d, &ray, heights.as_mut(), memories.as_ref());
     let next = heights.look_up(next);
     drop(heights);
     let mut loops = held.pairs(&next);
@@ -170,7 +171,9 @@ fn in_registers(d: &Design, source: &dyn HeightSource) -> Traverse {
     // Delayed, the decision would see another hit_ready than it was made with.
     assert!(retiring.is_none_or(|(_, v)| v.stage() == Some(slots - 1)), "retire is decided in the last slot");
 
-    let result = Result { b: &b, d, path, sizes: &s, held: &held, load: &load, clocks: finish }.pass(&hit, retire);
+    let leaving = search.leaving.zip(memories.as_ref());
+    let leaving = leaving.map_or_else(|| held.clone(), |(leaving, memories)| leaving(&b, &s, &held, memories));
+    let result = Result { b: &b, d, path, sizes: &s, held: &leaving, loads: &loads, clocks: finish }.pass(&hit, retire);
     results.drive(&b, hit.valid, &result);
     let at = |l: i64, h: i64| Binding::from([("LEVELS".into(), l), ("HEIGHT_W".into(), h)]);
     let module = b.finish(None, &[at(2, 8), at(3, 16), at(12, 8), at(12, 16)]);

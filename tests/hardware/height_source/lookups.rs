@@ -100,9 +100,9 @@ impl<'b> HeightPort<'b> for Port<'b> {
     }
 
     /// A word that missed is not the right one: it has every bit wrong.
-    fn read(&mut self, ray: &Ray<'b>, address: Sig<'b>) -> Heights<'b> {
+    fn read(&mut self, ray: &Ray<'b>, addresses: &[Sig<'b>]) -> Heights<'b> {
         let missed = ray.get("missed");
-        let right = self.on_chip.read(ray, address).single();
+        let right = self.on_chip.read(ray, addresses).single();
         let wrong = right.stage().map_or(missed, |k| missed.at(k)).rep(right.width());
         Heights { words: vec![(right ^ wrong).named("word")], missed: Some(missed) }
     }

@@ -46,7 +46,7 @@ fn scene(d: &Design, count: usize, seed: u64) -> (Pyramid, Vec<RayInput>) {
 fn pipeline(t: &Traverse) -> Pipeline {
     let net = elaborate(&t.module, &Binding::new()).unwrap();
     let (inputs, outputs) = (inputs(&t.module), outputs(&t.module));
-    Pipeline { net, slots: t.slots, inputs, outputs, depth: t.setup + t.slots + t.finish }
+    Pipeline { net, slots: t.slots, set: None, inputs, outputs, depth: t.setup + t.slots + t.finish }
 }
 
 /// Clocks of `rays` through `traverse` with that source; every result is the golden model's.

@@ -1,8 +1,8 @@
 //! `hit_position`: where in its texel a ray hit, along one axis, as a fraction that never leaves the texel.
 use super::params::{LENGTH, Params, TIME, bindings, time_width};
-use super::predicted_hit::{position, way};
+use super::predicted_hit::position;
 use crate::config::{Design, LatencyConfig};
-use crate::ir::{Builder, Module};
+use crate::ir::{Builder, Expr, Module, Sig};
 use crate::units::traversal::node_hit;
 use std::sync::Arc;
 
@@ -35,13 +35,16 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
     let out = b.output("fraction", &frac, "1/2^FRAC_W texel", "position inside the texel");
     let o_texel = d.mode.lod.then(|| b.output("texel", &n, "texels", "texel of the hit, wrapped"));
     let l = latency(&d.latency);
-    b.plan(l, &[("way", 10), ("position", 4), ("clamp", 5)]);
-    b.section("way", "");
+    // A register before the multipliers, where there is a clock for it: their operands come from memories far away.
+    let plan =
+        [("operands", 1), ("products", 9), ("halves", 7), ("way", 7), ("position", 5), ("offset", 5), ("clamp", 4)];
+    b.plan(l, &plan);
+    b.section("operands", "");
     let way = way(&b, s, t, &time, &reach);
     b.section("position", "");
     let at = position(&b, p, way, neg, &reach, None);
 
-    b.section("clamp", "A hit on a wall lies exactly on a border: the integer texel decides, the fraction follows.");
+    b.section("offset", "");
     if let Some((lod, o_texel)) = lod.zip(o_texel) {
         let long = b.cat(&[at, b.zeros(&frac)]).named("position_long");
         b.unused(long);
@@ -58,6 +61,7 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
     let wide = &reach + 3;
     let corner = corner.slice(1, &reach + 2).named("corner_at");
     let off = (at.sext(wide.clone()) - corner.sext(wide.clone())).named("offset");
+    b.section("clamp", "A hit on a wall lies exactly on a border: the integer texel decides, the fraction follows.");
     let past = off.slice(&f - &n, &idx + 1).any().named("past");
     let long = b.cat(&[off, b.zeros(&frac)]).named("offset_long");
     b.unused(long);
@@ -65,4 +69,33 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
     let kept = off.msb().mux(b.zeros(&frac), past.mux(b.ones(&frac), inside)).named("kept");
     b.drive(out, kept, Some(l));
     b.finish(Some(l), &bindings())
+}
+
+/// How far the ray has come at `t`, rounded down, as the sum of products that are no wider than a multiplier.
+fn way<'b>(b: &'b Builder, s: Sig<'b>, t: Sig<'b>, time: &Expr, reach: &Expr) -> Sig<'b> {
+    b.section("products", "Each half of one by each half of the other.");
+    let (s_w, t_w) = (reach + 1, time.clone());
+    let (s_low, t_low) = (Expr::from(18).smaller(&s_w - 1).smaller(time), Expr::from(18).smaller(&t_w - 1));
+    let (s_high, t_high) = (&s_w - &s_low, &t_w - &t_low);
+    let halves = |v: Sig<'b>, low: &Expr, high: &Expr| [v.slice(0, low), v.slice(low, high)];
+    let (s, t) = (halves(s, &s_low, &s_high), halves(t, &t_low, &t_high));
+    let product = |a: usize, c: usize| s[a].product(t[c]).named(&format!("product_{a}{c}"));
+    let products = [product(0, 0), product(0, 1), product(1, 0), product(1, 1)];
+    b.section("halves", "");
+    // The lower half of t is below the sum that the upper one adds to.
+    let half = |low: Sig<'b>, high: Sig<'b>, s_w: &Expr, net: &str| {
+        let wide = s_w + &t_high;
+        let sum = high + low.slice(&t_low, s_w).zext(&wide);
+        b.cat(&[sum.named(&format!("{net}_sum")), low.slice(0, &t_low)]).named(net)
+    };
+    let low = half(products[0], products[1], &s_low, "low_half");
+    let high = half(products[2], products[3], &s_high, "high_half");
+    b.section("way", "");
+    let wide = &s_high + &t_w;
+    let sum = (high + low.slice(&s_low, &t_w).zext(&wide)).named("way_sum");
+    b.unused(low.at(sum.stage().expect("a product has a stage")));
+    b.unused(sum);
+    // What lies below the point of s * t is cut off.
+    let below = time - &s_low;
+    sum.slice(below, reach + 1).named("way")
 }

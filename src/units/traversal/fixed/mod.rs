@@ -3,7 +3,7 @@ mod chord_end;
 mod height_test;
 mod hit_position;
 mod node_crossing;
-mod params;
+pub(super) mod params;
 mod plane_time;
 mod predicted_hit;
 mod ray_setup;
@@ -15,6 +15,7 @@ pub use hit_position::hit_position;
 pub use node_crossing::node_crossing;
 pub use plane_time::plane_time;
 pub use predicted_hit::predicted_hit;
+pub use ray_setup::latency as setup_clocks;
 pub use ray_setup::ray_setup;
 pub use reciprocal::reciprocal;
 
@@ -24,12 +25,14 @@ use super::level_up::latency as level_up_clocks;
 use super::loop_state::{Field, Numbers, Sizes, Start};
 use super::plane_iteration::plane_iteration;
 use super::plane_units::PlaneUnits;
+use super::search::PYRAMID;
 use crate::config::{Design, Trim};
 use crate::ir::{Builder, Expr};
 use crate::units::div_rows::div_rows_module;
 use params::{LENGTH, Params, TIME, reach_conditions, shift_width, time_width};
 
-pub(super) static DATAPATH: Datapath = Datapath {
+pub(in crate::units::traversal) static DATAPATH: Datapath = Datapath {
+    search: &PYRAMID,
     arithmetic: |d| {
         let (f, w) = (d.datapath.fraction_bits, d.datapath.reciprocal_bits);
         vec![div_rows_module(f + d.traverse.tile_bits, w + 2)]
@@ -49,7 +52,7 @@ pub(super) static DATAPATH: Datapath = Datapath {
     constants,
     setup: ray_setup,
     setup_clocks: ray_setup::latency,
-    iteration: |b, s, d, ray, source| plane_iteration(b, s, d, ray, source, &UNITS),
+    iteration: |b, s, d, ray, source, _| plane_iteration(b, s, d, ray, source, &UNITS),
     level_decision: Some(UNITS.level_decision),
     level_up_clocks,
     hit: hit_position,
@@ -84,7 +87,7 @@ const UNITS: PlaneUnits = PlaneUnits {
 const TIME_WORD: TimeWord =
     TimeWord { declare: |b, d| (time_width(&Params { b, d }.fraction()), TIME), bindings: Vec::new };
 
-fn numbers(
+pub(super) fn numbers(
     b: &Builder,
     _: &Design,
     _: Option<crate::units::float::FormatParams>,

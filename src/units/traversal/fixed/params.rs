@@ -29,7 +29,7 @@ impl Params<'_> {
     /// RECIP_W: significant bits of the reciprocal.
     pub fn recip(&self) -> Expr {
         let w = self.b.param("RECIP_W", self.d.datapath.reciprocal_bits, "significant bits of a reciprocal");
-        self.b.require(8, &w);
+        self.b.require(8.max(i64::from(chunks(self.d)) - 2), &w);
         self.b.require(&w, 32);
         w
     }
@@ -66,6 +66,15 @@ impl Params<'_> {
         self.b.require(levels + tile + 2, 24);
         self.b.local("IdxW", levels + tile + 2)
     }
+}
+
+/// Parts of the reciprocal's rows, each of which has a row at least. A search by windows has as many as its reciprocal has rows, so that none may be
+/// narrower; else every legal width has them.
+pub fn chunks(d: &Design) -> u32 {
+    let rows = |bits: u32| bits + 2;
+    let most =
+        if d.datapath.kind.facts().windows { d.datapath.reciprocal_bits } else { d.datapath.reciprocal_bits.min(8) };
+    d.latency.div.clamp(1, rows(most))
 }
 
 /// What FRACTION_W and TILE_W may be together: a travel's magnitude has at most 32 bits.

@@ -11,15 +11,20 @@ use std::sync::Arc;
 
 /// Clocks through `ray_setup`; at least one, so that a ready never follows from a valid in the same clock.
 pub fn latency(d: &Design) -> u32 {
-    d.latency.div.max(1)
+    magnitude(d) + d.latency.div.max(1)
+}
+
+/// Clocks of the travel's magnitude: a search by windows has one, as its loop is faster than a sum and a count of zeros in series.
+fn magnitude(d: &Design) -> u32 {
+    u32::from(d.datapath.kind.facts().windows && d.latency.div > 1)
 }
 
 /// What setup computes for one axis.
 struct Axis<'b> {
     ok: Sig<'b>,
-    /// In the order of the ports.
-    words: [Sig<'b>; 6],
-    first: Sig<'b>,
+    /// In the order of the ports; the first texel after them.
+    words: [Sig<'b>; 5],
+    first: Option<Sig<'b>>,
     last: Option<Sig<'b>>,
     /// A texel that the ray does not get beyond.
     far: Option<Sig<'b>>,
@@ -56,7 +61,9 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let dv = b.input("dv", &reach + 1, LENGTH, "v travelled while the height falls from 1 to 0, signed");
     let lod = d.mode.lod.then(|| b.input("lod", &level_w, "levels", "finest level; above LEVELS it is LEVELS"));
     let o_ok = b.output("ok", 1, "bit", "the ray can be traced: no travel is the most negative word");
-    let o_level = b.output("level", &level_w, "levels", "level of the first iteration");
+    // A search by windows knows no level, and takes the first texel from the entry point.
+    let nodes = !d.datapath.kind.facts().windows;
+    let o_level = nodes.then(|| b.output("level", &level_w, "levels", "level of the first iteration"));
     let outs = ["x", "y"].map(|a| {
         let of = |n: &str, w: &Expr, unit: &str, doc: &str| b.output(&format!("{n}_{a}"), w, unit, doc);
         let mut outs = vec![
@@ -65,8 +72,10 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
             of("r", &w, "a number of RECIP_W bits", "reciprocal of the travel"),
             of("z", &shift_w, "bits", "its power of two"),
             of("neg", &Expr::from(1), "bit", "the ray runs toward smaller coordinates"),
-            of("first", &idx, "texels", "texel of the entry point"),
         ];
+        if nodes {
+            outs.push(of("first", &idx, "texels", "texel of the entry point"));
+        }
         if d.mode.trim != Trim::None {
             outs.push(of("le", &idx, "texels", "a texel that the ray does not get beyond"));
         }
@@ -75,30 +84,33 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let o_lod = d.mode.lod.then(|| b.output("finest", &level_w, "levels", "finest level, in the pyramid"));
     let s = Sizes { f, w, n, h, reach, idx };
     let axes = [axis(&b, d, &s, "x", u, du), axis(&b, d, &s, "y", v, dv)];
-    b.section("level", "");
-    let level = match (axes[0].last, axes[1].last) {
-        (Some(x_end), Some(y_end)) => {
-            let ins = [("x", axes[0].first), ("y", axes[1].first), ("x_end", x_end), ("y_end", y_end)];
-            let unit = start_level(&d.traverse);
-            b.inst(&unit, "u_start_level", &[("IDX_W", s.idx.clone())], &ins)[0].named("start")
-        }
-        _ => b.konst(&s.n, &level_w).named("root"),
-    };
     let l = latency(d);
     // Of unknown words it is not known whether they are a ray: then it is refused.
     let ok = (axes[0].ok & axes[1].ok).named("is_ok").decided(false).at(l);
     b.drive(o_ok, ok, Some(l));
     let gate = |v: Sig<'_>| -> NodeId { (v.at(l) & ok.rep(v.width())).id() };
-    let mut level = level;
-    if let Some((lod, o_lod)) = lod.zip(o_lod) {
-        let o = b.inst(&finest_level(&d.traverse), "u_finest", &[], &[("lod", lod), ("start", level)]);
-        level = o[1].named("first_level");
-        b.drive(o_lod, b.sig(gate(o[0].named("finest"))), Some(l));
+    if let Some(o_level) = o_level {
+        b.section("level", "");
+        let level = match (axes[0].last, axes[1].last) {
+            (Some(x_end), Some(y_end)) => {
+                let first = |k: usize| axes[k].first.expect("with the nodes' level comes a first texel");
+                let ins = [("x", first(0)), ("y", first(1)), ("x_end", x_end), ("y_end", y_end)];
+                let unit = start_level(&d.traverse);
+                b.inst(&unit, "u_start_level", &[("IDX_W", s.idx.clone())], &ins)[0].named("start")
+            }
+            _ => b.konst(&s.n, &level_w).named("root"),
+        };
+        let mut level = level;
+        if let Some((lod, o_lod)) = lod.zip(o_lod) {
+            let o = b.inst(&finest_level(&d.traverse), "u_finest", &[], &[("lod", lod), ("start", level)]);
+            level = o[1].named("first_level");
+            b.drive(o_lod, b.sig(gate(o[0].named("finest"))), Some(l));
+        }
+        b.drive(o_level, b.sig(gate(level)), Some(l));
     }
-    b.drive(o_level, b.sig(gate(level)), Some(l));
     for (name, (a, o)) in ["x", "y"].iter().zip(axes.iter().zip(outs)) {
         b.section(&format!("axis {name}"), "");
-        for (port, v) in o.into_iter().zip(a.words.into_iter().chain(a.far)) {
+        for (port, v) in o.into_iter().zip(a.words.into_iter().chain(a.first).chain(a.far)) {
             b.drive(port, b.sig(gate(v)), Some(l));
         }
     }
@@ -114,6 +126,7 @@ fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &str, p: Sig<'b>, trave
     let ok = (!(neg & low.none())).named(&n("ok"));
     let flip = neg.rep(reach.clone());
     let a = ((low ^ flip) + b.cat(&[b.zeros(reach - 1), neg])).named(&n("a"));
+    let a = a.at(magnitude(d));
 
     b.section(&n("slope"), "Height codes per length, and lengths per height code: the travel times 2^HEIGHT_W / M.");
     let o = b.inst(&reciprocal(d), &format!("u_{name}_reciprocal"), &[], &[("a", a)]);
@@ -126,14 +139,19 @@ fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &str, p: Sig<'b>, trave
         let by = (s.h.clone() * (1 << k)).smaller(reach + 1);
         let by = b.konst(by, 8).named(&format!("code_{}", 1 << k));
         sum = (sum + sum.shift_right(by)).named(&n(&format!("s_{}", k + 1)));
+        // The reciprocal takes longer: a register behind each sum, as long as it does.
+        if k < 3 && sum.stage().is_some_and(|stage| stage + 1 < latency(d)) {
+            sum = sum.reg();
+        }
     }
     b.unused(sum.msb());
     let per_code = sum.slice(0, reach + 1).named(&n("s"));
 
     b.section(&n("texels"), "");
     let below = &s.f - &s.n;
-    let first = p.slice(below.clone(), s.n.clone()).zext(idx).named(&n("first"));
-    let last = d.mode.start_level.then(|| {
+    let nodes = !d.datapath.kind.facts().windows;
+    let first = nodes.then(|| p.slice(below.clone(), s.n.clone()).zext(idx).named(&n("first")));
+    let last = (nodes && d.mode.start_level).then(|| {
         let wide = reach + 2;
         let end = (b.cat(&[b.zeros(&wide - &s.f), p]) + travel.sext(wide)).named(&n("end"));
         b.unused(end);
@@ -141,7 +159,7 @@ fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &str, p: Sig<'b>, trave
     });
     let far = (d.mode.trim != Trim::None).then(|| farthest(b, s, name, p, a, neg));
     let p = p.named(&n("p"));
-    Axis { ok, words: [p, per_code, r, z, neg, first], first, last, far }
+    Axis { ok, words: [p, per_code, r, z, neg], first, last, far }
 }
 
 /// A texel that the ray does not get beyond, by the parameters of its planes.

@@ -1,7 +1,7 @@
 //! `reciprocal`: M / A for the largest height code M and a ray's travel A, with RECIP_W significant bits and a shift.
 //!
 //! Digit recurrence on operands whose top bits stand under each other; one digit more than the result has rounds it.
-use super::params::{LENGTH, Params, bindings, shift_width};
+use super::params::{LENGTH, Params, bindings, chunks, shift_width};
 use crate::config::Design;
 use crate::ir::{Builder, Expr, Module};
 use crate::units::div_rows::div_rows;
@@ -25,16 +25,17 @@ pub fn reciprocal(d: &Design) -> Arc<Module> {
     let a = b.input("a", &reach, LENGTH, "travel, its magnitude");
     let o_r = b.output("r", &w, "a number of RECIP_W bits", "M / a without its power of two; 0 if a is");
     let o_z = b.output("z", &shift_w, "bits", "that power: how far a distance is moved up before it meets r");
-    let chunks = latency.clamp(1, d.datapath.reciprocal_bits.min(8) + 2);
+    let chunks = chunks(d);
     let titles: Vec<String> = (0..chunks).map(|c| format!("rows {c}")).collect();
-    let mut plan: Vec<(&str, u32)> = vec![("normalize", 6)];
+    let mut plan: Vec<(&str, u32)> = vec![("leading zeros", 3), ("normalize", 3)];
     plan.extend(titles.iter().map(|t| (t.as_str(), 60 / chunks + 1)));
     plan.push(("round", 4));
     b.plan(latency, &plan);
 
-    b.section("normalize", "The topmost 1 of the travel and that of M move to the same place. A travel of 0 has none.");
+    b.section("leading zeros", "A travel of 0 has no topmost 1.");
     let tall = b.cat(&[b.zeros(1), a]).named("a_tall");
     let count = lzc(&b, "u_lzc", tall, "lz_count");
+    b.section("normalize", "The topmost 1 of the travel and that of M move to the same place.");
     let moved = tall.shift_left(count).named("a_moved");
     b.unused(moved.bit(0));
     let div = moved.slice(1, reach.clone()).named("divisor");

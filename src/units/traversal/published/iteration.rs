@@ -37,7 +37,7 @@ pub(super) fn iteration<'b>(
     let address = node_address(b, s, d, "u_address", ray, ray.get("level")).named("address");
 
     b.section("height read", "");
-    let heights = source.read(ray, address.reg());
+    let heights = source.read(ray, &[address.reg()]);
 
     b.section("boundaries", "The two dividers of the loop.");
     let when = |axis: &str, plane: Sig<'b>, neg: Sig<'b>| {

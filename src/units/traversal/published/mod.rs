@@ -27,6 +27,7 @@ use super::datapath::Datapath;
 use super::level_up::reads_parity;
 use super::loop_state::{Field, Numbers, Sizes, Start};
 use super::params::float_sizes;
+use super::search::PYRAMID;
 use crate::config::Design;
 use crate::ir::{Expr, Module};
 use crate::units::divider::divider_core;
@@ -34,6 +35,7 @@ use crate::units::float::{self, FormatParams};
 use std::sync::Arc;
 
 pub(super) static DATAPATH: Datapath = Datapath {
+    search: &PYRAMID,
     arithmetic,
     steps: |d| {
         vec![
@@ -67,7 +69,7 @@ pub(super) static DATAPATH: Datapath = Datapath {
     constants,
     setup: ray_scale,
     setup_clocks: |d| ray_scale::latency(&d.latency),
-    iteration: iteration::iteration,
+    iteration: |b, s, d, ray, source, _| iteration::iteration(b, s, d, ray, source),
     level_decision: None,
     level_up_clocks: |_| 0,
     hit: texel_fraction,

@@ -28,6 +28,7 @@ use super::loop_state::{Field, Numbers, Sizes, Start};
 use super::params::ray_conditions;
 use super::plane_iteration::plane_iteration;
 use super::plane_units::PlaneUnits;
+use super::search::PYRAMID;
 use crate::config::{Design, Trim};
 use crate::ir::{Expr, Module};
 use crate::units::divider::divider_core;
@@ -35,6 +36,7 @@ use crate::units::float::{self, FormatParams};
 use std::sync::Arc;
 
 pub(super) static DATAPATH: Datapath = Datapath {
+    search: &PYRAMID,
     arithmetic,
     steps: |d| {
         let mut list = vec![plane_time(d), height_test(d), predicted_hit(d), node_crossing(d)];
@@ -58,7 +60,7 @@ pub(super) static DATAPATH: Datapath = Datapath {
     constants,
     setup: ray_setup,
     setup_clocks: ray_setup::latency,
-    iteration: |b, s, d, ray, source| plane_iteration(b, s, d, ray, source, &UNITS),
+    iteration: |b, s, d, ray, source, _| plane_iteration(b, s, d, ray, source, &UNITS),
     level_decision: Some(UNITS.level_decision),
     level_up_clocks,
     hit: hit_position,

@@ -1,0 +1,53 @@
+//! What a traversal searches: the loop's state, what stands in the slots' memories, the memories of heights and how they are loaded.
+use super::height_memory::pyramid_words;
+use super::height_source::Load;
+use super::loop_state::{Field, Ray, Sizes, level_state};
+use super::slot_memory::SlotMemory;
+use crate::config::Design;
+use crate::ir::Builder;
+
+/// Builds the ray that leaves, from the loop's registers and the slot memories.
+pub type Leaving = for<'b> fn(&'b Builder, &Sizes, &Ray<'b>, &SlotMemory<'b>) -> Ray<'b>;
+
+/// The parts of one search.
+pub struct Search {
+    /// What `traverse` does with it, in one sentence.
+    pub summary: &'static str,
+    /// Its throughput.
+    pub throughput: &'static str,
+    /// What was chosen, by name.
+    pub choices: fn(&Design) -> Vec<(&'static str, String)>,
+    /// What the file of the memories' first words holds.
+    pub image: fn(&Design) -> String,
+    /// Declares the load ports, one each memory.
+    pub loads: for<'b> fn(&'b Builder, &Sizes, &Design) -> Vec<Load<'b>>,
+    /// What an iteration changes.
+    pub state: fn(&Sizes, &Design) -> Vec<Field>,
+    /// Where constants of a ray stand in slot memories: all that a result needs of a ray that leaves; the loop's words come first.
+    pub leaving: Option<Leaving>,
+}
+
+/// The nodes of a pyramid, one an iteration.
+pub static PYRAMID: Search = Search {
+    summary: "traces rays against a height field: a looping pipeline, one node a clock",
+    throughput: "one iteration (one node) per clock; a ray takes as many iterations as its path needs",
+    choices: |d| {
+        vec![("levels_down", d.mode.levels_down.to_string()), ("level_up", d.mode.level_up.word().to_string())]
+    },
+    image: |d| {
+        let more =
+            if d.mode.bilinear { "; with .0 to .3 after its name, files of every fourth word of level 0" } else { "" };
+        format!("file for $readmemh with the words of the pyramid, level 0 first{more}; \"\": none")
+    },
+    loads: |b, s, _| {
+        vec![Load {
+            en: b.input_static("load_en", 1, "bit", "write a word of the pyramid (while idle is 1)"),
+            addr: b.input_static("load_addr", s.levels.clone() * 2 + 1, "words", "where: level 0 first, the root last"),
+            data: b.input_static("load_data", &s.height, "height codes", "largest height in that node"),
+            words: pyramid_words(&s.levels),
+            file: "",
+        }]
+    },
+    state: level_state,
+    leaving: None,
+};

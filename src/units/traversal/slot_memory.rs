@@ -1,0 +1,72 @@
+//! Words of a ray that its iterations read and none changes: they stand in memories of look-up tables, a word a slot, and travel through no stage.
+//!
+//! A group of words is written when its ray enters, and read in the stage that needs it; each group has a memory, as each memory has one read port.
+use crate::ir::{Builder, Expr, Record, Sig};
+use crate::units::stream::fifo_mem;
+
+/// The memories of one loop.
+pub struct SlotMemory<'b> {
+    b: &'b Builder,
+    /// Number of the slot in stage 0.
+    slot: Sig<'b>,
+    /// A new ray enters the slot in stage 0.
+    accept: Sig<'b>,
+    /// Its words.
+    new: Record<'b>,
+    slots: u32,
+}
+
+impl<'b> SlotMemory<'b> {
+    /// Counts the slots; `new` are the words of the ray that `accept` (1 bit) puts into the slot of stage 0.
+    pub fn new(b: &'b Builder, slots: u32, accept: Sig<'b>, new: Record<'b>) -> Self {
+        b.section("slot number", "Words that no iteration changes stand in memories, by the number of the ray's slot.");
+        let width = Expr::from(address_bits(slots));
+        let slot = b.loop_reg("slot_q", &width, true).doc("number of the slot in stage 0");
+        let is_last = slot.eq(b.lit(u64::from(slots - 1), &width)).named("is_last_slot");
+        let next = is_last.mux(b.zeros(&width), slot + b.lit(1, &width)).named("slot_next");
+        b.close(&[(slot, next)]);
+        Self { b, slot, accept, new, slots }
+    }
+
+    /// The words of a new ray.
+    pub fn new_words(&self) -> &Record<'b> {
+        &self.new
+    }
+
+    /// `words` of the new ray, as each stage reads them; known in `stage`, which is 2 or later: what is written in stage 0 is there from stage 1 on.
+    ///
+    /// # Panics
+    /// If `stage` is earlier.
+    pub fn read(&self, name: &str, words: &Record<'b>, stage: u32) -> Record<'b> {
+        assert!(stage >= 2, "{name}: a slot's words are known from stage 2 on");
+        words.unbundle(self.memory(name, words, self.slot.at(stage - 1))).named(name)
+    }
+
+    /// The same in stage 1: the words of a ray that enters pass by the memory.
+    pub fn read_early(&self, name: &str, words: &Record<'b>) -> Record<'b> {
+        let enters = self.accept.named("accept").reg();
+        let held = words.unbundle(self.memory(name, words, self.slot)).named(&format!("{name}_held"));
+        let new = words.named(&format!("{name}_new"));
+        new.map(|field, v| enters.mux(v.reg(), held[field]).named(&format!("{name}_{field}")))
+    }
+
+    /// The words of the ray that comes to stage 0 from the last slot, there.
+    pub fn read_for_result(&self, name: &str, words: &Record<'b>) -> Record<'b> {
+        words.unbundle(self.memory(name, words, self.slot.at(self.slots - 1)).rebase_stage(0)).named(name)
+    }
+
+    fn memory(&self, name: &str, words: &Record<'b>, slot: Sig<'b>) -> Sig<'b> {
+        let b = self.b;
+        let data = words.bundle(b);
+        let params =
+            [("ADDR_W", address_bits(self.slots).into()), ("DATA_W", words.width()), ("DEPTH", self.slots.into())];
+        let ins = [("write_en", self.accept), ("write_addr", self.slot), ("write_data", data), ("read_addr", slot)];
+        let read = b.instance(&fifo_mem(), &format!("u_{name}"), &params, &ins)["read_data"];
+        read.named(&format!("{name}_words"))
+    }
+}
+
+/// Address bits of a memory of that many slots.
+fn address_bits(slots: u32) -> u32 {
+    (u32::BITS - (slots - 1).leading_zeros()).max(1)
+}

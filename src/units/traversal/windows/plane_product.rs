@@ -1,0 +1,32 @@
+//! `plane_product`: k times the parameter from plane to plane, as two products that are no wider than a multiplier.
+use super::params::{FINE, OPERAND, PLANES, Planes, Widths, bindings};
+use crate::config::{Design, LatencyConfig};
+use crate::ir::{Builder, Expr, Module};
+use std::sync::Arc;
+
+/// Clocks through `plane_product`: the multipliers' half of a multiplication.
+pub fn latency(l: &LatencyConfig) -> u32 {
+    l.mul.div_ceil(2)
+}
+
+/// Bits of a plane's parameter that the lower multiplier takes.
+pub fn low_width(p: &Planes) -> Expr {
+    Expr::from(OPERAND).smaller(&p.plane - 1)
+}
+
+/// Builds `plane_product`.
+pub fn plane_product(d: &Design) -> Arc<Module> {
+    let b = Builder::new("plane_product", file!(), "k times the parameter from plane to plane, as two products");
+    let p = Widths::new(&b, d).planes();
+    let low_w = b.local("LowW", low_width(&p));
+    b.clock();
+    b.clock_enable();
+    let k = b.input("k", &p.count, PLANES, "planes behind the ray");
+    let q = b.input("q", &p.plane, FINE, "parameter from plane to plane");
+    let low = b.output("low", &p.count + &low_w, FINE, "k times the lower bits of q");
+    let high = b.output("high", &p.count + &p.plane - &low_w, "2^LowW of low", "k times its upper bits");
+    let l = latency(&d.latency);
+    b.drive(low, k.product(q.slice(0, &low_w)).named("low_product"), Some(l));
+    b.drive(high, k.product(q.slice(&low_w, &p.plane - &low_w)).named("high_product"), Some(l));
+    b.finish(Some(l), &bindings())
+}

@@ -1,0 +1,38 @@
+//! `plane_sum`: the parameter of the plane ahead of the texel, C + kQ, and whether it has more bits than that.
+use super::params::{FINE, Widths, bindings};
+use super::plane_product::low_width;
+use crate::config::{Design, LatencyConfig};
+use crate::ir::{Builder, Module};
+use std::sync::Arc;
+
+/// Clocks through `plane_sum`.
+pub fn latency(l: &LatencyConfig) -> u32 {
+    l.add.min(2)
+}
+
+/// Builds `plane_sum`.
+pub fn plane_sum(d: &Design) -> Arc<Module> {
+    let b = Builder::new("plane_sum", file!(), "parameter of the plane ahead: that of the first plane and k steps");
+    let p = Widths::new(&b, d).planes();
+    let low_w = b.local("LowW", low_width(&p));
+    b.clock();
+    b.clock_enable();
+    let c = b.input("c", &p.plane, FINE, "parameter of the first plane");
+    let low = b.input("low", &p.count + &low_w, FINE, "k times the lower bits of q");
+    let high = b.input("high", &p.count + &p.plane - &low_w, "2^LowW of low", "k times its upper bits");
+    let out = b.output("plane", &p.plane + 1, FINE, "the parameter; top bit 1: beyond all that a word holds");
+    let l = latency(&d.latency);
+    b.plan(l, &[("lower product", 7), ("upper product", 7)]);
+    b.section("lower product", "");
+    let tall = (&p.plane + 1).larger(&p.count + &low_w + 1);
+    let start = (c.zext(&tall) + low.zext(&tall)).named("start");
+    b.section("upper product", "All bits above a word are one: such a plane is never met.");
+    let upper_w = &p.plane + &p.count + 1 - &low_w;
+    let upper = high.zext(&upper_w) + start.slice(&low_w, &tall - &low_w).zext(&upper_w);
+    let upper = upper.named("upper");
+    let rest = &p.plane - &low_w;
+    let beyond = upper.slice(&rest, &p.count + 1).any().named("is_beyond");
+    let plane = b.cat(&[beyond, upper.slice(0, rest), start.slice(0, &low_w)]).named("plane_ahead");
+    b.drive(out, plane, Some(l));
+    b.finish(Some(l), &bindings())
+}
