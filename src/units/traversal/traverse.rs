@@ -7,7 +7,7 @@ use super::bilinear::latency as bilinear_clocks;
 use super::datapath::Datapath;
 use super::height_memory::MEM_INIT;
 use super::height_source::{HeightSource, Place, Slot};
-use super::loop_state::Ray;
+use super::loop_state::{Field, Ray, Sizes};
 use super::on_chip::OnChip;
 use super::result::{Result, result_fields};
 use super::slot_memory::SlotMemory;
@@ -65,21 +65,7 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
     b.clock();
     b.reset();
     let loads = (search.loads)(&b, &s, d);
-    // The reader of a port list has to see a combinational path through the unit.
-    let ready_doc = match Decoupling::of(d.latency.handshake) {
-        Decoupling::Combinational => "input ready (transfer when valid && ready); depends combinationally on out_ready",
-        Decoupling::SpillRegister | Decoupling::CreditFifo => "input ready (transfer when valid && ready); registered",
-    };
-    let (entry, travel) = (&s.numbers.entry, &s.numbers.travel);
-    let mut ray = vec![
-        ("tag", s.tag.clone(), "bits", "identifies the ray: out_tag of its result"),
-        ("u", entry.0.clone(), entry.1, "entry point at the top plane, 0 <= u < 1"),
-        ("v", entry.0.clone(), entry.1, "entry point at the top plane, 0 <= v < 1"),
-        ("du", travel.0.clone(), travel.1, "u travelled while the height falls from 1 to 0"),
-        ("dv", travel.0.clone(), travel.1, "v travelled while the height falls from 1 to 0"),
-    ];
-    ray.extend(d.mode.lod.then(|| ("lod", s.level_w.clone(), "levels", "the finest level at which the ray may end")));
-    let rays = InputStream::declare(&b, "in", ready_doc, &ray);
+    let rays = ray_ports(&b, &s, d);
     let results = OutputStream::declare(&b, "out", &result_fields(&b, &s, d));
     let o_busy = b.output("slot_busy", 1, "bit", "the slot in stage 0 holds a ray; its mean is the loop's utilization");
     let o_idle = b.output("idle", 1, "bit", "no ray in flight: none in setup, in the loop or waiting at the output");
@@ -116,9 +102,8 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
     let setup = Pipeline::declare(&b, "setup", decoupling, slot_ready);
     let credits = decoupling == Decoupling::CreditFifo;
     let issue = if credits { (rays.valid & setup.ready).named("issue") } else { rays.valid };
-    let ports: Vec<&str> = ray.iter().map(|f| f.0).filter(|n| *n != "tag").collect();
-    let ins: Vec<(&str, Sig<'_>)> =
-        ports.into_iter().map(|n| (n, rays.data[n])).chain([("ce", setup.enable(&b))]).collect();
+    let operands = rays.data.iter().filter(|f| f.0 != "tag");
+    let ins: Vec<(&str, Sig<'_>)> = operands.chain([("ce", setup.enable(&b))]).collect();
     let constants = b.instance(&module, "u_setup", &[], &ins).map(|_, v| v.rebase_stage(0));
     let words = (constants, [("tag", rays.data["tag"])].into());
     let new = setup.pass(&b, clocks_setup, issue, words, ["set", "new"]);
@@ -134,32 +119,14 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
     };
     let slot_busy = ((held.valid & !gives_up) | enters).named("slot_busy");
     b.drive(o_busy, slot_busy, None);
-    let ray = if memories.is_some() {
-        // A new ray has its constants in the slot memories, and starts from zeros.
-        held.or_new(&fields, enters, &entering, slot_busy)
-    } else if d.latency.node > 1 {
-        // The select is registered before the multiplexer: it fans out to every bit of a ray.
-        held.reg_words().or_new(&fields, enters.reg(), &entering.reg_words(), slot_busy.valid().reg())
-    } else {
-        held.or_new(&fields, enters, &entering, slot_busy)
-    };
+    let entry = Entry { enters, ray: &entering, slot_busy };
+    let ray = in_slot(d, &fields, &held, &entry, memories.is_some());
 
     let next = (path.iteration)(&b, &s, d, &ray, heights.as_mut(), memories.as_ref());
     let next = heights.look_up(next);
     drop(heights);
     let mut loops = held.pairs(&next);
-    // A credit FIFO counts the ray that retires now one clock late.
-    let retiring = registered.map(|r| {
-        let hit_free = if credits {
-            let now = b.wire("retire_now", 1).doc("the ray of stage 0 retires");
-            b.connect(now, r);
-            hit.ready & !now
-        } else {
-            hit.ready & !hit.valid
-        };
-        let is_done = next.get("done").named("is_done").at(next.last_stage());
-        (r, (next.valid & is_done & hit_free).named("retire_next"))
-    });
+    let retiring = registered.map(|r| (r, retires_next(&b, r, &next, &hit, decoupling)));
     loops.extend(retiring);
     let slots = b.close(&loops);
     // Rays in flight, at most: all pipeline stages, both FIFOs and the places of the height source are full.
@@ -178,6 +145,67 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
     let at = |l: i64, h: i64| Binding::from([("LEVELS".into(), l), ("HEIGHT_W".into(), h)]);
     let module = b.finish(None, &[at(2, 8), at(3, 16), at(12, 8), at(12, 16)]);
     Traverse { module, slots, setup: clocks_setup, finish }
+}
+
+/// Declares the ports of a ray.
+fn ray_ports<'b>(b: &'b Builder, s: &Sizes, d: &Design) -> InputStream<'b> {
+    // The reader of a port list has to see a combinational path through the unit.
+    let ready_doc = match Decoupling::of(d.latency.handshake) {
+        Decoupling::Combinational => "input ready (transfer when valid && ready); depends combinationally on out_ready",
+        Decoupling::SpillRegister | Decoupling::CreditFifo => "input ready (transfer when valid && ready); registered",
+    };
+    let (entry, travel) = (&s.numbers.entry, &s.numbers.travel);
+    let mut ray = vec![
+        ("tag", s.tag.clone(), "bits", "identifies the ray: out_tag of its result"),
+        ("u", entry.0.clone(), entry.1, "entry point at the top plane, 0 <= u < 1"),
+        ("v", entry.0.clone(), entry.1, "entry point at the top plane, 0 <= v < 1"),
+        ("du", travel.0.clone(), travel.1, "u travelled while the height falls from 1 to 0"),
+        ("dv", travel.0.clone(), travel.1, "v travelled while the height falls from 1 to 0"),
+    ];
+    ray.extend(d.mode.lod.then(|| ("lod", s.level_w.clone(), "levels", "the finest level at which the ray may end")));
+    InputStream::declare(b, "in", ready_doc, &ray)
+}
+
+/// What comes into the slot of stage 0.
+struct Entry<'a, 'b> {
+    /// A ray enters (1 bit).
+    enters: Sig<'b>,
+    /// That ray.
+    ray: &'a Ray<'b>,
+    /// The slot holds a ray then (1 bit).
+    slot_busy: Sig<'b>,
+}
+
+/// The ray that the slot of stage 0 holds: the one that enters, or else the one that recirculates.
+fn in_slot<'b>(d: &Design, fields: &[Field], held: &Ray<'b>, entry: &Entry<'_, 'b>, in_memories: bool) -> Ray<'b> {
+    let Entry { enters, ray, slot_busy } = *entry;
+    // Where slot memories hold the constants, a new ray starts from zeros, and there is little to select.
+    if d.latency.node > 1 && !in_memories {
+        // The select is registered before the multiplexer: it fans out to every bit of a ray.
+        held.reg_words().or_new(fields, enters.reg(), &ray.reg_words(), slot_busy.valid().reg())
+    } else {
+        held.or_new(fields, enters, ray, slot_busy)
+    }
+}
+
+/// Whether the ray that comes to stage 0 retires there (1 bit), decided in the last slot; `retire` is that decision a clock later.
+fn retires_next<'b>(
+    b: &'b Builder,
+    retire: Sig<'b>,
+    next: &Ray<'b>,
+    hit: &Pipeline<'b>,
+    decoupling: Decoupling,
+) -> Sig<'b> {
+    let hit_free = if decoupling == Decoupling::CreditFifo {
+        // A credit FIFO counts the ray that retires now one clock late.
+        let now = b.wire("retire_now", 1).doc("the ray of stage 0 retires");
+        b.connect(now, retire);
+        hit.ready & !now
+    } else {
+        hit.ready & !hit.valid
+    };
+    let is_done = next.get("done").named("is_done").at(next.last_stage());
+    (next.valid & is_done & hit_free).named("retire_next")
 }
 
 /// Whether no ray is in flight, where at most `most` are: transfers are counted one clock late, which keeps the adder off the handshake path.
