@@ -7,8 +7,65 @@ use crate::error::Result;
 use crate::ir::Module;
 use crate::units;
 use crate::units::traversal::{Datapath, PUBLISHED, Traverse, loop_resources, traverse};
-use serde_json::json;
+use serde::Serialize;
 use std::sync::Arc;
+
+/// What `list --json` prints.
+#[derive(Serialize)]
+struct Listed<'a> {
+    /// Units of this design.
+    units: Vec<ListedUnit<'a>>,
+    /// Units that could be emitted with it.
+    available: Vec<Available<'a>>,
+    /// What stands in the loop, beside the published one.
+    r#loop: Vec<InLoop>,
+}
+
+/// A unit that is emitted.
+#[derive(Serialize)]
+struct ListedUnit<'a> {
+    /// Its name.
+    unit: &'a str,
+    /// What it does.
+    summary: &'a str,
+    /// Clocks; none where a handshake decides.
+    latency: Option<u32>,
+    /// Parameters with their defaults, in the order of the text.
+    parameters: serde_json::Map<String, serde_json::Value>,
+    /// It has vectors of its own.
+    vectors: bool,
+}
+
+impl<'a> ListedUnit<'a> {
+    fn new(design: &Design, m: &'a Module) -> Self {
+        let parameters = m.params.iter().map(|p| (p.name.clone(), p.default.into())).collect();
+        Self { unit: &m.name, summary: &m.summary, latency: m.latency, parameters, vectors: has_vectors(design, m) }
+    }
+}
+
+/// A unit that could be emitted.
+#[derive(Serialize)]
+struct Available<'a> {
+    /// Its name.
+    unit: &'a str,
+    /// What it does.
+    summary: &'a str,
+    /// Clocks.
+    latency: Option<u32>,
+}
+
+/// How often something stands in the loop.
+#[derive(Serialize)]
+struct InLoop {
+    /// What.
+    what: &'static str,
+    /// In this design.
+    here: u32,
+    /// In the published unit.
+    published: u32,
+    /// Why they differ; empty where they don't.
+    why: &'static str,
+}
 
 /// Runs `list`.
 pub fn run(cli: &Cli) -> Result<()> {
@@ -17,17 +74,15 @@ pub fn run(cli: &Cli) -> Result<()> {
     let modules = units::all(&design);
     let t = traverse(&design);
     if cli.json {
-        let rows: Vec<_> = modules
-            .iter()
-            .map(|m| {
-                let params: serde_json::Map<_, _> =
-                    m.params.iter().map(|p| (p.name.clone(), json!(p.default))).collect();
-                json!({"unit": m.name, "summary": m.summary, "latency": m.latency, "parameters": params, "vectors": has_vectors(&design, m)})
-            })
-            .collect();
-        let more: Vec<_> =
-            more(&design).iter().map(|m| json!({"unit": m.name, "summary": m.summary, "latency": m.latency})).collect();
-        let rows = json!({"units": rows, "available": more, "loop": in_loop(&design, &t)});
+        let available = more(&design);
+        let rows = Listed {
+            units: modules.iter().map(|m| ListedUnit::new(&design, m)).collect(),
+            available: available
+                .iter()
+                .map(|m| Available { unit: &m.name, summary: &m.summary, latency: m.latency })
+                .collect(),
+            r#loop: in_loop(&design, &t),
+        };
         println!("{}", serde_json::to_string_pretty(&rows).expect("plain data"));
         return Ok(());
     }
@@ -66,8 +121,7 @@ pub fn run(cli: &Cli) -> Result<()> {
     if !below.is_empty() {
         println!("Emitted beside these, without vectors of their own: {} (delay lines of traverse).", below.join(", "));
     }
-    let text = |v: &serde_json::Value| v.as_str().map_or_else(|| v.to_string(), str::to_string);
-    let line = |r: &serde_json::Value| ["what", "here", "published", "why"].map(|k| text(&r[k])).to_vec();
+    let line = |r: &InLoop| vec![r.what.to_owned(), r.here.to_string(), r.published.to_string(), r.why.to_owned()];
     let rows: Vec<Vec<String>> = in_loop(&design, &t).iter().map(line).collect();
     println!(
         "\nin the loop of the {} datapath, beside the published one (PIDM-HW table 1, figure 7):",
@@ -85,11 +139,11 @@ fn more(d: &Design) -> Vec<Arc<Module>> {
 }
 
 /// Floating-point units and stages of the loop beside the published ones, with the reason where they differ.
-fn in_loop(d: &Design, t: &Traverse) -> Vec<serde_json::Value> {
+fn in_loop(d: &Design, t: &Traverse) -> Vec<InLoop> {
     let rows = loop_resources(d, t).rows().into_iter().zip(PUBLISHED.rows());
     rows.map(|((what, here), (_, published))| {
         let why = if here == published { "" } else { (Datapath::of(d).difference)(what) };
-        json!({"what": what, "here": here, "published": published, "why": why})
+        InLoop { what, here, published, why }
     })
     .collect()
 }

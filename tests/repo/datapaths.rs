@@ -24,6 +24,22 @@ fn modes_are_listed_in_one_file() {
     assert_eq!(naming("LevelUp::ALL", &files()), [Path::new("config/modes.rs")]);
 }
 
+/// The files that CONTRIBUTING lists for a choice.
+fn said_of(choice: &str) -> Vec<PathBuf> {
+    let page = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("CONTRIBUTING.md")).expect("text");
+    let row = page.lines().find(|l| l.starts_with(&format!("| {choice} |"))).expect("a row of the table");
+    row.split('`').skip(1).step_by(2).map(PathBuf::from).collect()
+}
+
+/// What names the search by windows is what CONTRIBUTING says that a datapath takes.
+#[test]
+fn a_datapath_stands_where_contributing_says() {
+    let said = said_of("a datapath");
+    let found = naming("DatapathKind::Windows", &files());
+    assert!(found.len() > 3, "{found:?}");
+    assert!(found.iter().all(|f| said.contains(f)), "{found:?} beside {said:?}");
+}
+
 /// `coherent` is a rule that asks for more than the crossing: what names it is what CONTRIBUTING says that such a rule takes.
 #[test]
 fn a_level_up_rule_stands_where_contributing_says() {
@@ -31,9 +47,7 @@ fn a_level_up_rule_stands_where_contributing_says() {
     // The enumeration itself says `Self::Coherent`.
     found.push("config/design.rs".into());
     found.sort();
-    let page = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("CONTRIBUTING.md")).expect("text");
-    let row = page.lines().find(|l| l.starts_with("| a level-up rule |")).expect("a row of the table");
-    let mut said: Vec<PathBuf> = row.split('`').skip(1).step_by(2).map(PathBuf::from).collect();
+    let mut said = said_of("a level-up rule");
     said.sort();
     assert_eq!(found, said);
 }
