@@ -144,6 +144,16 @@ impl Expr {
             }
         }
     }
+    /// The expression with what `other` has for an atom in its place; where it has nothing, the arguments of a function are looked at.
+    pub fn with_atoms(&self, other: &impl Fn(&Atom) -> Option<Expr>) -> Self {
+        self.terms.iter().fold(Self::from(self.konst), |sum, (a, k)| {
+            let e = other(a).unwrap_or_else(|| match a {
+                Atom::Call(f, args) => Self::call(*f, args.iter().map(|x| x.with_atoms(other)).collect()),
+                _ => Self::atom(a.clone()),
+            });
+            sum + e * *k
+        })
+    }
     /// The expression in terms of parameters only (ports stand before any `localparam`).
     pub fn expanded(&self) -> Self {
         self.substitute(&BTreeMap::new())

@@ -4,7 +4,7 @@
 //! with a name stand on their own wire or in braces, a mixed pair of operators always has parentheses, a unary operator
 //! stands before a primary, and widening is written out.
 use super::layout::{fill, group, literal, range, tight};
-use super::widths::named;
+use super::widths::{named, with_bounds_named};
 use crate::ir::{Expr, Names, Node, NodeId, Op};
 
 /// How tightly an expression binds.
@@ -104,7 +104,8 @@ impl Expressions for Names<'_> {
             Op::Slice { lo } => {
                 let net = self.net_of(a(0), n);
                 let full = *lo == Expr::from(0) && n.width == width(a(0));
-                let hi = lo + n.width.clone() - 1;
+                let hi = with_bounds_named(self.m, &(lo + n.width.clone() - 1));
+                let lo = &with_bounds_named(self.m, lo);
                 (
                     match (full, n.width.as_const()) {
                         (true, _) => net,
@@ -115,7 +116,7 @@ impl Expressions for Names<'_> {
                 )
             }
             Op::Zext => {
-                let more = n.width.clone() - width(a(0));
+                let more = with_bounds_named(self.m, &(n.width.clone() - width(a(0))));
                 (format!("{{{}, {}}}", fill(&more, 0), self.operand(a(0)).0), Binds::Primary)
             }
             Op::Sext => {

@@ -83,15 +83,21 @@ fn long_proofs_are_of_the_text_that_is_emitted_now() {
 #[test]
 #[ignore = "minutes of proving; part of sh tools/test.sh --full"]
 fn long_proofs_go_through() {
+    let refresh = std::env::var("RELIEFRTL_REFRESH").is_ok_and(|v| v == "1");
+    // What is stored for the text of now is not proved again to be stored.
+    let stored: Vec<Proof> = serde_json::from_str(&std::fs::read_to_string(file()).unwrap()).unwrap();
     let proved: Vec<Proof> = now()
         .into_par_iter()
         .map(|(proof, call)| {
+            if refresh && stored.contains(&proof) {
+                return proof;
+            }
             let dir = tempfile::tempdir().unwrap();
             ok(dir.path(), &[&call[..], &SMALL].concat());
             proof
         })
         .collect();
-    if std::env::var("RELIEFRTL_REFRESH").is_ok_and(|v| v == "1") {
+    if refresh {
         std::fs::write(file(), serde_json::to_string_pretty(&proved).unwrap() + "\n").unwrap();
     }
 }

@@ -75,7 +75,8 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
 fn way<'b>(b: &'b Builder, s: Sig<'b>, t: Sig<'b>, time: &Expr, reach: &Expr) -> Sig<'b> {
     b.section("products", "Each half of one by each half of the other.");
     let (s_w, t_w) = (reach + 1, time.clone());
-    let (s_low, t_low) = (Expr::from(18).smaller(&s_w - 1).smaller(time), Expr::from(18).smaller(&t_w - 1));
+    let s_low = b.local("TravelLowW", Expr::from(18).smaller(&s_w - 1).smaller(time));
+    let t_low = b.local("TimeLowW", Expr::from(18).smaller(&t_w - 1));
     let (s_high, t_high) = (&s_w - &s_low, &t_w - &t_low);
     let halves = |v: Sig<'b>, low: &Expr, high: &Expr| [v.slice(0, low), v.slice(low, high)];
     let (s, t) = (halves(s, &s_low, &s_high), halves(t, &t_low, &t_high));

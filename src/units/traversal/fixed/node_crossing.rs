@@ -18,7 +18,7 @@ pub fn node_crossing(d: &Design) -> Arc<Module> {
     let t_y = b.input("t_y", &time, TIME, "parameter of the v exit plane");
     let inside = b.output("is_inside", 1, "bit", "the height is met before the ray leaves");
     let x_first = b.output("x_first", 1, "bit", "the u plane comes first, or both at once");
-    let t_next = b.output("t_next", &time, TIME, "parameter after a crossing: that of the exit plane, at least t");
+    let t_next = b.output("t_next", &time, TIME, "parameter after a crossing, at least t");
 
     b.section("compare", "All five comparisons at once; the selects follow.");
     let in_both = (m.lt(t_x) & m.lt(t_y)).named("in_both");

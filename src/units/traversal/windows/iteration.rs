@@ -1,5 +1,6 @@
 //! One iteration of a search by windows: from the slot's ray to the ray that goes back.
-use super::params::Planes;
+use super::params::{Estimate, Planes};
+use super::plane_product::low_width;
 use super::window_address;
 use super::window_span;
 use super::{
@@ -28,6 +29,9 @@ pub fn iteration<'b>(
     let set = d.window_set();
     let (f, w) = (Expr::param("FRACTION_W"), Expr::param("RECIP_W"));
     let planes = Planes::of(b, &f, &w, &s.levels, &s.tile);
+    // Names of widths: the nets of this module have those of the units.
+    Estimate::of(b, &f, &s.levels, &s.tile);
+    b.local("LowW", low_width(&planes));
     let new = slots.new_words();
     let two = |name: &str| {
         AXES.map(|a| format!("{name}_{a}")).map(|n| (n.clone(), new[n.as_str()])).into_iter().collect::<Record<'b>>()
@@ -45,6 +49,7 @@ pub fn iteration<'b>(
     b.section("address", "");
     let (mut addresses, mut borders) = (Vec::new(), Vec::new());
     for (c, size) in set.sizes().iter().enumerate() {
+        b.local(&format!("Address{c}W"), window_address::address_width(&s.levels, &Expr::from(size.grid_bits())));
         let ins = [("x", texel[0]), ("y", texel[1]), ("neg_x", origin["neg_x"]), ("neg_y", origin["neg_y"])];
         let o = b.instance(
             &window_address::window_address(d),
