@@ -118,7 +118,7 @@ const SPOILED_HANDSHAKES: [(&str, &str, &str, &str, &str); 9] = [
     ("1", "spill_register", "spill_register", "rd_sel_q ? second : first", "rd_sel_q ? first : second"),
     ("1", "traverse", "traverse", "(s0_loop_valid_q & ~s0_retire) |", "s0_loop_valid_q |"),
     ("2", "traverse", "traverse", "& hit_ready & ~hit_valid", "& hit_ready"),
-    ("3", "traverse", "traverse", "& hit_ready & ~retire_now", "& hit_ready"),
+    ("3", "traverse", "traverse", "& hit_ready & ~s0_retire", "& hit_ready"),
     ("3", "traverse", "traverse", "in_valid & setup_ready", "in_valid"),
     ("3", "credit_fifo", "credit_fifo", "(&reserved[3:1])", "(&reserved[3:0])"),
     ("3", "credit_fifo", "credit_fifo", "~(pop | popped)", "~pop"),
