@@ -141,7 +141,14 @@ fn read_net(path: &std::path::Path, scope: &[&str], net: &str, clocks: std::ops:
     let mut w = wellen::simple::read(path).unwrap();
     let mut full = vec!["traverse"];
     full.extend(scope);
-    let var = w.hierarchy().lookup_var(&full, net).unwrap_or_else(|| panic!("{net} is not in {}", path.display()));
+    let h = w.hierarchy();
+    // A reader takes the bits of a part of a wide net, `name[high:low]`, for an index of its own.
+    let part = || {
+        let (base, bits) = net.strip_suffix(']')?.split_once('[')?;
+        let (high, low) = bits.split_once(':')?;
+        h.lookup_var_with_index(&full, base, &Some(wellen::VarIndex::new(high.parse().ok()?, low.parse().ok()?)))
+    };
+    let var = h.lookup_var(&full, net).or_else(part).unwrap_or_else(|| panic!("{net} is not in {}", path.display()));
     let signal = w.hierarchy()[var].signal_ref();
     w.load_signals(&[signal]);
     let times = w.time_table().to_vec();
