@@ -1,7 +1,7 @@
-//! Which keys somebody wrote: a default that is written out is another thing than a default, where a datapath has no use for the key.
+//! Which keys were given: where a datapath has no use for a key, a default that is written out is refused, and one that is not is ignored.
 use std::collections::BTreeSet;
 
-/// Paths of keys that stood in a file or behind `--set`.
+/// Paths of keys that stood in a file or after `--set`.
 #[derive(Clone, Debug, Default)]
 pub struct Given(BTreeSet<&'static str>);
 

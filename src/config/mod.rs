@@ -86,7 +86,7 @@ impl Config {
         }
     }
 
-    /// The same with another datapath; what that one does not read is at its default, as if nobody had given it.
+    /// The same with another datapath; what that one does not read is at its default, as if it had not been given.
     pub fn choose_datapath(&mut self, kind: DatapathKind) {
         (self.datapath.kind, self.datapath.search) = (kind, Search::default());
         self.given = Given::default();

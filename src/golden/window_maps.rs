@@ -76,7 +76,7 @@ pub(super) struct Made(RwLock<Vec<(WindowSet, Arc<WindowMaps>)>>);
 impl Made {
     pub(super) fn get(&self, set: &WindowSet, make: impl FnOnce() -> WindowMaps) -> Arc<WindowMaps> {
         let find = |made: &[(WindowSet, Arc<WindowMaps>)]| made.iter().find(|m| m.0 == *set).map(|m| m.1.clone());
-        // A thread that panicked left no half-made maps behind: they are pushed whole.
+        // A thread that panicked left no half-made maps: they are pushed whole.
         if let Some(maps) = find(&self.0.read().unwrap_or_else(|e| e.into_inner())) {
             return maps;
         }

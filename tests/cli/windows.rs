@@ -40,7 +40,7 @@ fn the_search_is_chosen_beside_the_arithmetic_in_either_order() {
     assert!(said.starts_with("windows.set = \"1 4@2\"") && said.contains("datapath.search = \"windows\""), "{said}");
 }
 
-/// Also where the value is the default, for nobody writes a key for nothing.
+/// Also where the value is the default, as a key that is given is meant.
 #[test]
 fn modes_of_the_pyramid_are_refused_by_name_where_they_are_given() {
     windows(&[]).validate().unwrap();
@@ -87,10 +87,10 @@ fn illegal_sets_are_refused_with_what_would_be_right() {
         ("1 6@3", "has 6@3, whose grid is not a power of two"),
         ("1 5@2", "has 5@2, whose side is not a multiple of its grid: 6@2"),
         ("1 64@32", "has 64@32, whose grid is too coarse"),
-        ("1 4@2 4@2", "has 4@2 behind 4@2: S - g must rise"),
-        ("1 12@4 4@2", "has 4@2 behind 12@4: S - g must rise"),
-        ("1 4@4", "has 4@4 behind 1: S - g must rise"),
-        ("1 16@8 40@4", "has 40@4 behind 16@8: the grid must not become finer"),
+        ("1 4@2 4@2", "has 4@2 after 4@2: S - g must rise"),
+        ("1 12@4 4@2", "has 4@2 after 12@4: S - g must rise"),
+        ("1 4@4", "has 4@4 after 1: S - g must rise"),
+        ("1 16@8 40@4", "has 40@4 after 16@8: the grid must not become finer"),
         ("1 65", "has 65, which is too large: S - g = 64 may be at most 63"),
         ("1 80@16", "has 80@16, which is too large: S - g = 64 may be at most 63"),
         ("1 four", "has \"four\", which is no window"),

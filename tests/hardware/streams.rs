@@ -16,7 +16,7 @@ const FIELDS: [(&str, u32); 4] = [("from", 1), ("low", 40), ("flag", 5), ("high"
 /// Clocks that are tried.
 const CLOCKS: usize = 3000;
 
-/// Stream `a` through a spill register, a map and a FIFO, stream `b` as it is; and the arbiter behind them.
+/// Stream `a` through a spill register, a map and a FIFO, stream `b` as it is; and the arbiter after them.
 fn merged() -> Arc<Module> {
     let fields: Vec<(&str, Expr, &str, &str)> = FIELDS.map(|(name, w)| (name, w.into(), "bits", "a word")).to_vec();
     let b = Builder::new("merged", file!(), "two streams into one");

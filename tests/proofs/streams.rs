@@ -6,7 +6,7 @@ const STREAMS: [&str; 2] = ["--set", "emit.units=fifo,arbiter"];
 
 /// Unit, and a change of one token.
 const SPOILED: [(&str, &str, &str); 13] = [
-    // Written while full; popped while nobody is ready; counted wrongly.
+    // Written while full; popped while no receiver is ready; counted wrongly.
     ("fifo", "~occupancy_q[PtrW]", "1'b1"),
     ("fifo", "& out_ready", "| out_ready"),
     ("fifo", "occupancy_q + ", "occupancy_q - "),

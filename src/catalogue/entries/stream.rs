@@ -134,7 +134,7 @@ fn queue(c: &Context<'_>) -> Step {
     })
 }
 
-/// Who comes first moves on behind the input that was served; a grant stays until its word transfers.
+/// The input that comes first is the one after the input that was served last; a grant stays until its word transfers.
 fn turns(c: &Context<'_>) -> Step {
     const INPUTS: u32 = 4;
     let w = c.param("W");

@@ -274,7 +274,7 @@ static WAY: Unit = Unit {
         // Without a fraction of the texel and from its border, an estimate is the way itself.
         let (g, w) = (golden(c), widths(c));
         let axis = WindowAxis { s: row["travel"], ..WindowAxis::default() };
-        let whole = g.planes_behind(&axis, row["m"]) as u64;
+        let whole = g.planes_passed(&axis, row["m"]) as u64;
         let way = ((u128::from(row["travel"]) * u128::from(row["m"] >> (w.parameter - w.time))) >> w.time) as u64;
         assert_eq!(way >> w.estimate_fraction, whole, "the way is that of the estimate");
         out["way"] = way;

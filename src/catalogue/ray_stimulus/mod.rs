@@ -81,7 +81,7 @@ pub fn one_axis(s: &RaySample, port: &str) -> Option<u64> {
     })
 }
 
-/// A ray's constants along an axis for a search by windows, the planes behind it, and a window's height.
+/// A ray's constants along an axis for a search by windows, the planes that it has passed, and a window's height.
 pub fn window_axis(s: &RaySample, port: &str) -> Option<u64> {
     let a = &s.axes[usize::from(port.ends_with("_y"))];
     Some(match port {

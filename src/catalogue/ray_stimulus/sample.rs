@@ -53,7 +53,7 @@ pub(super) struct AxisSample {
     pub(super) position: u64,
     pub(super) reach: u64,
     pub(super) cross: u64,
-    /// Of a search by windows: planes behind the ray, parameter from plane to plane and of the first one, travel and offset of the estimate.
+    /// Of a search by windows: planes that the ray has passed, parameter from plane to plane and of the first one, travel and offset of the estimate.
     pub(super) k: u64,
     pub(super) step: u64,
     pub(super) begin: u64,

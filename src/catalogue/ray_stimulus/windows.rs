@@ -1,4 +1,4 @@
-//! Samples of rays for a search by windows: a ray in fixed point, with its constants and the planes behind it.
+//! Samples of rays for a search by windows: a ray in fixed point, with its constants and the planes that it has passed.
 use super::{RaySample, fixed};
 use crate::config::{Design, WindowSet, WindowsConfig};
 use crate::golden::fixed::Fixed;
@@ -18,10 +18,10 @@ pub fn sample(g: &Windows, idx: u32, rng: &mut ChaCha8Rng) -> RaySample {
     let [u, v, du, dv] = s.ray;
     let axes = g.setup(&RayInput { u, v, du, dv, lod: 0 }).expect("the ray can be traced");
     for (sample, axis) in s.axes.iter_mut().zip(&axes) {
-        // Where the estimate is, or a few planes before: an index may stay behind the ray.
-        let behind = g.planes_behind(axis, s.m) as u64;
+        // Where the estimate is, or a few planes before: an index may lag the ray.
+        let passed = g.planes_passed(axis, s.m) as u64;
         let lag = rng.random_range(0..4) * rng.random_range(0..3);
-        sample.k = behind.saturating_sub(lag);
+        sample.k = passed.saturating_sub(lag);
         let number = u128::from(sample.k + rng.random_range(0..80u64));
         let most = u128::from(crate::bits::mask(g.widths().plane + 7));
         sample.end_of_window = (u128::from(axis.c) + number * u128::from(axis.q)).min(most) as u64;

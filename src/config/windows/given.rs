@@ -1,4 +1,4 @@
-//! Keys that mean nothing to a search by windows: refused where somebody gave them, of no account where they are defaults.
+//! Keys that mean nothing to a search by windows: refused where they are given, ignored where they are defaults.
 use crate::config::keys::{KEYS, Key};
 use crate::config::{Config, check};
 

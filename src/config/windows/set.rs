@@ -61,7 +61,7 @@ impl FromStr for Window {
 #[serde(try_from = "String", into = "String")]
 pub struct WindowSet {
     count: usize,
-    /// Those behind `count` are [`Window::TEXEL`].
+    /// Those after `count` are [`Window::TEXEL`].
     sizes: [Window; Self::MOST],
 }
 
@@ -163,10 +163,10 @@ fn problem(sizes: &[Window]) -> Option<String> {
         if b.ahead() <= a.ahead() {
             let (from, to) = (a.ahead(), b.ahead());
             Some(format!(
-                "has {b} behind {a}: S - g must rise from window to window, and goes from {from} to {to} (1 2@2 alone is legal besides)"
+                "has {b} after {a}: S - g must rise from window to window, and goes from {from} to {to} (1 2@2 alone is legal besides)"
             ))
         } else if b.grid < a.grid {
-            Some(format!("has {b} behind {a}: the grid must not become finer, so g may be {} or more here", a.grid))
+            Some(format!("has {b} after {a}: the grid must not become finer, so g may be {} or more here", a.grid))
         } else {
             None
         }

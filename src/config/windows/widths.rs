@@ -17,7 +17,7 @@ pub struct WindowWidths {
     pub guard: u32,
     /// F + 2 + g': bits of Q and C.
     pub plane: u32,
-    /// n + T + 1: bits of k, the planes behind the ray along one axis.
+    /// n + T + 1: bits of k, the planes passed along one axis.
     pub planes: u32,
     /// F + 2: bits of a ray parameter.
     pub parameter: u32,

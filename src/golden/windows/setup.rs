@@ -58,8 +58,8 @@ impl Windows {
         exact.min(i128::from(self.fixed.never)) as u64
     }
 
-    /// How many planes lie behind the ray at `m`, or fewer.
-    pub fn planes_behind(&self, axis: &WindowAxis, m: u64) -> i64 {
+    /// How many planes the ray has passed at `m`, or fewer.
+    pub fn planes_passed(&self, axis: &WindowAxis, m: u64) -> i64 {
         let w = &self.widths;
         let m = i128::from(m >> (w.parameter - w.time));
         let texels = ((i128::from(axis.s) * m) >> w.time) + i128::from(axis.o);
@@ -68,12 +68,12 @@ impl Windows {
 }
 
 impl WindowAxis {
-    /// X: the texel behind `k` planes, unwrapped.
+    /// X: the texel beyond `k` planes, unwrapped.
     pub fn texel(&self, k: i64) -> i64 {
         if self.fixed.neg { self.fixed.x - k } else { self.fixed.x + k }
     }
 
-    /// r: texels of a window beyond the one behind `k` planes.
+    /// r: texels of a window beyond the one that `k` planes lead to.
     pub fn beyond(&self, k: i64, window: Window) -> i64 {
         let x0 = if self.fixed.neg { !self.fixed.x } else { self.fixed.x };
         // Up to the border of the grid's cell, seen along the ray.

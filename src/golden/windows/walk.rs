@@ -10,7 +10,7 @@ use crate::golden::window_maps::WindowMap;
 /// What one iteration hands to the next.
 #[derive(Clone, Copy, Debug)]
 struct State {
-    /// k: planes behind the ray, along u and v.
+    /// k: planes that the ray has passed, along u and v.
     k: [i64; 2],
     t: u64,
 }
@@ -102,7 +102,7 @@ impl Windows {
             (false, false) => s.t.max(left.exit).max(larger.map_or(0, |w| w.depth)),
         };
         let x_first = left.x_first();
-        let e = [0, 1].map(|c| self.planes_behind(&axes[c], m));
+        let e = [0, 1].map(|c| self.planes_passed(&axes[c], m));
         let mut next = State { k: s.k, t: m };
         if !hit {
             let c = usize::from(!x_first);

@@ -55,7 +55,7 @@ module {{ prefix }}fv_fifo (input wire clk);
     end
   end
 
-  // The word k places behind the oldest.
+  // The word k places after the oldest.
   function [4:0] held(input [3:0] k);
     reg [3:0] at;
     begin

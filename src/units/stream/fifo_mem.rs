@@ -1,4 +1,4 @@
-//! `fifo_mem`: the words of a FIFO, one write port and one read port with a register behind it.
+//! `fifo_mem`: the words of a FIFO, one write port and one read port with a register after it.
 use crate::ir::{Builder, Module, Prim};
 use crate::units::lzc::finish_primitive;
 use std::sync::Arc;

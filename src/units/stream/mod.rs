@@ -76,7 +76,7 @@ impl<'b> Stream<'b> {
     /// If the records differ in their fields.
     pub fn arbiter(b: &'b Builder, name: &str, streams: Vec<Self>) -> Self {
         let fields = |s: &Self| s.data.names().map(String::from).collect::<Vec<_>>();
-        assert!(streams.iter().all(|s| fields(s) == fields(&streams[0])), "streams of one record meet in an arbiter");
+        assert!(streams.iter().all(|s| fields(s) == fields(&streams[0])), "an arbiter takes streams of one record");
         let down: Vec<&Self> = streams.iter().rev().collect();
         let valid = b.cat(&down.iter().map(|s| s.valid).collect::<Vec<_>>());
         let words = b.cat(&down.iter().map(|s| s.data.bundle(b)).collect::<Vec<_>>());

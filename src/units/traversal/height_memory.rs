@@ -1,4 +1,4 @@
-//! `height_memory`: the pyramid's heights on chip: one write port, one read port with a register behind it.
+//! `height_memory`: the pyramid's heights on chip: one write port, one read port with a register after it.
 use crate::ir::{Builder, Expr, Module, Prim};
 use crate::units::lzc::finish_primitive;
 use std::sync::Arc;

@@ -66,7 +66,7 @@ struct Match<'a> {
 }
 
 impl Match<'_> {
-    /// True if what is behind two slots is the same up to the part's inputs.
+    /// True if what drives two slots is the same up to the part's inputs.
     fn unify(&mut self, p: Slot, w: Slot) -> bool {
         let (p, w) = (self.part.source(p), self.whole.source(w));
         if let Some(value) = self.part.consts.get(&p) {

@@ -139,7 +139,7 @@ fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &str, p: Sig<'b>, trave
         let by = (s.h.clone() * (1 << k)).smaller(reach + 1);
         let by = b.konst(by, 8).named(&format!("code_{}", 1 << k));
         sum = (sum + sum.shift_right(by)).named(&n(&format!("s_{}", k + 1)));
-        // The reciprocal takes longer: a register behind each sum, as long as it does.
+        // The reciprocal takes longer: a register after each sum, as long as it does.
         if k < 3 && sum.stage().is_some_and(|stage| stage + 1 < latency(d)) {
             sum = sum.reg();
         }

@@ -79,7 +79,7 @@ impl Planes {
     }
 }
 
-/// Bits of k, the planes behind a ray.
+/// Bits of k, the planes that a ray has passed.
 pub fn count_width(levels: &Expr, tile: &Expr) -> Expr {
     levels + tile + 1
 }

@@ -21,7 +21,7 @@ pub fn plane_product(d: &Design) -> Arc<Module> {
     let low_w = b.local("LowW", low_width(&p));
     b.clock();
     b.clock_enable();
-    let k = b.input("k", &p.count, PLANES, "planes behind the ray");
+    let k = b.input("k", &p.count, PLANES, "planes that the ray has passed");
     let q = b.input("q", &p.plane, FINE, "parameter from plane to plane");
     let low = b.output("low", &p.count + &low_w, FINE, "k times the lower bits of q");
     let high = b.output("high", &p.count + &p.plane - &low_w, "2^LowW of low", "k times its upper bits");

@@ -51,7 +51,7 @@ fn state(s: &Sizes, _: &Design) -> Vec<Field> {
     let (bit, counter) = (Expr::from(1), Expr::from(16));
     let count = count_width(&s.levels, &s.tile);
     let planes = |name: &'static str, along: &str| {
-        Field::new(name, &count, Start::Zero).doc(format!("planes behind the ray along {along} [planes]"))
+        Field::new(name, &count, Start::Zero).doc(format!("planes passed along {along} [planes]"))
     };
     vec![
         planes("k_x", "u"),
@@ -71,7 +71,7 @@ const KEPT: [&str; 7] = ["tag", "p_x", "s_x", "neg_x", "p_y", "s_y", "neg_y"];
 fn leaving<'b>(b: &'b Builder, s: &Sizes, held: &Ray<'b>, slots: &SlotMemory<'b>) -> Ray<'b> {
     b.section(
         "texel of the result",
-        "By the planes behind the ray; on which tile, the position in the texel has to know.",
+        "By the planes that the ray has passed; on which tile, the position in the texel has to know.",
     );
     let kept: Record<'b> = KEPT.iter().map(|n| (*n, slots.new_words()[*n])).collect();
     let kept = slots.read_for_result("kept", &kept);

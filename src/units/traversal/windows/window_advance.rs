@@ -30,14 +30,14 @@ pub fn window_advance(d: &Design) -> Arc<Module> {
     let takes_exit = b.input("takes_exit", 1, "bit", "the exit counts");
     let takes_depth = b.input("takes_depth", 1, "bit", "the depth counts");
     let x_first = b.input("x_first", 1, "bit", "the exit is a plane of u");
-    let crosses = b.input("crosses", 1, "bit", "the ray goes behind the exit");
+    let crosses = b.input("crosses", 1, "bit", "the ray goes beyond the exit");
     let axes = ["x", "y"].map(|a| {
-        let k = b.input(&format!("k_{a}"), &count, PLANES, "planes behind the ray");
+        let k = b.input(&format!("k_{a}"), &count, PLANES, "planes that the ray has passed");
         (a, k, b.input(&format!("past_{a}"), SPAN_W, "texels", "texels of the window beyond this one"))
     });
     let o_m = b.output("m", &time, TIME, "the largest of t and what counts");
     let o_below = b.output("below", 1, "bit", "the depth lies before t: a hit would be on a wall");
-    let o_k = ["x", "y"].map(|a| b.output(&format!("passed_{a}"), &count, PLANES, "planes behind the ray by the exit"));
+    let o_k = ["x", "y"].map(|a| b.output(&format!("passed_{a}"), &count, PLANES, "planes passed by way of the exit"));
     let l = latency(&d.latency);
     b.section("parameter", "Three comparisons at once. A depth has only a height code's bits.");
     let high = t.slice(&low, &h);

@@ -30,7 +30,7 @@ pub fn window_choice(d: &Design) -> Arc<Module> {
     b.clock();
     b.clock_enable();
     let stays = b.input("stays", 1, "bit", "a finished ray: it moves no more");
-    let open = b.input("is_open", 1, "bit", "the texel's exit lies behind t");
+    let open = b.input("is_open", 1, "bit", "the texel's exit lies after t");
     let borders = ["x", "y"].map(|a| {
         b.input(&format!("border_{a}"), CELL_W, "texels", "texels up to the border of the coarsest grid's cell")
     });
@@ -52,7 +52,7 @@ pub fn window_choice(d: &Design) -> Arc<Module> {
     let o_depth = b.output("depth", &h, "height codes", "of a hit, or of the next larger window");
     let o_takes_exit = b.output("takes_exit", 1, "bit", "the ray is at the exit at least");
     let o_takes_depth = b.output("takes_depth", 1, "bit", "the ray is at the depth at least");
-    let o_crosses = b.output("crosses", 1, "bit", "the ray goes behind the exit");
+    let o_crosses = b.output("crosses", 1, "bit", "the ray goes beyond the exit");
     let o_past =
         ["x", "y"].map(|a| b.output(&format!("past_{a}"), SPAN_W, "texels", "texels of the window beyond this one"));
 

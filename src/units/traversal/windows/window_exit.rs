@@ -28,7 +28,7 @@ pub fn window_exit(d: &Design) -> Arc<Module> {
     let o_first = b.output("x_first", 1, "bit", "it is the plane of u, or both at once");
     let o_fraction = b.output("fraction", 1, "bit", "that parameter is no whole height code");
     let o_in = b.output("is_in", 1, "bit", "the window can hold the hit");
-    let o_open = b.output("is_open", 1, "bit", "the exit lies behind t");
+    let o_open = b.output("is_open", 1, "bit", "the exit lies after t");
     let o_depth = b.output("depth", &h, "height codes", "from the top plane to the highest code");
     let l = latency(&d.latency);
     b.plan(l, &[("nearer plane", 9), ("exit", 7)]);

@@ -1,4 +1,4 @@
-//! `window_index`: the planes behind the ray after an iteration, the larger of what an exit and what the estimate says.
+//! `window_index`: the planes that the ray has passed after an iteration, the larger of what an exit and what the estimate says.
 use super::params::{Estimate, PLANES, Widths, bindings, count_width};
 use crate::config::Design;
 use crate::ir::{Builder, Module};
@@ -6,15 +6,15 @@ use std::sync::Arc;
 
 /// Builds `window_index`, combinational: the loop's registers follow.
 pub fn window_index(d: &Design) -> Arc<Module> {
-    let b = Builder::new("window_index", file!(), "planes behind a ray: by an exit, or by the estimate");
+    let b = Builder::new("window_index", file!(), "planes that a ray has passed: by an exit, or by the estimate");
     let widths = Widths::new(&b, d);
     let (levels, tile) = widths.map();
     let e = Estimate::of(&b, &widths.f, &levels, &tile);
     let count = b.local("CountW", count_width(&levels, &tile));
-    let passed = b.input("passed", &count, PLANES, "planes behind the ray by the exit");
+    let passed = b.input("passed", &count, PLANES, "planes passed by way of the exit");
     let way = b.input("way", &e.travel, "2^-EstimateW texels", "how far the ray has come");
     let offset = b.input("offset", &e.offset, "2^-EstimateW texels", "how far in its texel it began");
-    let out = b.output("k", &count, PLANES, "planes behind the ray");
+    let out = b.output("k", &count, PLANES, "planes that the ray has passed");
     let tall = &e.travel + 1;
     let at = (way.zext(&tall) + offset.zext(&tall)).named("at");
     b.unused(at);

@@ -1,4 +1,4 @@
-//! `window_span`: from the plane ahead of the texel to that behind the window: the texels beyond this one times Q, without a multiplier.
+//! `window_span`: from the plane ahead of the texel to that beyond the window: the texels beyond this one times Q, without a multiplier.
 //!
 //! S - g and the texels up to the border of the grid's cell have no bit in common, so their sum is their bits together.
 use super::params::{CELL_W, FINE, SPAN_W, Widths, bindings};

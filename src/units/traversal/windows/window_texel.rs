@@ -1,4 +1,4 @@
-//! `window_texel`: the texel that the ray is in along one axis, by the planes behind it.
+//! `window_texel`: the texel that the ray is in along one axis, by the planes that it has passed.
 use super::params::{PLANES, Widths, bindings, count_width};
 use crate::config::Design;
 use crate::ir::{Builder, Module};
@@ -6,11 +6,11 @@ use std::sync::Arc;
 
 /// Builds `window_texel`, combinational.
 pub fn window_texel(d: &Design) -> Arc<Module> {
-    let b = Builder::new("window_texel", file!(), "texel that a ray is in, by the planes behind it");
+    let b = Builder::new("window_texel", file!(), "texel that a ray is in, by the planes that it has passed");
     let (levels, tile) = Widths::new(&b, d).map();
     let origin = b.input("origin", &levels, "texels", "texel of the entry point");
     let neg = b.input("neg", 1, "bit", "the ray runs toward smaller coordinates");
-    let k = b.input("k", count_width(&levels, &tile), PLANES, "planes behind the ray");
+    let k = b.input("k", count_width(&levels, &tile), PLANES, "planes that the ray has passed");
     let out = b.output("texel", &levels, "texels", "the texel, wrapped");
     b.unused(k);
     let steps = k.slice(0, &levels).named("steps");
