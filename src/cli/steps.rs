@@ -25,7 +25,7 @@ pub fn run(cli: &Cli, a: &StepsArgs) -> Result<()> {
         (c.map.scale, c.map.repeat, c.map.kind) = (p.scale, p.repeat, MapKind::File);
         let file = dir.join(format!("{}.png", p.scene));
         let scene = Scene::new(&c, Some(Path::new(&file)), false)?;
-        let views = look(&c, &a.scene, &scene, View::ALL, Pixels::Some, None)?;
+        let views = look(&c, &a.scene, &scene, &View::ALL, Pixels::Some, None)?;
         let found = counted(cli, &c, &scene, &views, Some(&p.means))?;
         sums.iter_mut().zip(found.sums()).for_each(|(s, m)| *s += m);
         cells.extend(found.beside.into_iter().map(|x| Beside { what: format!("{}, {}", p.scene, x.what), ..x }));

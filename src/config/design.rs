@@ -3,20 +3,6 @@ use super::{DatapathConfig, ExtraUnits, WindowsConfig};
 use crate::format::FloatFormat;
 use serde::{Deserialize, Serialize};
 
-/// The words of `Self::ALL`, in its order.
-macro_rules! words_of_all {
-    () => {
-        &{
-            let (mut words, mut k) = ([""; Self::ALL.len()], 0);
-            while k < words.len() {
-                words[k] = Self::ALL[k].word();
-                k += 1;
-            }
-            words
-        }
-    };
-}
-
 /// When a crossing goes one pyramid level up (`docs/datapath.md`; PIDM-HW section 3.3).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
@@ -33,22 +19,7 @@ pub enum LevelUp {
     Always,
 }
 
-impl LevelUp {
-    /// All rules.
-    pub const ALL: [Self; 5] = [Self::None, Self::Tevs, Self::Selective, Self::Coherent, Self::Always];
-    /// The words of all, in the order of [`Self::ALL`].
-    pub const WORDS: &'static [&'static str] = words_of_all!();
-    /// The word in the TOML file.
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::None => "none",
-            Self::Tevs => "tevs",
-            Self::Selective => "selective",
-            Self::Coherent => "coherent",
-            Self::Always => "always",
-        }
-    }
-}
+words!(LevelUp: None = "none", Tevs = "tevs", Selective = "selective", Coherent = "coherent", Always = "always");
 
 /// Whether a node is exchanged for the smallest one that holds the rest of the ray inside of it, before its height is read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
@@ -63,20 +34,7 @@ pub enum Trim {
     Always,
 }
 
-impl Trim {
-    /// All.
-    pub const ALL: [Self; 3] = [Self::None, Self::Descent, Self::Always];
-    /// The words of all, in the order of [`Self::ALL`].
-    pub const WORDS: &'static [&'static str] = words_of_all!();
-    /// The word in the TOML file.
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::None => "none",
-            Self::Descent => "descent",
-            Self::Always => "always",
-        }
-    }
-}
+words!(Trim: None = "none", Descent = "descent", Always = "always");
 
 /// Independent choices of the traversal; only what is chosen is emitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
@@ -150,6 +108,7 @@ pub enum Divider {
     /// A table of reciprocals and three multipliers: few clocks, at most 16 fraction bits.
     Table,
 }
+words!(Divider: Rows = "rows", Table = "table");
 
 /// Clocks from operand to result of each kind of unit; the pipelines rebalance around them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]

@@ -52,35 +52,6 @@ impl Default for FormatConfig {
     }
 }
 
-/// A number of words, each with its name in the TOML file.
-macro_rules! words {
-    ($type:ident: $($variant:ident = $word:literal),+ $(,)?) => {
-        impl $type {
-            /// All, in the order of the documentation.
-            pub const ALL: &'static [Self] = &[$(Self::$variant),+];
-            /// Their words in the TOML file, in the same order.
-            pub const WORDS: &'static [&'static str] = &[$($word),+];
-            /// The word in the TOML file and on the command line.
-            pub const fn word(self) -> &'static str {
-                match self { $(Self::$variant => $word),+ }
-            }
-        }
-        impl std::fmt::Display for $type {
-            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str(self.word())
-            }
-        }
-        impl std::str::FromStr for $type {
-            type Err = crate::error::Error;
-            fn from_str(word: &str) -> crate::error::Result<Self> {
-                Self::ALL.iter().copied().find(|one| one.word() == word).ok_or_else(|| {
-                    crate::error::Error::input(format!("{word:?} is not one of {}", Self::WORDS.join(", ")))
-                })
-            }
-        }
-    };
-}
-
 /// Where the height map comes from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]

@@ -2,7 +2,8 @@
 //!
 //! The commented file, the schema's ranges, the checks and their sentences all come from here.
 use super::{
-    Border, ByteOrder, DefaultNettype, ExtraUnit, LevelUp, MapKind, Rounding, Search, Specials, Subnormals, Trim, View,
+    Border, ByteOrder, DefaultNettype, Divider, ExtraUnit, LevelUp, MapKind, Rounding, Search, Specials, Subnormals,
+    Trim, View,
 };
 use std::fmt;
 
@@ -208,7 +209,7 @@ pub const KEYS: &[Key] = &[
     key(
         "latency.divider",
         "how fp_div is built; digit rows, or a table of reciprocals and three multipliers for few clocks (2 or more; format.man up to 16, default choices of the format)",
-        Legal::Word(&["rows", "table"]),
+        Legal::Word(Divider::WORDS),
     ),
     key("latency.compare", "fp_lt and fp_compare, in clocks", CLOCKS),
     key("latency.from_int", "fp_from_int and fp_from_fixed, in clocks", CLOCKS),

@@ -4,6 +4,8 @@
 //! Both check names, types and ranges where the place of the mistake is still known; what holds between keys is
 //! checked once by [`Config::validate`].
 pub(crate) mod check;
+#[macro_use]
+mod words;
 mod clock;
 mod commented;
 mod datapath;

@@ -89,10 +89,10 @@ impl Rate {
         // The maps have 256 texels a side; another size is asked for here, so it need not be asked for again.
         let scene = Scene::new(c, Some(&dir.join(format!("{}.png", p.scene))), c.traverse.levels == WIDE)?;
         for view in View::ALL {
-            let rays: Vec<RayInput> = scene.view(c, *view, c.view.stride)?.iter().map(|r| encode(c, r)).collect();
+            let rays: Vec<RayInput> = scene.view(c, view, c.view.stride)?.iter().map(|r| encode(c, r)).collect();
             let hits = trace_golden(&c.design(), &scene.pyramid, &rays)?;
             let a = accuracy(&c.design(), &scene.texels, &rays, &hits)?;
-            self.add((p.scene, *view), &rays, &a);
+            self.add((p.scene, view), &rays, &a);
         }
         Ok(())
     }

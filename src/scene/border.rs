@@ -112,7 +112,7 @@ mod tests {
 
     #[test]
     fn there_and_back() {
-        for &border in Border::ALL {
+        for border in Border::ALL {
             let ray = [0.375, 0.75, -1.5, 3.0];
             let inside = entered(border, ray);
             assert_eq!(given(border, inside), ray);

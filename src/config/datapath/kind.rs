@@ -27,10 +27,7 @@ pub enum Search {
     Windows,
 }
 
-impl Search {
-    /// Their words in the TOML file.
-    pub const WORDS: &'static [&'static str] = &["pyramid", "windows"];
-}
+words!(Search: Pyramid = "pyramid", Windows = "windows");
 
 /// Which arithmetic traces the rays, and its widths.
 // In a file it has two keys for the kind (`written.rs`).

@@ -18,7 +18,7 @@ fn measure(nudge: u32, mode: ModeConfig) -> (usize, usize, usize) {
         let scene = Scene::new(&c, None, false).unwrap();
         for view in View::ALL {
             let rays: Vec<RayInput> =
-                scene.view(&c, *view, c.view.stride).unwrap().iter().map(|x| encode(&c, x)).collect();
+                scene.view(&c, view, c.view.stride).unwrap().iter().map(|x| encode(&c, x)).collect();
             let hits = trace_golden(&c.design(), &scene.pyramid, &rays).unwrap();
             let a = accuracy(&c.design(), &scene.texels, &rays, &hits).unwrap();
             sum = (sum.0 + a.rays, sum.1 + a.limits, sum.2 + a.wrong.len());
