@@ -1,5 +1,6 @@
 //! What the catalogue has of each datapath: the entries that are its own, and how its rays are sampled.
-use super::ray_stimulus::{RaySample, fixed, published, watertight, windows};
+use super::ray_stimulus::sample::RaySample;
+use super::ray_stimulus::{fixed, published, watertight, windows};
 use super::unit::{UNIT, Unit};
 use crate::config::{DatapathKind, Design};
 use crate::golden::Datapath;

@@ -1,6 +1,6 @@
 //! An entry of the table of units: all that the project knows of a unit besides its hardware.
 use super::clocked::Clocked;
-use super::ray_stimulus::RaySample;
+use super::ray_stimulus::sample::RaySample;
 use super::row::{Context, Row};
 use crate::config::DatapathKind;
 use crate::proofs::Proof;

@@ -2,7 +2,7 @@
 //! or a texel that the ray never sees, and a unit that clamps or refuses them hides what it computes.
 pub(super) mod fixed;
 pub(super) mod published;
-mod sample;
+pub(super) mod sample;
 pub(super) mod watertight;
 pub(super) mod windows;
 
