@@ -87,8 +87,8 @@ programs() {
 # Options come after a "--", as cargo takes them.
 side_by_side() {
     code=0
-    cargo test --release --no-fail-fast --lib --bins "$@" || code=$?
-    cargo test --release --doc || code=$?
+    cargo test --release --workspace --no-fail-fast --lib --bins "$@" || code=$?
+    cargo test --release --workspace --doc || code=$?
     cores=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
     RUST_TEST_THREADS="${RUST_TEST_THREADS:-$(((cores + 1) / 2))}"
     export RUST_TEST_THREADS
@@ -120,7 +120,7 @@ export RELIEFRTL_BUILDS
 rm -rf "$RELIEFRTL_BUILDS"
 # Each Verilator finds its own files, unless somebody says where another one's are.
 unset VERILATOR_ROOT
-step "cargo fmt" cargo fmt --check
+step "cargo fmt" cargo fmt --all --check
 # Clippy reads each crate of ours while it is compiled, as `cargo clippy` has it do, so that nothing is compiled for it alone.
 RUSTC_WORKSPACE_WRAPPER=$(rustup which clippy-driver 2>/dev/null || command -v clippy-driver) || {
     echo "tools/test.sh: clippy is not installed: rustup component add clippy" >&2
@@ -128,7 +128,7 @@ RUSTC_WORKSPACE_WRAPPER=$(rustup which clippy-driver 2>/dev/null || command -v c
 }
 CLIPPY_ARGS="-D__CLIPPY_HACKERY__warnings__CLIPPY_HACKERY__"
 export RUSTC_WORKSPACE_WRAPPER CLIPPY_ARGS
-step "cargo clippy and build" cargo test --release --no-run --all-targets
+step "cargo clippy and build" cargo test --release --workspace --no-run --all-targets
 if [ "${1:-}" = --full ]; then
     # Each can be set to something else before.
     export RELIEFRTL_PAIRS="${RELIEFRTL_PAIRS:-10000000}"         # random operands of an operation against both oracles

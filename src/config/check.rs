@@ -6,7 +6,7 @@ use toml::Value;
 /// What is wrong with `value` for `key`; `None` if nothing is.
 ///
 /// The sentence names the key, the value and what is legal; the caller adds where it stands.
-pub(crate) fn problem(key: &Key, value: &Value) -> Option<String> {
+pub fn problem(key: &Key, value: &Value) -> Option<String> {
     let path = key.path;
     let legal = key.legal;
     let shown = show(value);
@@ -134,7 +134,7 @@ fn words_problem(path: &str, list: &[Value], words: &[&str]) -> Option<String> {
 }
 
 /// True if `text` may stand before a module's name: the start of an identifier, at most 32 characters.
-pub(crate) fn is_prefix(text: &str) -> bool {
+pub fn is_prefix(text: &str) -> bool {
     text.len() <= 32
         && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
         && !text.starts_with(|c: char| c.is_ascii_digit())
@@ -157,7 +157,7 @@ fn is_timescale(text: &str) -> bool {
 }
 
 /// A number in at most some twenty characters: a power of ten stands behind a very small or very large one.
-pub(crate) fn plain(number: f64) -> String {
+pub fn plain(number: f64) -> String {
     if number == 0.0 || !number.is_finite() || (1e-6..1e16).contains(&number.abs()) {
         number.to_string()
     } else {
@@ -166,7 +166,7 @@ pub(crate) fn plain(number: f64) -> String {
 }
 
 /// A value as it would stand in the file, cut if it is long.
-pub(crate) fn show(value: &Value) -> String {
+pub fn show(value: &Value) -> String {
     let text = match value {
         Value::String(text) => format!("{text:?}"),
         Value::Float(number) => {

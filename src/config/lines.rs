@@ -1,17 +1,17 @@
 //! On which line of a TOML text a key stands.
-use crate::error::{Error, Result};
-use crate::files::{SETTINGS, read_named_text};
+use base::error::{Error, Result};
+use base::files::{SETTINGS, read_named_text};
 use std::collections::HashMap;
 
 /// The line of each section and key.
-pub(crate) struct Lines {
+pub struct Lines {
     name: String,
     of: HashMap<String, usize>,
 }
 
 impl Lines {
     /// Reads the text; `name` stands for the file.
-    pub(crate) fn of(text: &str, name: &str) -> Result<Self> {
+    pub fn of(text: &str, name: &str) -> Result<Self> {
         let table = toml::de::DeTable::parse(text).map_err(|error| syntax(text, name, &error))?;
         let mut of = HashMap::new();
         for (section, value) in table.get_ref() {
@@ -24,7 +24,7 @@ impl Lines {
     }
 
     /// File and line of this path.
-    pub(crate) fn at(&self, path: &str) -> String {
+    pub fn at(&self, path: &str) -> String {
         match self.of.get(path) {
             Some(line) => format!("{}, line {line}", self.name),
             None => self.name.clone(),
@@ -37,7 +37,7 @@ fn line(text: &str, offset: usize) -> usize {
 }
 
 /// What the TOML reader said, in one sentence with the place.
-pub(crate) fn syntax(text: &str, name: &str, error: &toml::de::Error) -> Error {
+pub fn syntax(text: &str, name: &str, error: &toml::de::Error) -> Error {
     let place = match error.span() {
         Some(span) => format!("{name}, line {}", line(text, span.start)),
         None => name.to_owned(),
@@ -46,6 +46,6 @@ pub(crate) fn syntax(text: &str, name: &str, error: &toml::de::Error) -> Error {
 }
 
 /// The text of a TOML file.
-pub(crate) fn read(path: &std::path::Path) -> Result<String> {
+pub fn read(path: &std::path::Path) -> Result<String> {
     read_named_text(path, SETTINGS)
 }

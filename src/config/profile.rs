@@ -1,7 +1,7 @@
 //! Latencies by name.
 use super::{DatapathConfig, DatapathKind, Design, Divider, LatencyConfig};
 
-/// A named set of latencies. Clocks that were measured of each: `docs/clocks.md`.
+/// A named set of latencies, slowest first. Clocks that were measured of each: `docs/clocks.md`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Profile {
     /// Those of the published unit: add 2, multiply 1, compare 1, divide 2 (PIDM-HW section 4.2). Where the divider is outside of the loop, it is
@@ -13,19 +13,9 @@ pub enum Profile {
     Fast,
 }
 
+words!(Profile: Published = "published", Balanced = "balanced", Fast = "fast");
+
 impl Profile {
-    /// All, slowest first.
-    pub const ALL: [Self; 3] = [Self::Published, Self::Balanced, Self::Fast];
-
-    /// The word on the command line.
-    pub const fn word(self) -> &'static str {
-        match self {
-            Self::Published => "published",
-            Self::Balanced => "balanced",
-            Self::Fast => "fast",
-        }
-    }
-
     /// Its latencies for a design: where the table of the divider does not fit the format, the divider has rows.
     pub fn latency_for(self, d: &Design) -> LatencyConfig {
         let latency = self.latency(d.datapath.kind);

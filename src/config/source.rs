@@ -3,7 +3,7 @@ use super::check;
 use super::keys::{self, Legal, SECTIONS};
 use super::lines::{self, Lines, syntax};
 use super::{Config, validate};
-use crate::error::{Error, Result};
+use base::error::{Error, Result};
 use std::path::Path;
 use toml::{Table, Value};
 

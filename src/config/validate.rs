@@ -1,7 +1,7 @@
 //! What must hold of a whole configuration.
 use super::keys::KEYS;
 use super::{Border, Config, MapKind, MapRange, Search, Trim, check, datapaths};
-use crate::error::{Error, Result};
+use base::error::{Error, Result};
 
 impl Config {
     /// Checks every value and what holds between them, and reports all problems at once.
@@ -165,7 +165,7 @@ impl Config {
 }
 
 /// No problem, one sentence, or a list.
-pub(crate) fn report(problems: Vec<String>) -> Result<()> {
+pub fn report(problems: Vec<String>) -> Result<()> {
     match problems.as_slice() {
         [] => Ok(()),
         [one] => Err(Error::input(one.clone())),

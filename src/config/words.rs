@@ -19,10 +19,10 @@ macro_rules! words {
             }
         }
         impl std::str::FromStr for $type {
-            type Err = crate::error::Error;
-            fn from_str(word: &str) -> crate::error::Result<Self> {
+            type Err = base::error::Error;
+            fn from_str(word: &str) -> base::error::Result<Self> {
                 Self::ALL.iter().copied().find(|one| one.word() == word).ok_or_else(|| {
-                    crate::error::Error::input(format!("{word:?} is not one of {}", Self::WORDS.join(", ")))
+                    base::error::Error::input(format!("{word:?} is not one of {}", Self::WORDS.join(", ")))
                 })
             }
         }

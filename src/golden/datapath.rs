@@ -1,18 +1,18 @@
 //! What the model of every datapath can do.
 use super::pyramid::Pyramid;
 use super::record::{Iteration, RayHit, RayInput};
-use crate::config::Design;
-use crate::error::Result;
+use base::error::Result;
+use config::Design;
 
 /// The model of a datapath, with the constants of one design at hand.
 ///
-/// What a datapath has and promises, and what it is called, stands in [`crate::config::DatapathFacts`]; the exact values of its words are read by
+/// What a datapath has and promises, and what it is called, stands in [`config::DatapathFacts`]; the exact values of its words are read by
 /// the oracle alone.
 pub trait Datapath: std::fmt::Debug + Send + Sync {
     /// Computes the constants of `design`.
     ///
     /// # Errors
-    /// [`crate::error::Error::Input`] if sizes or modes are outside of the datapath's ranges.
+    /// [`base::error::Error::Input`] if sizes or modes are outside of the datapath's ranges.
     fn prepare(design: &Design) -> Result<Self>
     where
         Self: Sized;

@@ -1,6 +1,6 @@
 //! A ray, what a traversal returns of it, and what each of the iterations did.
 use super::float;
-use crate::format::FloatFormat;
+use base::format::FloatFormat;
 
 /// A ray as it enters the unit; every field is an encoded number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

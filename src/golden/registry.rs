@@ -5,8 +5,8 @@ use super::published::Published;
 use super::record::RayInput;
 use super::watertight::Watertight;
 use super::windows::Windows;
-use crate::config::{DatapathKind, Design};
-use crate::error::Result;
+use base::error::Result;
+use config::{DatapathKind, Design};
 
 /// A row of the table: the model of a datapath, not yet of a design.
 #[derive(Clone, Copy, Debug)]

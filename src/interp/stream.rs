@@ -1,7 +1,7 @@
 //! Drives a valid/ready design in the interpreter: many lanes, each with its own share of the items.
 use super::lanes::Lanes;
 use super::netlist::{Netlist, Slot};
-use crate::error::{Error, Result};
+use base::error::{Error, Result};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;

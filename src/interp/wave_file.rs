@@ -1,8 +1,8 @@
 //! Waveforms as files: VCD, written here, and FST.
 use super::tracked::Bits;
 use super::wave::Wave;
-use crate::error::{Error, Result};
-use crate::files::{Scratch, Sink};
+use base::error::{Error, Result};
+use base::files::{Scratch, Sink};
 use fst_writer::{
     FstFileType, FstInfo, FstScopeType, FstSignalId, FstSignalType, FstVarDirection, FstVarType, open_fst,
 };

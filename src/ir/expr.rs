@@ -1,5 +1,5 @@
 //! Width and constant expressions over module parameters.
-use crate::bits;
+use base::bits;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::{Add, Mul, Sub};

@@ -190,7 +190,7 @@ impl<'b> Sig<'b> {
         !self.any()
     }
     /// Its index in the module.
-    pub fn id(self) -> crate::ir::NodeId {
+    pub fn id(self) -> crate::NodeId {
         self.id
     }
     /// The builder it belongs to.

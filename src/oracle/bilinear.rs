@@ -5,7 +5,7 @@
 //! the width that is asked for.
 use super::exact::Dyadic;
 use super::walk::{ExactMap, ExactRay};
-use crate::error::{Error, Result};
+use base::error::{Error, Result};
 use dashu::integer::IBig;
 use dashu::rational::RBig;
 

@@ -1,9 +1,9 @@
 //! Pinhole cameras above the quad, and the rays through their pixels.
 use super::degrees::sin_cos;
-use crate::config::keys::{Key, Legal};
-use crate::config::lines::{self, Lines};
-use crate::config::{Border, View, check, validate};
-use crate::error::{Error, Result};
+use base::error::{Error, Result};
+use config::keys::{Key, Legal};
+use config::lines::{self, Lines};
+use config::{Border, View, check, validate};
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 use std::path::Path;

@@ -1,8 +1,8 @@
 //! Pictures: shaded previews, maps of the number of steps, grey height maps.
 use super::palette::{Colour, HEAT, by_height, bytes};
 use super::shade::{ShadePoint, Shader};
-use crate::error::{Error, Result};
-use crate::files::write_atomic;
+use base::error::{Error, Result};
+use base::files::write_atomic;
 use image::ImageEncoder;
 use rayon::prelude::*;
 use std::path::Path;

@@ -2,7 +2,7 @@
 use super::camera::QUAD_SIDE;
 use super::noise::fractal;
 use super::palette::{Colour, by_height, mottle_of, of_map};
-use crate::config::MapKind;
+use config::MapKind;
 use glam::DVec3;
 
 /// Where a ray met the height field; from any engine.

@@ -1,7 +1,7 @@
 //! The core of the divider.
 use super::{div_rows, recip_table};
-use crate::config::{Design, Divider};
-use crate::ir::Module;
+use config::{Design, Divider};
+use ir::Module;
 use std::sync::Arc;
 
 /// What `fp_div` stands on besides its own text.

@@ -227,7 +227,7 @@ fn programs_start_in_one_place() {
         }
         if !path.components().any(|c| c.as_os_str() == "process") {
             for start in ["Command::new", ".output()", ".spawn()", ".status()"] {
-                assert!(!holds(start), "{place} holds {start}: programs start in src/process");
+                assert!(!holds(start), "{place} holds {start}: programs start in src/base/process");
             }
         }
         for temporary in ["tempdir(", "temp_dir("] {

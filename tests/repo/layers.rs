@@ -53,9 +53,11 @@ fn broken(user: &str, used: &str) -> Option<String> {
     }
 }
 
-/// The module of the crate that a file of `src` belongs to.
+/// The module of a layer that a file of `src` belongs to: what stands below `base` are several.
 fn module(file: &Path) -> String {
-    file.iter().next().expect("a name").to_string_lossy().trim_end_matches(".rs").to_owned()
+    let mut parts = file.iter().map(|part| part.to_string_lossy().trim_end_matches(".rs").to_owned());
+    let first = parts.next().expect("a name");
+    if first == "base" { parts.next().expect("a module of base") } else { first }
 }
 
 fn uses() -> Vec<Edge> {
@@ -96,9 +98,16 @@ fn no_files_use_each_other_in_circles() {
 }
 
 #[test]
-fn every_module_of_the_crate_has_one_layer() {
-    let lib = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/lib.rs")).expect("text");
-    let modules: Vec<&str> = lib.lines().filter_map(|l| l.strip_prefix("pub mod ")?.strip_suffix(';')).collect();
+fn every_module_has_one_layer() {
+    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let of = |lib: &str| -> Vec<String> {
+        let text = std::fs::read_to_string(src.join(lib)).expect("text");
+        text.lines().filter_map(|l| Some(l.strip_prefix("pub mod ")?.strip_suffix(';')?.to_owned())).collect()
+    };
+    let crates =
+        std::fs::read_dir(&src).expect("src").map(|e| e.expect("an entry").file_name().into_string().expect("text"));
+    let crates = crates.filter(|c| c != "base" && src.join(c).join("Cargo.toml").exists());
+    let modules: Vec<String> = of("lib.rs").into_iter().chain(of("base/lib.rs")).chain(crates).collect();
     assert!(modules.len() >= 20, "{modules:?}");
     for m in modules {
         assert_eq!(LAYERS.iter().flat_map(|l| l.iter()).filter(|n| **n == m).count(), 1, "{m} has no layer, or two");
@@ -154,6 +163,9 @@ fn a_use_is_of_the_file_that_defines_the_name() {
     );
     let own = ("a/mod.rs", "mod deep; pub use deep::Thing; pub fn f(t: Thing) {}");
     let back = ("a/deep.rs", "use super::f; pub struct Thing; fn g() { f() }");
+    let (member, inner) = (("c/lib.rs", "pub mod d; pub fn f() {}"), ("c/d.rs", "use crate::f; pub struct Deep;"));
+    let user = ("b.rs", "use c::d::Deep; fn g() { c::f(); other::f() }");
+    assert_eq!(uses_of(&[lib, member, inner, user]), ["b.rs>c/d.rs:Deep", "b.rs>c/lib.rs:f", "c/d.rs>c/lib.rs:f"]);
     assert_eq!(uses_of(&[lib, own, back]), ["a/deep.rs>a/mod.rs:f", "a/mod.rs>a/deep.rs:Thing"]);
 }
 

@@ -5,7 +5,7 @@ mod values;
 
 pub use figures::*;
 pub use scene::{MOST_RAYS, MapArgs, RaysArg, SceneArgs};
-use values::unit_name;
+use values::{profile, unit_name};
 
 use crate::config::Profile;
 use crate::engine::EngineName;
@@ -23,7 +23,7 @@ pub struct Cli {
     #[arg(long, global = true, value_name = "FILE.toml")]
     pub config: Option<PathBuf>,
     /// Latencies by name; `--set` can still change single ones.
-    #[arg(long, global = true, value_enum)]
+    #[arg(long, global = true, value_name = "PROFILE", value_parser = profile())]
     pub profile: Option<Profile>,
     /// Picks latencies for this clock from a table of measurements, says how sure it is, and asks for it in flow/.
     #[arg(long, global = true, value_name = "MHZ", conflicts_with = "profile", value_parser = clap::value_parser!(u32).range(1..=1000))]

@@ -5,7 +5,7 @@ use crate::project::Canary;
 use crate::report::ModeSet;
 use crate::vectors::Level;
 use clap::ValueEnum;
-use clap::builder::PossibleValue;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 /// The name of a unit in a list.
 pub fn unit_name(text: &str) -> std::result::Result<String, String> {
@@ -61,18 +61,16 @@ impl ValueEnum for Level {
     }
 }
 
-impl ValueEnum for Profile {
-    fn value_variants<'a>() -> &'a [Self] {
-        &Self::ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(match self {
-            Self::Published => PossibleValue::new("published").help("Those of the published unit: add 2, multiply 1, compare 1, divide 2 (PIDM-HW section 4.2). Where the divider is outside of the loop, it is as deep as the rest needs, and what the published numbers do not name has the registers that 84 MHz need on an ECP5"),
-            Self::Balanced => PossibleValue::new("balanced").help("Between the two"),
-            Self::Fast => PossibleValue::new("fast").help("Every unit as deep as still pays"),
+/// A profile by its name: the type is the configuration's, so that clap's trait cannot be given to it here.
+pub fn profile() -> impl TypedValueParser<Value = Profile> {
+    let value = |p: Profile| {
+        PossibleValue::new(p.word()).help(match p {
+            Profile::Published => "Those of the published unit: add 2, multiply 1, compare 1, divide 2 (PIDM-HW section 4.2). Where the divider is outside of the loop, it is as deep as the rest needs, and what the published numbers do not name has the registers that 84 MHz need on an ECP5",
+            Profile::Balanced => "Between the two",
+            Profile::Fast => "Every unit as deep as still pays",
         })
-    }
+    };
+    PossibleValuesParser::new(Profile::ALL.map(value)).try_map(|name| name.parse::<Profile>())
 }
 
 impl ValueEnum for ModeSet {

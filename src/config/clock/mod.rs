@@ -1,15 +1,15 @@
 //! Latencies for a clock, from a table of measurements, and what those of a configuration are good for.
 //!
 //! The clocks are those of units alone on an ECP5 (85k, speed grade 8) at 1/7/16: `data/figures.json`, each with the call that measures it
-//! ([`crate::measured`]). A traversal around them is slower: a share of the slowest unit's clock is counted on.
+//! ([`base::measured`]). A traversal around them is slower: a share of the slowest unit's clock is counted on.
 mod curves;
 mod provenance;
 
 pub use curves::latency_key;
 
 use super::{Design, LatencyConfig, Profile};
-use crate::error::{Error, Result};
-use crate::measured::Entry;
+use base::error::{Error, Result};
+use base::measured::Entry;
 use curves::{BESIDE, CURVES, Curve, LATENCY_KEYS, PLACED, TRAVERSAL, curve_of, field};
 
 /// What stands between the units of a watertight traversal.
@@ -130,7 +130,7 @@ fn pick(latency: &mut LatencyConfig, c: &Curve, asked: u32, mhz: u32) -> Result<
 mod tests {
     use super::curves::{BY_TABLE, CURVES, PLACED, UNITS};
     use super::{Scope, TIERS, for_clock};
-    use crate::config::{DatapathConfig, Design};
+    use crate::{DatapathConfig, Design};
     use std::collections::BTreeSet;
 
     /// The fastest watertight traversal.

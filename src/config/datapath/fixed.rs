@@ -1,8 +1,8 @@
 //! `datapath.kind = "fixed"` (`docs/fixed.md`).
 use super::facts::{DatapathFacts, Reads};
 use super::float;
-use crate::config::{Config, DatapathConfig, Design};
-use crate::format::Words;
+use crate::{Config, DatapathConfig, Design};
+use base::format::Words;
 
 /// The narrowest fraction, and the narrowest reciprocal.
 const LEAST: u32 = 8;

@@ -1,7 +1,7 @@
 //! `datapath.kind = "published"` (`docs/published.md`): as it was published, without chord trim and level of detail.
 use super::facts::{DatapathFacts, Reads};
 use super::float;
-use crate::config::Config;
+use crate::Config;
 
 pub(super) const FACTS: DatapathFacts = DatapathFacts {
     word: "published",

@@ -2,8 +2,8 @@
 use super::facts::DatapathFacts;
 use super::kind::{DatapathConfig, DatapathKind};
 use super::{fixed, published, watertight, windows};
-use crate::config::{Design, ModeConfig, Trim, WindowSet};
-use crate::format::{FloatFormat, Words};
+use crate::{Design, ModeConfig, Trim, WindowSet};
+use base::format::{FloatFormat, Words};
 
 impl DatapathKind {
     /// All.

@@ -1,8 +1,8 @@
 //! `datapath.kind = "watertight"` (`docs/datapath.md`).
 use super::facts::{DatapathFacts, Reads};
 use super::float;
-use crate::config::{Config, Trim};
-use crate::format::FloatFormat;
+use crate::{Config, Trim};
+use base::format::FloatFormat;
 
 pub(super) const FACTS: DatapathFacts = DatapathFacts {
     word: "watertight",

@@ -1,9 +1,9 @@
 //! `datapath.kind = "fixed"` with `datapath.search = "windows"` (`docs/windows.md`).
 use super::facts::DatapathFacts;
 use super::fixed;
-use crate::config::windows::ignored;
-use crate::config::{Config, DatapathConfig};
-use crate::format::FloatFormat;
+use crate::windows::ignored;
+use crate::{Config, DatapathConfig};
+use base::format::FloatFormat;
 
 pub(super) const FACTS: DatapathFacts = DatapathFacts {
     word: "windows",

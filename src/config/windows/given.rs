@@ -1,6 +1,6 @@
 //! Keys that mean nothing to a search by windows: refused where they are given, ignored where they are defaults.
-use crate::config::keys::{KEYS, Key};
-use crate::config::{Config, check};
+use crate::keys::{KEYS, Key};
+use crate::{Config, check};
 
 /// The keys, or what they begin with, and what a search by windows does not have.
 const IGNORED: &[(&str, &str)] = &[
@@ -13,7 +13,7 @@ const IGNORED: &[(&str, &str)] = &[
 ];
 
 /// Whether a search by windows has no use for the key.
-pub(in crate::config) fn is_ignored(path: &str) -> bool {
+pub(crate) fn is_ignored(path: &str) -> bool {
     IGNORED.iter().any(|(what, _)| matches(what, path))
 }
 
@@ -23,7 +23,7 @@ fn matches(what: &str, path: &str) -> bool {
 }
 
 /// Adds a sentence for each of them that was given, or that is not the default.
-pub(in crate::config) fn ignored(c: &Config, problems: &mut Vec<String>) {
+pub(crate) fn ignored(c: &Config, problems: &mut Vec<String>) {
     let (Ok(ours), Ok(usual)) = (c.table(), Config::default().table()) else {
         return;
     };

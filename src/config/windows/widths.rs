@@ -1,5 +1,5 @@
 //! The widths of the windows' traversal (`docs/windows.md`, "Once per ray"): numbers alone, which model and hardware both read.
-use crate::config::Design;
+use crate::Design;
 
 /// Operand bits of one multiplier.
 const OPERAND: u32 = 18;

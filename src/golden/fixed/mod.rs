@@ -14,8 +14,8 @@ use super::datapath::Datapath;
 use super::pyramid::Pyramid;
 use super::record::{Iteration, RayHit, RayInput};
 use super::walk::walk;
-use crate::config::Design;
-use crate::error::Result;
+use base::error::Result;
+use config::Design;
 
 impl Datapath for Fixed {
     fn prepare(design: &Design) -> Result<Self> {

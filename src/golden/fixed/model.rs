@@ -1,6 +1,6 @@
 //! The constants of a fixed-point design, and what its sizes may be.
-use crate::config::Design;
-use crate::error::{Error, Result};
+use base::error::{Error, Result};
+use config::Design;
 
 /// Bits that the ray parameter has beyond FRACTION_W: it counts in 2^-(FRACTION_W + GUARD - HEIGHT_W) height codes.
 pub(super) const GUARD: u32 = 2;
@@ -37,7 +37,7 @@ fn illegal(d: &Design) -> Option<&'static str> {
 /// The fixed-point model of one design, with the design's constants at hand.
 #[derive(Clone, Debug)]
 pub struct Fixed {
-    pub(in crate::golden) design: Design,
+    pub(crate) design: Design,
     /// FRACTION_W: fraction bits of positions, in tiles.
     pub(super) fraction: u32,
     /// RECIP_W: significant bits of the reciprocal.
@@ -49,7 +49,7 @@ pub struct Fixed {
     /// G: fraction bits of the ray parameter.
     pub(super) time_fraction: u32,
     /// The largest ray parameter; no height is met there.
-    pub(in crate::golden) never: u64,
+    pub(crate) never: u64,
 }
 
 impl Fixed {

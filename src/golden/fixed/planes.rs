@@ -1,9 +1,9 @@
 //! What the walk from node to node computes with, in fixed point.
 use super::model::Fixed;
 use super::setup::FixedAxis;
-use crate::config::Design;
-use crate::golden::planes::{PlaneArithmetic, Setup};
-use crate::golden::record::RayInput;
+use crate::planes::{PlaneArithmetic, Setup};
+use crate::record::RayInput;
+use config::Design;
 
 impl Fixed {
     /// t_v of a height code: its depth, as the parameter counts height codes, without any rounding.

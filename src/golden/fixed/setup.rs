@@ -1,8 +1,8 @@
 //! What is computed once per ray.
 use super::model::{Fixed, GUARD};
 use super::words::travel;
-use crate::golden::planes::{AxisView, Setup, both};
-use crate::golden::record::RayInput;
+use crate::planes::{AxisView, Setup, both};
+use crate::record::RayInput;
 
 /// What S may lack, by its four roundings and the factors that are left out.
 const SLACK: u64 = 6;

@@ -1,5 +1,5 @@
 //! What an encoded number means.
-use crate::format::FloatFormat;
+use base::format::FloatFormat;
 
 /// What an encoded number means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -13,8 +13,8 @@ use super::datapath::Datapath;
 use super::float;
 use super::pyramid::Pyramid;
 use super::record::{Iteration, RayHit, RayInput};
-use crate::config::Design;
-use crate::error::Result;
+use base::error::Result;
+use config::Design;
 
 impl Datapath for Published {
     fn prepare(design: &Design) -> Result<Self> {

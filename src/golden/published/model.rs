@@ -1,7 +1,7 @@
 //! The constants of a published design.
-use crate::config::{Design, Trim};
-use crate::error::{Error, Result};
-use crate::golden::float;
+use crate::float;
+use base::error::{Error, Result};
+use config::{Design, Trim};
 
 /// The published model of one design, with the design's constants at hand.
 #[derive(Clone, Debug)]

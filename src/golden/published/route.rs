@@ -1,8 +1,8 @@
 //! What is computed once per ray: scaling before the loop, and the start level on the first trip round it.
 use super::model::Published;
-use crate::golden::float::{self, Value, power_of_two};
-use crate::golden::level::start_level;
-use crate::golden::record::RayInput;
+use crate::float::{self, Value, power_of_two};
+use crate::level::start_level;
+use crate::record::RayInput;
 
 /// One axis of a ray; `p` and `d` are encoded texels.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

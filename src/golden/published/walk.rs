@@ -1,10 +1,10 @@
 //! The walk of the published traversal: positions are moved.
 use super::model::Published;
 use super::route::{Route, Travel};
-use crate::golden::float;
-use crate::golden::level::{Crossing, descend_levels, level_up};
-use crate::golden::pyramid::Pyramid;
-use crate::golden::record::{Decision, Iteration, RayHit, RayInput};
+use crate::float;
+use crate::level::{Crossing, descend_levels, level_up};
+use crate::pyramid::Pyramid;
+use crate::record::{Decision, Iteration, RayHit, RayInput};
 
 /// Where a ray can leave a node along one axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,11 +4,11 @@
 //! Each part stands alone, at any format, so that the unit that computes it can be held to it.
 use super::model::Watertight;
 use super::setup::Axis;
-use crate::format::FloatFormat;
-use crate::golden::float::{self, Value};
-use crate::golden::planes::Setup;
-use crate::golden::pyramid::Pyramid;
-use crate::golden::record::{BilinearHit, Patch, RayHit, RayInput};
+use crate::float::{self, Value};
+use crate::planes::Setup;
+use crate::pyramid::Pyramid;
+use crate::record::{BilinearHit, Patch, RayHit, RayInput};
+use base::format::FloatFormat;
 
 /// A refined hit. Where the surface was not hit, texel, fractions and parameter are those of the block hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -12,8 +12,8 @@ use super::float;
 use super::pyramid::Pyramid;
 use super::record::{Iteration, RayHit, RayInput};
 use super::walk::walk;
-use crate::config::Design;
-use crate::error::Result;
+use base::error::Result;
+use config::Design;
 
 impl Datapath for Watertight {
     fn prepare(design: &Design) -> Result<Self> {

@@ -1,7 +1,7 @@
 //! The constants of a watertight design.
-use crate::config::{Design, Trim};
-use crate::error::{Error, Result};
-use crate::golden::float::{self, power_of_two};
+use crate::float::{self, power_of_two};
+use base::error::{Error, Result};
+use config::{Design, Trim};
 
 /// The watertight model of one design, with the design's constants at hand.
 #[derive(Clone, Debug)]

@@ -1,10 +1,10 @@
 //! What the walk from node to node computes with, in floating point.
 use super::model::Watertight;
 use super::setup::Axis;
-use crate::config::Design;
-use crate::golden::float;
-use crate::golden::planes::{PlaneArithmetic, Setup};
-use crate::golden::record::RayInput;
+use crate::float;
+use crate::planes::{PlaneArithmetic, Setup};
+use crate::record::RayInput;
+use config::Design;
 
 impl PlaneArithmetic for Watertight {
     type Axis = Axis;

@@ -1,8 +1,8 @@
 //! What is computed once per ray, before the first iteration.
 use super::model::Watertight;
-use crate::golden::float::{self, Value, power_of_two};
-use crate::golden::planes::{AxisView, Setup, both};
-use crate::golden::record::RayInput;
+use crate::float::{self, Value, power_of_two};
+use crate::planes::{AxisView, Setup, both};
+use crate::record::RayInput;
 
 /// One axis of a ray after setup. All but flags and `x` are encoded numbers; lengths are in texels, parameters in height codes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

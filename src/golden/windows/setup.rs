@@ -1,8 +1,8 @@
 //! What is computed once per ray, and what is read of it in every iteration.
 use super::Windows;
-use crate::config::Window;
-use crate::golden::fixed::FixedAxis;
-use crate::golden::record::RayInput;
+use crate::fixed::FixedAxis;
+use crate::record::RayInput;
+use config::Window;
 
 /// One axis of a ray after setup.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -1,11 +1,11 @@
 //! One iteration after the other: all windows at once.
 use super::Windows;
 use super::setup::WindowAxis;
-use crate::config::WindowSet;
-use crate::golden::pyramid::Pyramid;
-use crate::golden::record::{Decision, Iteration, RayHit, RayInput};
-use crate::golden::walk::leave;
-use crate::golden::window_maps::WindowMap;
+use crate::pyramid::Pyramid;
+use crate::record::{Decision, Iteration, RayHit, RayInput};
+use crate::walk::leave;
+use crate::window_maps::WindowMap;
+use config::WindowSet;
 
 /// What one iteration hands to the next.
 #[derive(Clone, Copy, Debug)]

@@ -2,10 +2,10 @@
 use super::opened::{Info, Opened, Rows, Samples, broken, oblong, sized};
 use super::pick::Pick;
 use super::plain::Words;
-use crate::config::MapConfig;
-use crate::error::Result;
-use crate::files::MARK;
-use crate::scene::source::Source;
+use crate::source::Source;
+use base::error::Result;
+use base::files::MARK;
+use config::MapConfig;
 use std::io::{Read, Seek};
 
 const KIND: &str = "ESRI ASC";

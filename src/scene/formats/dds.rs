@@ -3,9 +3,9 @@ use super::bc4::Bc4;
 use super::opened::{Info, Opened, Samples, broken, sized};
 use super::packed::{Layout, Packed, Stored};
 use super::pick::Pick;
-use crate::config::MapConfig;
-use crate::error::Result;
-use crate::scene::source::Source;
+use crate::source::Source;
+use base::error::Result;
+use config::MapConfig;
 use ddsfile::{Caps2, D3DFormat, Dds, DxgiFormat};
 use std::io::Read;
 

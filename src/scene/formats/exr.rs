@@ -1,9 +1,9 @@
 //! OpenEXR by part and channel, block after block. What lies in the display window but not in the data window has no data.
 use super::opened::{Info, Opened, Rows, Samples, broken, filled, noted, oblong, sized};
 use super::pick::Pick;
-use crate::config::MapConfig;
-use crate::error::{Error, Result};
-use crate::scene::source::Handle;
+use crate::source::Handle;
+use base::error::{Error, Result};
+use config::MapConfig;
 use exr::block::UncompressedBlock;
 use exr::block::chunk::{Chunk, CompressedBlock};
 use exr::block::reader::{AllChunksReader, ChunksReader};

@@ -2,9 +2,9 @@
 use super::opened::{Info, Opened, Rows, Samples, broken, filled, sized};
 use super::orient::{of_exif, upright};
 use super::pick::Pick;
-use crate::config::MapConfig;
-use crate::error::{Error, Result};
-use crate::scene::source::Source;
+use crate::source::Source;
+use base::error::{Error, Result};
+use config::MapConfig;
 use image::{ColorType, ImageDecoder, ImageFormat, ImageReader, Limits};
 use std::io::{Read, SeekFrom};
 

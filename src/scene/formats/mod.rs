@@ -21,8 +21,8 @@ mod tiff_packed;
 pub(super) use opened::{Samples, filled};
 
 use super::source::{Handle, Source};
-use crate::config::{ByteOrder, MapConfig};
-use crate::error::{Error, Result};
+use base::error::{Error, Result};
+use config::{ByteOrder, MapConfig};
 use opened::{Opened, broken};
 use std::io::Read;
 

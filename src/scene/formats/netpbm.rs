@@ -5,9 +5,9 @@ use super::opened::{Info, Opened, Rows, Samples, broken, sized};
 use super::packed::{Layout, Packed, Stored, above};
 use super::pick::Pick;
 use super::plain::Words;
-use crate::config::MapConfig;
-use crate::error::Result;
-use crate::scene::source::Source;
+use crate::source::Source;
+use base::error::Result;
+use config::MapConfig;
 use std::io::{Read, Seek, SeekFrom};
 
 const GREY: [&str; 1] = ["Y"];
@@ -84,7 +84,7 @@ fn one_picture(source: &Source, layout: &mut Layout, channels: usize, kind: &str
     Err(broken(kind, format!("{bytes} after its last pixel, and a map is one picture")))
 }
 
-fn announced(kind: &str, width: usize, height: usize, there: u64) -> crate::error::Error {
+fn announced(kind: &str, width: usize, height: usize, there: u64) -> base::error::Error {
     broken(kind, format!("{width} x {height} pixels are announced, but only {there} bytes follow"))
 }
 

@@ -1,18 +1,18 @@
 //! What a reader makes of a file: what its header says, then its rows; and what all readers share.
-use crate::config::MapConfig;
-use crate::config::check::plain as plain_number;
-use crate::error::{Error, Result};
+use base::error::{Error, Result};
+use config::MapConfig;
+use config::check::plain as plain_number;
 use std::fmt;
 
 /// The rows of a file, top to bottom, in the file's own numbers.
-pub(in crate::scene) trait Rows {
+pub(crate) trait Rows {
     /// The next row, of as many samples as the file has columns.
     fn next(&mut self, row: &mut [f64]) -> Result<()>;
 }
 
 /// The numbers that a file holds.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::scene) enum Samples {
+pub(crate) enum Samples {
     /// Whole numbers from 0 to this one.
     Unsigned(u64),
     /// Whole numbers of either sign, of this many bits.
@@ -28,7 +28,7 @@ impl Samples {
     }
 
     /// The largest value, of floats 1: full height, and opaque alpha.
-    pub(in crate::scene) const fn full(self) -> f64 {
+    pub(crate) const fn full(self) -> f64 {
         match self {
             Self::Unsigned(max) => max as f64,
             Self::Signed(bits) => ((1u64 << (bits - 1)) - 1) as f64,
@@ -37,7 +37,7 @@ impl Samples {
     }
 
     /// Whether a sample is this no-data value, as exactly as the file could say it.
-    pub(in crate::scene) fn same(self, sample: f64, value: f64) -> bool {
+    pub(crate) fn same(self, sample: f64, value: f64) -> bool {
         match self {
             Self::Float(16) => (sample - value).abs() <= value.abs() / 2048.0,
             Self::Float(32) => sample as f32 == value as f32,
@@ -58,23 +58,23 @@ impl fmt::Display for Samples {
 }
 
 /// What the header says.
-pub(in crate::scene) struct Info {
+pub(crate) struct Info {
     /// Kind of file.
-    pub(in crate::scene) format: &'static str,
+    pub(crate) format: &'static str,
     /// Columns.
-    pub(in crate::scene) width: usize,
+    pub(crate) width: usize,
     /// Rows.
-    pub(in crate::scene) height: usize,
+    pub(crate) height: usize,
     /// Numbers.
-    pub(in crate::scene) samples: Samples,
+    pub(crate) samples: Samples,
     /// Channel that is taken.
-    pub(in crate::scene) channel: String,
+    pub(crate) channel: String,
     /// Part or page that is taken, where the file has several.
-    pub(in crate::scene) part: Option<String>,
+    pub(crate) part: Option<String>,
     /// The value that the file itself calls no data.
-    pub(in crate::scene) nodata: Option<f64>,
+    pub(crate) nodata: Option<f64>,
     /// What else there is to say.
-    pub(in crate::scene) note: Option<String>,
+    pub(crate) note: Option<String>,
 }
 
 impl Info {
@@ -85,11 +85,11 @@ impl Info {
 }
 
 /// A file whose header was read.
-pub(in crate::scene) struct Opened<'a> {
+pub(crate) struct Opened<'a> {
     /// What it says.
-    pub(in crate::scene) info: Info,
+    pub(crate) info: Info,
     /// What comes next.
-    pub(in crate::scene) rows: Box<dyn Rows + 'a>,
+    pub(crate) rows: Box<dyn Rows + 'a>,
 }
 
 /// What libraries say in words that tell nothing of the file, and what is meant.
@@ -169,7 +169,7 @@ pub(super) fn noted(notes: impl IntoIterator<Item = Option<String>>) -> Option<S
 }
 
 /// So many equal values, or a sentence where that is more memory than there is.
-pub(in crate::scene) fn filled<T: Copy>(value: T, count: usize) -> Result<Vec<T>> {
+pub(crate) fn filled<T: Copy>(value: T, count: usize) -> Result<Vec<T>> {
     let mut list = Vec::new();
     list.try_reserve_exact(count).map_err(|_| {
         let bytes = count as u128 * std::mem::size_of::<T>() as u128;

@@ -1,8 +1,8 @@
 //! Rows of samples that lie one after another in the file, uncompressed.
 use super::opened::{Rows, broken, filled};
 use super::pick::Pick;
-use crate::error::{Error, Result};
-use crate::scene::source::{Handle, Source};
+use crate::source::{Handle, Source};
+use base::error::{Error, Result};
 use std::io::SeekFrom;
 
 /// How one sample is stored.

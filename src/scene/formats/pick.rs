@@ -1,6 +1,6 @@
 //! Which channel of a pixel is the height.
-use crate::config::MapConfig;
-use crate::error::{Error, Result};
+use base::error::{Error, Result};
+use config::MapConfig;
 
 /// The choice among the channels of a file.
 pub(super) struct Pick {

@@ -2,9 +2,9 @@
 use super::opened::{Info, Opened, Rows, Samples, broken, filled, sized};
 use super::orient::{of_exif, upright};
 use super::pick::Pick;
-use crate::config::MapConfig;
-use crate::error::Result;
-use crate::scene::source::Handle;
+use crate::source::Handle;
+use base::error::Result;
+use config::MapConfig;
 use png::{ColorType, DecodeOptions, Decoder, Limits, Reader, Transformations};
 
 const KIND: &str = "PNG";

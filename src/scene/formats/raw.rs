@@ -2,9 +2,9 @@
 use super::opened::{Info, Opened, Samples, sized};
 use super::packed::{Layout, Packed, Stored};
 use super::pick::Pick;
-use crate::config::{ByteOrder, MapConfig};
-use crate::error::{Error, Result};
-use crate::scene::source::Source;
+use crate::source::Source;
+use base::error::{Error, Result};
+use config::{ByteOrder, MapConfig};
 
 pub(super) const RAW: &str = "RAW";
 pub(super) const HGT: &str = "HGT";

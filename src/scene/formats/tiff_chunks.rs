@@ -5,8 +5,8 @@
 use super::opened::{Rows, broken, filled};
 use super::pick::Pick;
 use super::tiff_packed::{Turned, lzw, pack_bits, unpacked_here, word};
-use crate::error::{Error, Result};
-use crate::scene::source::Handle;
+use crate::source::Handle;
+use base::error::{Error, Result};
 use std::io::{Read, SeekFrom};
 use tiff::decoder::{Decoder, DecodingResult};
 use tiff::tags::{CompressionMethod, Tag};

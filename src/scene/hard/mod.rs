@@ -12,7 +12,7 @@ pub use draw::Ray;
 pub use numbers::Numbers;
 pub use picture::footprints;
 
-use crate::error::{Error, Result};
+use base::error::{Error, Result};
 
 impl Case {
     /// All cases.

@@ -1,9 +1,9 @@
 //! The picture of a case: its map from above with the rays' footprints, and one ray from the side.
 use super::HardScene;
 use super::draw::Ray;
-use crate::config::MapKind;
-use crate::scene::palette::{by_height, bytes, of_map};
-use crate::scene::picture::Picture;
+use crate::palette::{by_height, bytes, of_map};
+use crate::picture::Picture;
+use config::MapKind;
 
 /// Side of the map in the picture, at least; a larger map is shrunk to it, each pixel its highest texel.
 const SIDE: usize = 640;

@@ -1,7 +1,7 @@
 //! Cases about where the ray enters, what lies behind the map's border, how large the map is, and how long the way is.
 use super::case::Case;
 use super::draw::{Draw, Ray};
-use crate::scene::border::{clamped, mirrored};
+use crate::border::{clamped, mirrored};
 
 /// A case of a map of 2^levels texels a side.
 const fn sized(name: &'static str, levels: u32) -> Case {

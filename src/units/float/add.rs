@@ -8,9 +8,9 @@
 //! PIDM-HW section 4.3 gives the format only; rounding and specials are this project's (`docs/datapath.md`).
 use super::fields::{Fields, FormatParams};
 use super::general;
-use crate::format::FloatFormat;
-use crate::ir::{Builder, Expr, Module, Sig};
-use crate::units::lzc::lzc;
+use crate::lzc::lzc;
+use base::format::FloatFormat;
+use ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
 
 /// Sections and how long each takes, in tenths of a nanosecond on ECP5.
@@ -35,7 +35,7 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
         return general::fp_add(format, latency);
     }
     let b = Builder::new(
-        crate::units::float::names::ADD,
+        crate::float::names::ADD,
         file!(),
         "sum of two floating-point numbers, rounded once; flip b's sign to subtract",
     );

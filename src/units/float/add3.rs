@@ -9,9 +9,9 @@
 //!   left out, and so is y if z is -y.
 use super::fields::FormatParams;
 use super::general::{Classes, Exact, Operand, Range, any, exponent_width, round};
-use crate::format::{FloatFormat, Rounding};
-use crate::ir::{Builder, Expr, Module, Sig};
-use crate::units::lzc::lzc;
+use crate::lzc::lzc;
+use base::format::{FloatFormat, Rounding};
+use ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
 
 /// Sections and how long each takes, in tenths of a nanosecond on ECP5.

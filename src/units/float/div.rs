@@ -9,10 +9,10 @@ use super::general;
 use super::quotient::Quotient;
 use super::round::Candidate;
 use super::rows::Groups;
-use crate::config::{Divider, LatencyConfig};
-use crate::format::FloatFormat;
-use crate::ir::{Builder, Module};
-use crate::units::div_rows::div_rows;
+use crate::div_rows::div_rows;
+use base::format::FloatFormat;
+use config::{Divider, LatencyConfig};
+use ir::{Builder, Module};
 use std::sync::Arc;
 
 /// The sections behind the rows.
@@ -30,8 +30,7 @@ fn by_rows(format: FloatFormat, latency: u32) -> Arc<Module> {
     if !format.is_plain() {
         return general::fp_div(format, latency);
     }
-    let b =
-        Builder::new(crate::units::float::names::DIV, file!(), "quotient of two floating-point numbers, rounded once");
+    let b = Builder::new(crate::float::names::DIV, file!(), "quotient of two floating-point numbers, rounded once");
     b.choice("divider", "rows");
     let f = FormatParams::declare(&b, format);
     let e_w = b.local("ExpSumW", &f.exp + 2);

@@ -7,11 +7,11 @@
 use super::fields::FormatParams;
 use super::quotient::Quotient;
 use super::round::Classes;
-use crate::bits::{INDEX_W, SLOPE_W, START_W};
-use crate::config::Design;
-use crate::format::FloatFormat;
-use crate::ir::{Builder, Expr, Module};
-use crate::units::recip_table::recip_table;
+use crate::recip_table::recip_table;
+use base::bits::{INDEX_W, SLOPE_W, START_W};
+use base::format::FloatFormat;
+use config::Design;
+use ir::{Builder, Expr, Module};
 use std::sync::Arc;
 
 /// What stands behind the table's register, and how long it takes, in tenths of a nanosecond on ECP5: a read of a block
@@ -45,8 +45,7 @@ const DEEP: [&str; 12] = [
 /// Builds it with `latency` clocks from operand to result; 2 or more.
 pub fn by_table(format: FloatFormat, latency: u32) -> Arc<Module> {
     assert!(format.is_plain() && latency >= Design::TABLE_CLOCKS, "Design::check_divider comes first");
-    let b =
-        Builder::new(crate::units::float::names::DIV, file!(), "quotient of two floating-point numbers, rounded once");
+    let b = Builder::new(crate::float::names::DIV, file!(), "quotient of two floating-point numbers, rounded once");
     b.choice("divider", "table");
     let f = FormatParams::declare(&b, format);
     b.require(&f.man, Design::TABLE_MAN);

@@ -2,9 +2,9 @@
 use super::fields::FormatParams;
 use super::general;
 use super::round::{Special, Unrounded, round_pack};
-use crate::format::FloatFormat;
-use crate::ir::{Builder, Expr, Module};
-use crate::units::lzc::lzc;
+use crate::lzc::lzc;
+use base::format::FloatFormat;
+use ir::{Builder, Expr, Module};
 use std::sync::Arc;
 
 /// Builds `fp_from_int`: `a` is a signed integer of `int_w` bits (parameter INT_W).

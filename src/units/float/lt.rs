@@ -3,8 +3,8 @@
 //! One carry chain over the magnitudes, with no test before it: where `a` is negative, its last position turns
 //! `a < b` into `a <= b`, whose complement is the answer for two negative numbers. Classes are decided beside the chain.
 use super::fields::{Fields, FormatParams, Split};
-use crate::format::FloatFormat;
-use crate::ir::{Builder, Module, Sig};
+use base::format::FloatFormat;
+use ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
 /// Sections and how long each takes, in tenths of a nanosecond on ECP5.
@@ -12,8 +12,7 @@ const PLAN: &[(&str, u32)] = &[("compare", 28), ("decide", 10)];
 
 /// Builds `fp_lt` with `latency` clocks from operand to result.
 pub fn fp_lt(format: FloatFormat, latency: u32) -> Arc<Module> {
-    let b =
-        Builder::new(crate::units::float::names::LT, file!(), "1 if a < b; 0 when either is NaN; +0 and -0 are equal");
+    let b = Builder::new(crate::float::names::LT, file!(), "1 if a < b; 0 when either is NaN; +0 and -0 are equal");
     let f = FormatParams::declare(&b, format);
     b.clock();
     b.clock_enable();

@@ -7,8 +7,8 @@
 use super::fields::{Fields, FormatParams};
 use super::general;
 use super::round::{Candidate, Classes};
-use crate::format::FloatFormat;
-use crate::ir::{Builder, Expr, Module, Sig};
+use base::format::FloatFormat;
+use ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
 
 /// Sections and how long each takes, in tenths of a nanosecond on ECP5.
@@ -24,8 +24,7 @@ pub fn fp_mul(format: FloatFormat, latency: u32) -> Arc<Module> {
     if !format.is_plain() {
         return general::fp_mul(format, latency);
     }
-    let b =
-        Builder::new(crate::units::float::names::MUL, file!(), "product of two floating-point numbers, rounded once");
+    let b = Builder::new(crate::float::names::MUL, file!(), "product of two floating-point numbers, rounded once");
     let f = FormatParams::declare(&b, format);
     let e_w = b.local("ExpSumW", &f.exp + 2);
     let p = b.local("SigW", &f.man + 1);

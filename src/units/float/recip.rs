@@ -5,9 +5,9 @@
 use super::fields::FormatParams;
 use super::general::{Classes, Exact, Operand, Range, exponent_width, round};
 use super::rows::Groups;
-use crate::format::FloatFormat;
-use crate::ir::{Builder, Module, Sig};
-use crate::units::div_rows::div_rows;
+use crate::div_rows::div_rows;
+use base::format::FloatFormat;
+use ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
 /// What stands before the rows where subnormals are numbers, and behind them.

@@ -6,9 +6,9 @@
 use super::fields::FormatParams;
 use super::general::{Classes, Exact, Operand, Range, exponent_width, round};
 use super::rows::Groups;
-use crate::format::FloatFormat;
-use crate::ir::{Builder, Module, Sig};
-use crate::units::sqrt_rows::sqrt_rows;
+use crate::sqrt_rows::sqrt_rows;
+use base::format::FloatFormat;
+use ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
 /// What stands before the rows where subnormals are numbers.

@@ -5,8 +5,8 @@
 //! height is no larger (`docs/datapath.md`, "Chord trim").
 use super::params::{LevelParams, bindings, index_width};
 use super::start_level::start_level;
-use crate::config::{Design, Trim};
-use crate::ir::{Builder, Expr, Module, Sig};
+use config::{Design, Trim};
+use ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
 
 /// Builds `chord_trim`, combinational; integers only, so that it serves every datapath that knows these texels.

@@ -1,7 +1,7 @@
 //! `finest_level`: the level at which a ray may end, and the level at which it starts, which is no finer (PDM section 3.4).
 use super::params::{LevelParams, bindings};
-use crate::config::TraverseConfig;
-use crate::ir::{Builder, Module};
+use config::TraverseConfig;
+use ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Builds `finest_level`, combinational.

@@ -3,9 +3,9 @@
 //! The address of node (i, j) of level k is base(k) | morton(i, j): the base has its ones above the bits that the
 //! index uses, so levels lie without gaps and no adder is needed (`docs/datapath.md`, "The pyramid in memory").
 use super::params::{LevelParams, bindings};
-use crate::config::TraverseConfig;
-use crate::ir::{Builder, Module};
-use crate::units::interleave::interleave;
+use crate::interleave::interleave;
+use config::TraverseConfig;
+use ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Builds `height_address`, combinational.

@@ -2,9 +2,9 @@
 use super::bilinear;
 use super::datapath::Datapath;
 use super::traverse::Traverse;
-use crate::config::Design;
-use crate::ir::Module;
-use crate::units::float::names;
+use crate::float::names;
+use config::Design;
+use ir::Module;
 use std::sync::Arc;
 
 /// Floating-point units in the loop, and its stages.

@@ -8,8 +8,8 @@ use super::node_planes::node_planes;
 use super::plane_units::PlaneUnits;
 use super::trim;
 use super::trim_return::trim_return;
-use crate::config::{Design, LevelUp, Trim};
-use crate::ir::{Builder, Sig};
+use config::{Design, LevelUp, Trim};
+use ir::{Builder, Sig};
 
 /// Builds the iteration; operands meet at the stage at which the latest of them is known.
 pub fn plane_iteration<'b>(

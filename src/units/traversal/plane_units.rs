@@ -1,6 +1,6 @@
 //! What a datapath that compares plane parameters puts into its iteration.
-use crate::config::Design;
-use crate::ir::{Builder, Module, Sig};
+use config::Design;
+use ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
 /// Two signals, of u or least first.

@@ -1,8 +1,8 @@
 //! Words of a ray that its iterations read and none changes: they stand in memories of look-up tables, a word a slot, and travel through no stage.
 //!
 //! A group of words is written when its ray enters, and read in the stage that needs it; each group has a memory, as each memory has one read port.
-use crate::ir::{Builder, Expr, Record, Sig};
-use crate::units::stream::fifo_mem;
+use crate::stream::fifo_mem;
+use ir::{Builder, Expr, Record, Sig};
 
 /// The memories of one loop.
 pub struct SlotMemory<'b> {

@@ -3,9 +3,9 @@
 //! XOR of the texel coordinates, then the position of the topmost 1. The paper takes the maximum of the two axes'
 //! XORs before counting; their OR has the same topmost 1 and needs no comparator.
 use super::params::{LevelParams, bindings, index_width};
-use crate::config::TraverseConfig;
-use crate::ir::{Builder, Module};
-use crate::units::lzc::lzc;
+use crate::lzc::lzc;
+use config::TraverseConfig;
+use ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Builds `start_level`, combinational.

@@ -11,10 +11,10 @@ use super::loop_state::{Field, Ray, Sizes};
 use super::on_chip::OnChip;
 use super::result::{Result, result_fields};
 use super::slot_memory::SlotMemory;
-use crate::config::{Design, Trim};
-use crate::ir::{Binding, Builder, Module, Sig};
-use crate::units::delay_line::in_lines;
-use crate::units::stream::{Decoupling, InputStream, OutputStream, Pipeline, SLOTS};
+use crate::delay_line::in_lines;
+use crate::stream::{Decoupling, InputStream, OutputStream, Pipeline, SLOTS};
+use config::{Design, Trim};
+use ir::{Binding, Builder, Module, Sig};
 use std::sync::Arc;
 
 /// Name of the module.

@@ -22,6 +22,7 @@ enum Target {
 struct Names<'a> {
     modules: &'a [Module],
     by_path: BTreeMap<&'a [String], usize>,
+    crates: BTreeSet<&'a String>,
 }
 
 /// What a look-up has been through.
@@ -34,7 +35,7 @@ impl Names<'_> {
         let mut k = 0;
         let found = |p: &[String]| self.by_path.get(p).copied();
         match path.first()?.as_str() {
-            "crate" => (here, k) = (found(&[])?, 1),
+            "crate" => (here, k) = (found(&self.modules[at].root)?, 1),
             "self" => k = 1,
             _ => {}
         }
@@ -48,6 +49,8 @@ impl Names<'_> {
             match self.look_up(here, name, !last, seen) {
                 Some(Target::Module(m)) => here = m,
                 Some(item) => return Some(item),
+                // Another crate of ours.
+                None if k == 0 && self.crates.contains(name) => here = found(&path[..1])?,
                 // A macro may define it.
                 None => return (rooted || k > 0).then_some(Target::Item(here)),
             }
@@ -125,7 +128,8 @@ fn paths(m: &Module) -> Vec<(Vec<String>, usize)> {
 /// Every use of one file by another, once a pair and item.
 pub fn edges(modules: &[Module]) -> Vec<Edge> {
     let by_path = modules.iter().enumerate().map(|(k, m)| (m.path.as_slice(), k)).collect();
-    let names = Names { modules, by_path };
+    let crates = modules.iter().filter_map(|m| m.root.first()).collect();
+    let names = Names { modules, by_path, crates };
     let mut out: BTreeMap<(PathBuf, PathBuf, String), usize> = BTreeMap::new();
     for (at, m) in modules.iter().enumerate() {
         let imported = m.imports.values().flatten().filter(|i: &&Import| !i.passed_on);

@@ -15,8 +15,10 @@ pub struct Import {
 /// A module: a file, or an inline one of its file.
 #[derive(Default)]
 pub struct Module {
-    /// Segments below the crate.
+    /// Segments below `src`.
     pub path: Vec<String>,
+    /// What `crate` stands for in it: segments below `src`.
+    pub root: Vec<String>,
     /// Its file, relative to `src`.
     pub file: PathBuf,
     /// Names defined here, child modules not among them.
@@ -61,17 +63,19 @@ fn module_path(file: &Path) -> Vec<String> {
     path
 }
 
-/// All modules of the crate's library; of texts given as files with their paths.
+/// All modules of the libraries; of texts given as files with their paths. A folder of `src` with a `lib.rs` is a crate.
 pub fn modules(files: &[(PathBuf, String)]) -> Vec<Module> {
     let mut out = Vec::new();
     for (file, text) in files.iter().filter(|(file, _)| file != Path::new("main.rs")) {
-        read_module(file, module_path(file), &tokens(text), &mut out);
+        let path = module_path(file);
+        let folder = path.first().filter(|f| files.iter().any(|(other, _)| *other == Path::new(f).join("lib.rs")));
+        read_module(file, folder.into_iter().cloned().collect(), path, &tokens(text), &mut out);
     }
     out
 }
 
-fn read_module(file: &Path, path: Vec<String>, tokens: &[Token], out: &mut Vec<Module>) {
-    let mut m = Module { file: file.to_owned(), path, ..Module::default() };
+fn read_module(file: &Path, root: Vec<String>, path: Vec<String>, tokens: &[Token], out: &mut Vec<Module>) {
+    let mut m = Module { file: file.to_owned(), root, path, ..Module::default() };
     let (mut k, mut depth, mut of_tests) = (0, 0, false);
     while k < tokens.len() {
         let next = |n: usize| tokens.get(k + n).map_or("", |t| t.text.as_str());
@@ -94,7 +98,7 @@ fn read_module(file: &Path, path: Vec<String>, tokens: &[Token], out: &mut Vec<M
                 let close = closing(tokens, k + 2);
                 if !of_tests {
                     let path = m.path.iter().cloned().chain([next(1).to_owned()]).collect();
-                    read_module(file, path, &tokens[k + 3..close], out);
+                    read_module(file, m.root.clone(), path, &tokens[k + 3..close], out);
                 }
                 of_tests = false;
                 k = close + 1;

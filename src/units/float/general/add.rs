@@ -1,9 +1,9 @@
 //! `fp_add` at any choice of rounding, subnormals and specials: one path.
 use super::super::fields::FormatParams;
 use super::{Classes, Exact, Operand, Range, any, exponent_width, round};
-use crate::format::{FloatFormat, Rounding};
-use crate::ir::{Builder, Module};
-use crate::units::lzc::lzc;
+use crate::lzc::lzc;
+use base::format::{FloatFormat, Rounding};
+use ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Sections and how long each takes, in tenths of a nanosecond on ECP5.
@@ -21,7 +21,7 @@ const PLAN: &[(&str, u32)] = &[
 /// Builds `fp_add` with `latency` clocks from operand to result.
 pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
     let b = Builder::new(
-        crate::units::float::names::ADD,
+        crate::float::names::ADD,
         file!(),
         "sum of two floating-point numbers, rounded once; flip b's sign to subtract",
     );

@@ -2,9 +2,9 @@
 use super::super::fields::FormatParams;
 use super::super::rows::Groups;
 use super::{Classes, Exact, Operand, Range, any, exponent_width, round};
-use crate::format::FloatFormat;
-use crate::ir::{Builder, Module, Sig};
-use crate::units::div_rows::div_rows;
+use crate::div_rows::div_rows;
+use base::format::FloatFormat;
+use ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
 const HEAD: (&str, u32) = ("operands", 50);
@@ -12,8 +12,7 @@ const TAIL: [(&str, u32); 4] = [("pick", 15), ("shift", 35), ("round", 30), ("se
 
 /// Builds `fp_div` with `latency` clocks from operand to result.
 pub fn fp_div(format: FloatFormat, latency: u32) -> Arc<Module> {
-    let b =
-        Builder::new(crate::units::float::names::DIV, file!(), "quotient of two floating-point numbers, rounded once");
+    let b = Builder::new(crate::float::names::DIV, file!(), "quotient of two floating-point numbers, rounded once");
     b.choice("divider", "rows");
     let f = FormatParams::declare(&b, format);
     let e_w = exponent_width(&b, &f);

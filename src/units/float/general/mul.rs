@@ -1,14 +1,13 @@
 //! `fp_mul` at any choice of rounding, subnormals and specials.
 use super::super::fields::FormatParams;
 use super::{Classes, Exact, Operand, Range, any, exponent_width, round};
-use crate::format::FloatFormat;
-use crate::ir::{Builder, Module};
+use base::format::FloatFormat;
+use ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Builds `fp_mul` with `latency` clocks from operand to result.
 pub fn fp_mul(format: FloatFormat, latency: u32) -> Arc<Module> {
-    let b =
-        Builder::new(crate::units::float::names::MUL, file!(), "product of two floating-point numbers, rounded once");
+    let b = Builder::new(crate::float::names::MUL, file!(), "product of two floating-point numbers, rounded once");
     let f = FormatParams::declare(&b, format);
     let e_w = exponent_width(&b, &f);
     b.clock();

@@ -1,7 +1,7 @@
 //! An operand, read as the format's choices say.
 use super::super::fields::{Fields, FormatParams, Split};
-use crate::ir::{Builder, Expr, Sig};
-use crate::units::lzc::lzc;
+use crate::lzc::lzc;
+use ir::{Builder, Expr, Sig};
 
 /// An operand taken apart; net names start with its own.
 pub struct Operand<'b> {

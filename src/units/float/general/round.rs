@@ -1,8 +1,8 @@
 //! The rounding at every choice; what is not chosen is not emitted. The faster code of the default choices is proved equal to it.
 use super::super::fields::FormatParams;
 use super::any;
-use crate::format::Rounding;
-use crate::ir::{Builder, Sig};
+use base::format::Rounding;
+use ir::{Builder, Sig};
 
 /// A result before rounding.
 pub struct Exact<'b> {

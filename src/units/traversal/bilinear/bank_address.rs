@@ -2,10 +2,10 @@
 //!
 //! A patch has one texel of each parity, so each memory is read once. A word stands in its bank where the pyramid memory has it, less the two lowest bits
 //! of its address: these are the parities (`docs/bilinear.md`, "The memory").
-use crate::config::TraverseConfig;
-use crate::ir::{Binding, Builder, Module};
-use crate::units::interleave::interleave;
-use crate::units::traversal::params::LevelParams;
+use crate::interleave::interleave;
+use crate::traversal::params::LevelParams;
+use config::TraverseConfig;
+use ir::{Binding, Builder, Module};
 use std::sync::Arc;
 
 /// Builds `bank_address`, combinational.
@@ -24,7 +24,7 @@ pub fn bank_address(t: &TraverseConfig) -> Arc<Module> {
     .map(|(name, doc)| b.output(&format!("address_{name}"), levels.clone() * 2 - 2, "words", doc));
     // An odd first texel stands beside the even one of the next pair.
     let half = &levels - 1;
-    let pair = |x: crate::ir::Sig<'_>, name: &str| {
+    let pair = |x: ir::Sig<'_>, name: &str| {
         let odd = x.slice(1, &half).named(&format!("{name}_odd"));
         let even = (odd + x.bit(0).zext(&half)).named(&format!("{name}_even"));
         [even.id(), odd.id()]

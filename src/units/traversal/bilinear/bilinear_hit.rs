@@ -1,9 +1,9 @@
 //! `bilinear_hit`: a hit on a texel moved to the surface interpolated between the centres of texels, one ray a clock.
 use super::{bilinear_window, patch_corner, patch_memory, ray_place, secant_step, surface_gap};
-use crate::config::{Design, LatencyConfig};
-use crate::ir::{Binding, Builder, Module, Sig};
-use crate::units::float::{FormatParams, fp_div};
-use crate::units::traversal::params::{LevelParams, index_width};
+use crate::float::{FormatParams, fp_div};
+use crate::traversal::params::{LevelParams, index_width};
+use config::{Design, LatencyConfig};
+use ir::{Binding, Builder, Module, Sig};
 use std::sync::Arc;
 
 /// Name of the module.

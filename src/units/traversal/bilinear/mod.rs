@@ -18,8 +18,8 @@ pub use ray_place::ray_place;
 pub use secant_step::secant_step;
 pub use surface_gap::surface_gap;
 
-use crate::config::Design;
-use crate::ir::Module;
+use config::Design;
+use ir::Module;
 use std::sync::Arc;
 
 /// All of them, leaves first.

@@ -3,10 +3,10 @@
 //! Four memories, one for each parity of column and row, so that a patch is one read of each. They are loaded with the pyramid, word by word; what is
 //! not level 0 is left out.
 use super::bank_address;
-use crate::config::TraverseConfig;
-use crate::ir::{Binding, Builder, Module, Sig};
-use crate::units::traversal::height_memory;
-use crate::units::traversal::params::LevelParams;
+use crate::traversal::height_memory;
+use crate::traversal::params::LevelParams;
+use config::TraverseConfig;
+use ir::{Binding, Builder, Module, Sig};
 use std::sync::Arc;
 
 /// Builds `patch_memory`, of one clock.

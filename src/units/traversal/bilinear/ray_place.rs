@@ -1,8 +1,8 @@
 //! `ray_place`: along one axis, the texel of a map that repeats in which the ray is at a parameter, and where in it.
-use crate::config::{Design, LatencyConfig};
-use crate::ir::{Binding, Builder, Module};
-use crate::units::float::{FormatParams, fp_add, fp_mul, fp_to_fixed};
-use crate::units::traversal::params::{LevelParams, index_width};
+use crate::float::{FormatParams, fp_add, fp_mul, fp_to_fixed};
+use crate::traversal::params::{LevelParams, index_width};
+use config::{Design, LatencyConfig};
+use ir::{Binding, Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `ray_place`.

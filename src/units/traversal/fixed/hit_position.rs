@@ -1,9 +1,9 @@
 //! `hit_position`: where in its texel a ray hit, along one axis, as a fraction that never leaves the texel.
 use super::params::{LENGTH, Params, TIME, bindings, time_width};
 use super::predicted_hit::position;
-use crate::config::{Design, LatencyConfig};
-use crate::ir::{Builder, Expr, Module, Sig};
-use crate::units::traversal::node_hit;
+use crate::traversal::node_hit;
+use config::{Design, LatencyConfig};
+use ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
 
 /// Clocks through `hit_position`; at least one, as the valid bit beside it decides whether the pipeline moves.

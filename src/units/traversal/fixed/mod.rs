@@ -26,12 +26,12 @@ use super::loop_state::{Field, Numbers, Sizes, Start};
 use super::plane_iteration::plane_iteration;
 use super::plane_units::PlaneUnits;
 use super::search::PYRAMID;
-use crate::config::{Design, Trim};
-use crate::ir::{Builder, Expr};
-use crate::units::div_rows::div_rows_module;
+use crate::div_rows::div_rows_module;
+use config::{Design, Trim};
+use ir::{Builder, Expr};
 use params::{LENGTH, Params, TIME, reach_conditions, shift_width, time_width};
 
-pub(in crate::units::traversal) static DATAPATH: Datapath = Datapath {
+pub(in crate::traversal) static DATAPATH: Datapath = Datapath {
     search: &PYRAMID,
     arithmetic: |d| {
         let (f, w) = (d.datapath.fraction_bits, d.datapath.reciprocal_bits);
@@ -90,7 +90,7 @@ const TIME_WORD: TimeWord =
 pub(super) fn numbers(
     b: &Builder,
     _: &Design,
-    _: Option<crate::units::float::FormatParams>,
+    _: Option<crate::float::FormatParams>,
     levels: &Expr,
     height: &Expr,
     tile: &Expr,

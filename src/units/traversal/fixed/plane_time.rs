@@ -1,9 +1,9 @@
 //! `plane_time`: the ray parameter of a plane, distance times reciprocal, rounded down. The same formula for every level, so it
 //! is a monotone function of the integer plane: what makes the traversal watertight (`docs/fixed.md`).
 use super::params::{GUARD, LENGTH, Params, TIME, bindings, shift_width, time_width};
-use crate::config::{Design, LatencyConfig};
-use crate::ir::{Builder, Module};
-use crate::units::lzc::lzc;
+use crate::lzc::lzc;
+use config::{Design, LatencyConfig};
+use ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `plane_time`.

@@ -4,9 +4,9 @@
 //! level. What each is, to the bit: `docs/fixed.md`, "Once per ray".
 use super::params::{LENGTH, Params, bindings, shift_width};
 use super::reciprocal::reciprocal;
-use crate::config::{Design, Trim};
-use crate::ir::{Builder, Expr, Module, NodeId, Sig};
-use crate::units::traversal::{finest_level, start_level};
+use crate::traversal::{finest_level, start_level};
+use config::{Design, Trim};
+use ir::{Builder, Expr, Module, NodeId, Sig};
 use std::sync::Arc;
 
 /// Clocks through `ray_setup`; at least one, so that a ready never follows from a valid in the same clock.

@@ -2,10 +2,10 @@
 //!
 //! Digit recurrence on operands whose top bits stand under each other; one digit more than the result has rounds it.
 use super::params::{LENGTH, Params, bindings, chunks, shift_width};
-use crate::config::Design;
-use crate::ir::{Builder, Expr, Module};
-use crate::units::div_rows::div_rows;
-use crate::units::lzc::lzc;
+use crate::div_rows::div_rows;
+use crate::lzc::lzc;
+use config::Design;
+use ir::{Builder, Expr, Module};
 use std::sync::Arc;
 
 /// Builds `reciprocal`, `latency.div` clocks.

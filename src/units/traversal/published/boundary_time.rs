@@ -3,10 +3,10 @@
 //!
 //! The nudge is this project's: without it a crossing position often rounds back into the node that it should leave, and
 //! a ray toward smaller coordinates lands on the plane itself, which belongs to the old node (`docs/published.md`).
-use crate::config::{Design, LatencyConfig};
-use crate::ir::{Binding, Builder, Expr, Module};
-use crate::units::float::{FormatParams, fp_add, fp_div, fp_from_fixed};
-use crate::units::traversal::params::index_width;
+use crate::float::{FormatParams, fp_add, fp_div, fp_from_fixed};
+use crate::traversal::params::index_width;
+use config::{Design, LatencyConfig};
+use ir::{Binding, Builder, Expr, Module};
 use std::sync::Arc;
 
 /// Clocks through `boundary_time`; one for the nudge.

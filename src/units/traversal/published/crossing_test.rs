@@ -1,8 +1,8 @@
 //! `crossing_test`: is the predicted hit in another node, so that the ray crosses into its neighbour? (PIDM-HW section 4.2,
 //! NC test and test for the end.)
-use crate::config::{Design, LatencyConfig};
-use crate::ir::{Builder, Module, Sig};
-use crate::units::float::{FormatParams, bindings, fp_lt};
+use crate::float::{FormatParams, bindings, fp_lt};
+use config::{Design, LatencyConfig};
+use ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
 /// Clocks through `crossing_test`.

@@ -2,14 +2,14 @@
 use super::{
     boundary_time, crossing_test, descent_level, exit_plane, level_choice, nearer_plane, ray_point, surface_time,
 };
-use crate::config::{Design, LevelUp};
-use crate::ir::{Builder, Sig};
-use crate::units::float::{fp_from_int, fp_to_int};
-use crate::units::traversal::height_source::HeightPort;
-use crate::units::traversal::level_up::{level_up, reads_parity};
-use crate::units::traversal::loop_state::{Ray, Sizes};
-use crate::units::traversal::node_address::node_address;
-use crate::units::traversal::start_level::start_level;
+use crate::float::{fp_from_int, fp_to_int};
+use crate::traversal::height_source::HeightPort;
+use crate::traversal::level_up::{level_up, reads_parity};
+use crate::traversal::loop_state::{Ray, Sizes};
+use crate::traversal::node_address::node_address;
+use crate::traversal::start_level::start_level;
+use config::{Design, LevelUp};
+use ir::{Builder, Sig};
 
 /// Builds the iteration; operands meet at the stage at which the latest of them is known.
 pub(super) fn iteration<'b>(

@@ -1,9 +1,9 @@
 //! `level_choice`: hit, descend or cross; the level, position and parameter of the next iteration (PIDM-HW section 4.2,
 //! level decision). The texel follows by address conversion.
-use crate::config::Design;
-use crate::ir::{Builder, Module};
-use crate::units::float::{FormatParams, bindings as formats};
-use crate::units::traversal::params::{LevelParams, bindings};
+use crate::float::{FormatParams, bindings as formats};
+use crate::traversal::params::{LevelParams, bindings};
+use config::Design;
+use ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Builds `level_choice`, combinational; with a start level it has the input that picks the ray's end.

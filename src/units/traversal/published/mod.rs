@@ -28,10 +28,10 @@ use super::level_up::reads_parity;
 use super::loop_state::{Field, Numbers, Sizes, Start};
 use super::params::float_sizes;
 use super::search::PYRAMID;
-use crate::config::Design;
-use crate::ir::{Expr, Module};
-use crate::units::divider::divider_core;
-use crate::units::float::{self, FormatParams};
+use crate::divider::divider_core;
+use crate::float::{self, FormatParams};
+use config::Design;
+use ir::{Expr, Module};
 use std::sync::Arc;
 
 pub(super) static DATAPATH: Datapath = Datapath {

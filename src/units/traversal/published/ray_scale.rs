@@ -3,10 +3,10 @@
 //! All else that a ray needs is computed in the loop (PIDM-HW section 4.2): the end A = P + D on its first trip, by the
 //! units of the hit position. What each output is, to the bit: `docs/published.md`, "Once per ray".
 
-use crate::config::{Design, LatencyConfig};
-use crate::ir::{Binding, Builder, Expr, Module, Sig};
-use crate::units::float::{Fields, FormatParams, fp_to_int};
-use crate::units::traversal::params::{LevelParams, float_sizes};
+use crate::float::{Fields, FormatParams, fp_to_int};
+use crate::traversal::params::{LevelParams, float_sizes};
+use config::{Design, LatencyConfig};
+use ir::{Binding, Builder, Expr, Module, Sig};
 use std::sync::Arc;
 
 /// Clocks through `ray_scale`; at least one, so that a ready never follows from a valid in the same clock.

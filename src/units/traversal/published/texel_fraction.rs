@@ -1,9 +1,9 @@
 //! `texel_fraction`: where in its texel a ray hit, along one axis. The texel is the floor of the same position, so the
 //! fraction bits behind its point are all that is left to find.
-use crate::config::{Design, LatencyConfig};
-use crate::ir::{Binding, Builder, Module};
-use crate::units::float::{FormatParams, fp_add, fp_mul, fp_to_fixed};
-use crate::units::traversal::params::index_width;
+use crate::float::{FormatParams, fp_add, fp_mul, fp_to_fixed};
+use crate::traversal::params::index_width;
+use config::{Design, LatencyConfig};
+use ir::{Binding, Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `texel_fraction`; at least one, as the valid bit beside it decides whether the pipeline moves.

@@ -1,9 +1,9 @@
 //! `axis_slope`: a ray's constants along one axis, from entry point and travel in texels. What each is, to the bit: `docs/datapath.md`, "Once
 //! per ray".
-use crate::config::{Design, LatencyConfig, Trim};
-use crate::ir::{Binding, Builder, Expr, Module, Sig};
-use crate::units::float::{FormatParams, fp_add, fp_div, fp_mul, fp_to_int};
-use crate::units::traversal::params::LevelParams;
+use crate::float::{FormatParams, fp_add, fp_div, fp_mul, fp_to_int};
+use crate::traversal::params::LevelParams;
+use config::{Design, LatencyConfig, Trim};
+use ir::{Binding, Builder, Expr, Module, Sig};
 use std::sync::Arc;
 
 /// Clocks through `axis_slope`.

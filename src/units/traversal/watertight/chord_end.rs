@@ -1,10 +1,10 @@
 //! `chord_end`: the texel coordinate, along one axis, that the ray has reached when it leaves a node by the other axis' plane; never behind it.
 //!
 //! The entry point that comes in is moved forward by more than the estimate can err (`docs/datapath.md`, "Chord trim").
-use crate::config::{Design, LatencyConfig};
-use crate::ir::{Builder, Module};
-use crate::units::float::{FormatParams, bindings, fp_add, fp_mul, fp_to_int};
-use crate::units::traversal::params::index_width;
+use crate::float::{FormatParams, bindings, fp_add, fp_mul, fp_to_int};
+use crate::traversal::params::index_width;
+use config::{Design, LatencyConfig};
+use ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `chord_end`.

@@ -1,9 +1,9 @@
 //! `hit_position`: where in its texel a ray hit, along one axis, as a fraction that never leaves the texel.
-use crate::config::{Design, LatencyConfig};
-use crate::ir::{Binding, Builder, Module};
-use crate::units::float::{FormatParams, fp_add, fp_mul, fp_to_fixed};
-use crate::units::traversal::node_hit;
-use crate::units::traversal::params::{LevelParams, index_width};
+use crate::float::{FormatParams, fp_add, fp_mul, fp_to_fixed};
+use crate::traversal::node_hit;
+use crate::traversal::params::{LevelParams, index_width};
+use config::{Design, LatencyConfig};
+use ir::{Binding, Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `hit_position`; at least one, as the valid bit beside it decides whether the pipeline moves.

@@ -29,10 +29,10 @@ use super::params::ray_conditions;
 use super::plane_iteration::plane_iteration;
 use super::plane_units::PlaneUnits;
 use super::search::PYRAMID;
-use crate::config::{Design, Trim};
-use crate::ir::{Expr, Module};
-use crate::units::divider::divider_core;
-use crate::units::float::{self, FormatParams};
+use crate::divider::divider_core;
+use crate::float::{self, FormatParams};
+use config::{Design, Trim};
+use ir::{Expr, Module};
 use std::sync::Arc;
 
 pub(super) static DATAPATH: Datapath = Datapath {

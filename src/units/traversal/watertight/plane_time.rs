@@ -1,9 +1,9 @@
 //! `plane_time`: the ray parameter of a plane, (plane - p) * r. The same formula for every level, so it is a monotone
 //! function of the integer plane: what makes the traversal watertight (`docs/datapath.md`).
-use crate::config::{Design, LatencyConfig};
-use crate::ir::{Builder, Module};
-use crate::units::float::{FormatParams, bindings, fp_add, fp_from_int, fp_mul};
-use crate::units::traversal::params::index_width;
+use crate::float::{FormatParams, bindings, fp_add, fp_from_int, fp_mul};
+use crate::traversal::params::index_width;
+use config::{Design, LatencyConfig};
+use ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `plane_time`.

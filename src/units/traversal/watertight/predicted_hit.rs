@@ -1,10 +1,10 @@
 //! `predicted_hit`: the texel coordinate, along one axis, that the ray has reached at parameter m; never ahead of it.
 //!
 //! The entry point that comes in is biased backwards by more than the estimate can err (`docs/datapath.md`).
-use crate::config::{Design, LatencyConfig};
-use crate::ir::{Builder, Module};
-use crate::units::float::{FormatParams, bindings, fp_add, fp_mul, fp_to_int};
-use crate::units::traversal::params::index_width;
+use crate::float::{FormatParams, bindings, fp_add, fp_mul, fp_to_int};
+use crate::traversal::params::index_width;
+use config::{Design, LatencyConfig};
+use ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `predicted_hit`.

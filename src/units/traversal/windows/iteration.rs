@@ -7,11 +7,11 @@ use super::{
     plane_product, plane_sum, window_advance, window_choice, window_end, window_exit, window_index, window_texel,
     window_way,
 };
-use crate::config::Design;
-use crate::ir::{Builder, Expr, Record, Sig};
-use crate::units::traversal::height_source::HeightPort;
-use crate::units::traversal::loop_state::{Ray, Sizes};
-use crate::units::traversal::slot_memory::SlotMemory;
+use crate::traversal::height_source::HeightPort;
+use crate::traversal::loop_state::{Ray, Sizes};
+use crate::traversal::slot_memory::SlotMemory;
+use config::Design;
+use ir::{Builder, Expr, Record, Sig};
 
 const AXES: [&str; 2] = ["x", "y"];
 

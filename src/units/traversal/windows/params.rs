@@ -1,7 +1,7 @@
 //! Widths of the units of a search by windows (`docs/windows.md`).
-use crate::config::{Design, Window, WindowSet};
-use crate::ir::{Binding, Builder, Expr};
-use crate::units::traversal::fixed::params::{Params, time_width};
+use crate::traversal::fixed::params::{Params, time_width};
+use config::{Design, Window, WindowSet};
+use ir::{Binding, Builder, Expr};
 
 /// Operand bits of one multiplier.
 pub const OPERAND: i64 = 18;
@@ -111,7 +111,7 @@ fn estimate_fraction(f: &Expr, levels: &Expr, tile: &Expr) -> Expr {
 
 /// Parameter values at which the units are verified besides their defaults.
 pub fn bindings() -> Vec<Binding> {
-    crate::units::traversal::fixed::params::bindings()
+    crate::traversal::fixed::params::bindings()
 }
 
 /// The set as a word of letters, digits and `_`.

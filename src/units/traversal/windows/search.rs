@@ -1,12 +1,12 @@
 //! The state of a ray in a search by windows, the memories of the windows, and what a result needs of a ray that leaves.
 use super::params::{count_width, set_word};
 use super::window_address::address_width;
-use crate::config::Design;
-use crate::ir::{Builder, Expr, Record, Sig};
-use crate::units::traversal::height_source::Load;
-use crate::units::traversal::loop_state::{Field, Ray, Sizes, Start};
-use crate::units::traversal::search::Search;
-use crate::units::traversal::slot_memory::SlotMemory;
+use crate::traversal::height_source::Load;
+use crate::traversal::loop_state::{Field, Ray, Sizes, Start};
+use crate::traversal::search::Search;
+use crate::traversal::slot_memory::SlotMemory;
+use config::Design;
+use ir::{Builder, Expr, Record, Sig};
 
 pub(super) static WINDOWS: Search = Search {
     summary: "traces rays against a height field: a looping pipeline, the windows of all sizes a clock",
@@ -28,7 +28,7 @@ fn loads<'b>(b: &'b Builder, s: &Sizes, d: &Design) -> Vec<Load<'b>> {
     let set = d.window_set();
     let coarsest = set.sizes().iter().map(|w| w.grid_bits()).max().unwrap_or(0);
     b.require(i64::from(coarsest), &s.levels);
-    let one = |(c, w): (usize, &crate::config::Window)| {
+    let one = |(c, w): (usize, &config::Window)| {
         let grid = Expr::from(w.grid_bits());
         let text = format!("write a word of the windows {w} (while idle is 1)");
         Load {

@@ -1,7 +1,7 @@
 //! `window_address`: where the word of the window at a texel stands in the memory of its size, row by row.
 use super::params::{CELL_W, Widths, bindings};
-use crate::config::{Design, Window};
-use crate::ir::{Builder, Expr, Module};
+use config::{Design, Window};
+use ir::{Builder, Expr, Module};
 use std::sync::Arc;
 
 /// Address bits of the memory of one size: two or more.

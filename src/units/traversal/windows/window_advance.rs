@@ -1,8 +1,8 @@
 //! `window_advance`: the parameter up to which the ray is known to hit nothing, and the planes that it passes by the exit of a window.
 use super::params::{PLANES, SPAN_W, Widths, bindings, count_width};
-use crate::config::{Design, LatencyConfig};
-use crate::ir::{Builder, Module};
-use crate::units::traversal::fixed::params::{GUARD, TIME};
+use crate::traversal::fixed::params::{GUARD, TIME};
+use config::{Design, LatencyConfig};
+use ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `window_advance`.

@@ -1,10 +1,10 @@
 //! `window_constants`: once per ray and axis, what an iteration of a search by windows reads: the parameter of the first plane, that from plane to
 //! plane, and the estimate's travel and offset (`docs/windows.md`, "Once per ray").
 use super::params::{Estimate, FINE, Planes, Widths, bindings};
-use crate::config::{Design, LatencyConfig};
-use crate::ir::{Builder, Expr, Module, Sig};
-use crate::units::lzc::lzc;
-use crate::units::traversal::fixed::params::{LENGTH, shift_width};
+use crate::lzc::lzc;
+use crate::traversal::fixed::params::{LENGTH, shift_width};
+use config::{Design, LatencyConfig};
+use ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
 
 /// Clocks through `window_constants`.

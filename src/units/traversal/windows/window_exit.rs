@@ -1,8 +1,8 @@
 //! `window_exit`: where the ray leaves a window, and whether it can hold the hit: whether the ray is at its highest code before.
 use super::params::{FINE, SPAN_W, Widths, bindings};
-use crate::config::{Design, LatencyConfig};
-use crate::ir::{Builder, Module};
-use crate::units::traversal::fixed::params::{GUARD, TIME};
+use crate::traversal::fixed::params::{GUARD, TIME};
+use config::{Design, LatencyConfig};
+use ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `window_exit`: two comparisons in series.

@@ -1,10 +1,10 @@
 //! `window_setup`: once per ray, from texture coordinates to what a search by windows reads: `ray_setup`, then the constants of each axis.
 use super::params::{Estimate, FINE, Widths, bindings};
 use super::window_constants::{self, window_constants};
-use crate::config::Design;
-use crate::ir::{Builder, Expr, Module};
-use crate::units::traversal::fixed::params::LENGTH;
-use crate::units::traversal::fixed::{self, ray_setup};
+use crate::traversal::fixed::params::LENGTH;
+use crate::traversal::fixed::{self, ray_setup};
+use config::Design;
+use ir::{Builder, Expr, Module};
 use std::sync::Arc;
 
 /// Clocks through `window_setup`, at least 1.

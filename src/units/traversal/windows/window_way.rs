@@ -1,8 +1,8 @@
 //! `window_way`: how far the ray has come along one axis by a parameter, for an estimate that is never ahead.
 use super::params::{Estimate, OPERAND, Widths, bindings};
-use crate::config::Design;
-use crate::ir::{Builder, Expr, Module};
-use crate::units::traversal::fixed::params::TIME;
+use crate::traversal::fixed::params::TIME;
+use config::Design;
+use ir::{Builder, Expr, Module};
 use std::sync::Arc;
 
 /// Builds `window_way`, as many clocks as `plane_product`.

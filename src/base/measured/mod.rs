@@ -88,7 +88,8 @@ pub fn parse(text: &str) -> Result<Vec<Entry>, serde_json::Error> {
 
 /// The figures of `data/figures.json`. One without a digest is of an earlier text: it helps to choose, and is promised nowhere.
 pub fn all() -> &'static [Entry] {
-    static ALL: LazyLock<Vec<Entry>> =
-        LazyLock::new(|| parse(include_str!("../../data/figures.json")).expect("a list of figures, as a test holds"));
+    static ALL: LazyLock<Vec<Entry>> = LazyLock::new(|| {
+        parse(include_str!("../../../data/figures.json")).expect("a list of figures, as a test holds")
+    });
     &ALL
 }

@@ -20,9 +20,9 @@ mod shade;
 mod source;
 mod taken;
 
-pub use crate::config::{MapKind, View};
 pub use camera::{Camera, QUAD_SIDE, ViewRay};
 pub use codes::{bordered_codes, to_codes};
+pub use config::{MapKind, View};
 pub use height_map::{Depth, HeightMap};
 pub use load::{decode, decode_as, decode_codes, load, load_codes};
 pub use maps::procedural;

@@ -3,7 +3,7 @@
 //! A [`Config`] comes from its defaults, a TOML file ([`Config::load`]) and `--set key=value` ([`Config::apply_set`]), in this order.
 //! Both check names, types and ranges where the place of the mistake is still known; what holds between keys is
 //! checked once by [`Config::validate`].
-pub(crate) mod check;
+pub mod check;
 #[macro_use]
 mod words;
 mod clock;
@@ -15,14 +15,14 @@ mod extra;
 mod given;
 mod input;
 pub mod keys;
-pub(crate) mod lines;
+pub mod lines;
 pub mod modes;
 mod profile;
 mod source;
-pub(crate) mod validate;
+pub mod validate;
 mod windows;
 
-pub use crate::format::{Rounding, Specials, Subnormals};
+pub use base::format::{Rounding, Specials, Subnormals};
 pub use clock::{Choice, Scope, for_clock, latency_key};
 pub use datapath::{DatapathConfig, DatapathFacts, DatapathKind, Reads, Search, datapaths};
 pub use design::{ConvertConfig, Design, Divider, LatencyConfig, LevelUp, ModeConfig, TraverseConfig, Trim};
