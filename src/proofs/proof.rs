@@ -51,8 +51,6 @@ pub const PROOF: Proof = Proof {
 pub enum Reach {
     /// Until the unit's outputs are those of its inputs, which stand still: for good.
     Latency,
-    /// That many clocks from the beginning.
-    Clocks(u32),
     /// By induction over that many clocks: for good.
     Induction(u32),
 }

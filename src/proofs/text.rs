@@ -67,6 +67,8 @@ pub fn proof_files(
             }
             Extra::DelayLines => rings(),
             Extra::Fifo => slots(),
+            // The other harness counts valid bits, which have registers of their own.
+            Extra::RaysOfTheLoop { .. } if counted.is_some() => flights.script(),
             Extra::RaysOfTheLoop { .. } => flights.script() + SPLIT,
         };
         let (mode, depth) = match (p.extra, p.reach) {
@@ -76,7 +78,6 @@ pub fn proof_files(
             (Extra::RaysOfTheLoop { .. }, _) => ("prove", flights.len() as u32 + 3),
             // Combinational units and constant inputs are proved for good at one depth.
             (_, Reach::Latency) => ("bmc", p.clocks(units) + 1),
-            (_, Reach::Clocks(n)) => ("bmc", n),
             (_, Reach::Induction(n)) => ("prove", n),
         };
         out.insert(format!("testbench/{prefix}fv_{}.sby", p.name), script(p, mode, depth, &extra, prefix, files));

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 use reliefrtl::bench::bench_files;
 use reliefrtl::catalogue;
 use reliefrtl::units::traversal::traverse;
+use std::collections::BTreeSet;
 use std::process::Command;
 use std::sync::Mutex;
 
@@ -44,6 +45,19 @@ fn benches(e: &Emitted) -> (Vec<String>, Vec<String>) {
     all.into_iter().partition(|f| !f.ends_with("_top.v"))
 }
 
+/// Digest of a bench, of its unit, and of all that stands below that.
+fn reads(e: &Emitted, top: &str) -> blake3::Hash {
+    let (bench, own_clock) = top.strip_suffix("_top").map_or((top, false), |bench| (bench, true));
+    let unit = bench.strip_prefix(&format!("{}tb_", e.config.emit.prefix)).expect("a bench's name");
+    let m = e.modules.iter().find(|m| m.name == unit).expect("the bench of a module");
+    let mut hash = blake3::Hasher::new();
+    for name in [bench, top].iter().take(1 + usize::from(own_clock)) {
+        hash.update(&std::fs::read(e.dir.join(format!("testbench/{name}.v"))).expect("a bench"));
+    }
+    hash.update(e.closure(m).as_bytes());
+    hash.finalize()
+}
+
 /// What `problems` finds in the benches of each chosen configuration must be nothing.
 fn none_of(problems: impl Fn(&Emitted, &[String], &[String]) -> Vec<String>) {
     let extra = EXTRA.join(" ");
@@ -68,14 +82,19 @@ fn silent(arguments: impl Fn(&Emitted, &[String], &[String]) -> Vec<Command>) {
     });
 }
 
-/// Each bench as the top, with the look into the loop; and each with its own clock. (One at a time: 5.006 mixes up the widths of a module that
-/// several tops have at several parameter values.)
+/// Each bench as the top, with the look into the loop; and each with its own clock; a text that an earlier configuration has, with the same unit,
+/// once. (One at a time: 5.006 mixes up the widths of a module that several tops have at several parameter values.)
 fn verilate(tool: Tool) {
-    silent(|_, benches, tops| {
+    let seen = Mutex::new(BTreeSet::new());
+    silent(|e, benches, tops| {
         let each = |flag: &'static str| {
+            let seen = &seen;
             move |file: &String| {
                 let mut c = tool.command()?;
                 let top = file.strip_prefix("testbench/").and_then(|f| f.strip_suffix(".v")).expect("a bench's path");
+                if !seen.lock().expect("a list").insert((*reads(e, top).as_bytes(), flag)) {
+                    return None;
+                }
                 c.args([flag, "--top-module", top, "-y", "rtl", "-y", "testbench", file]);
                 Some(c)
             }

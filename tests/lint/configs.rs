@@ -4,6 +4,7 @@ use reliefrtl::emit::{self, Files};
 use reliefrtl::format::{Rounding, Specials, Subnormals};
 use reliefrtl::ir::Module;
 use reliefrtl::units;
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
@@ -19,6 +20,8 @@ pub struct Emitted {
     pub modules: Vec<Arc<Module>>,
     /// The texts, by path.
     pub files: Files,
+    /// The modules that no configuration before has in this text with all that stands below it, as they are printed.
+    pub fresh: Vec<String>,
     /// The same on disk.
     pub dir: PathBuf,
 }
@@ -27,6 +30,22 @@ impl Emitted {
     /// Names of the modules as they are printed.
     pub fn names(&self) -> Vec<String> {
         self.modules.iter().map(|m| format!("{}{}", self.config.emit.prefix, m.name)).collect()
+    }
+    /// Digest of a module's text and of all that stands below it.
+    pub fn closure(&self, m: &Arc<Module>) -> blake3::Hash {
+        let mut hash = blake3::Hasher::new();
+        for below in m.hierarchy() {
+            hash.update(self.files[&format!("rtl/{}{}.v", self.config.emit.prefix, below.name)].as_bytes());
+        }
+        hash.finalize()
+    }
+    /// The files of its fresh modules and of what stands below them.
+    pub fn fresh_files(&self) -> Vec<String> {
+        let prefix = &self.config.emit.prefix;
+        let fresh = self.modules.iter().filter(|m| self.fresh.contains(&format!("{prefix}{}", m.name)));
+        let files: BTreeSet<String> =
+            fresh.flat_map(|m| m.hierarchy()).map(|m| format!("rtl/{prefix}{}.v", m.name)).collect();
+        files.into_iter().collect()
     }
     /// Paths of the Verilog files, from the directory.
     pub fn verilog(&self) -> Vec<&str> {
@@ -235,7 +254,14 @@ pub fn all() -> &'static [Emitted] {
     ALL.get_or_init(|| {
         let spread = SPREAD.iter().map(|sets| (sets.iter().map(|s| s.to_string()).collect(), true));
         let all = spread.chain(alone().into_iter().map(|sets| (sets, false)));
-        all.enumerate().map(|(i, (sets, traverses))| emit_one(i, &sets, traverses)).collect()
+        let mut all: Vec<Emitted> =
+            all.enumerate().map(|(i, (sets, traverses))| emit_one(i, &sets, traverses)).collect();
+        let mut seen = BTreeSet::new();
+        for e in &mut all {
+            let fresh = e.modules.iter().filter(|m| seen.insert(*e.closure(m).as_bytes()));
+            e.fresh = fresh.map(|m| format!("{}{}", e.config.emit.prefix, m.name)).collect();
+        }
+        all
     })
 }
 
@@ -291,7 +317,7 @@ fn emit_one(index: usize, sets: &[String], traverses: bool) -> Emitted {
     for (path, text) in &files {
         std::fs::write(dir.join(path), text).expect("target is writable");
     }
-    Emitted { label, config, units, modules, files, dir }
+    Emitted { label, config, units, modules, files, fresh: Vec::new(), dir }
 }
 
 /// All Verilog files of all configurations; the count that every linter must reach.

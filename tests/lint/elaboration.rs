@@ -21,7 +21,7 @@ fn elaborate(tool: Tool, m: &Module, values: &Binding) -> Option<Said> {
             c.args(values.iter().map(|(k, v)| format!("-G{k}={v}"))).args(["--top-module", &name]);
         }
     }
-    Some(run(c.args(e.verilog()), &e.dir))
+    Some(run(c.args(["-y", "rtl", &format!("rtl/{name}.v")]), &e.dir))
 }
 
 fn binding(values: &[(&str, i64)]) -> Binding {

@@ -51,7 +51,7 @@ fn verilate_each(tool: Tool) {
     let e = extra();
     let one = |name: &String| -> Option<Option<String>> {
         let mut c = tool.command()?;
-        c.args(["--top-module", name]).args(e.verilog());
+        c.args(["--top-module", name, "-y", "rtl", &format!("rtl/{name}.v")]);
         Some(run(&mut c, &e.dir).unless_silent(name))
     };
     let Some(said) = e.names().par_iter().map(one).collect::<Option<Vec<_>>>() else { return };
@@ -87,16 +87,24 @@ fn verible_has_no_finding() {
     });
 }
 
+/// Each text once with all that stands below it.
 #[test]
 fn yosys_reads_every_module_and_finds_no_undriven_or_doubly_driven_net() {
-    silent(Tool::Yosys, |c, e| {
+    let one = |e: &Emitted| -> Option<Option<String>> {
+        let mut c = Tool::Yosys.command()?;
         // Without a top all modules stay, each at its defaults and at what its users give it.
-        let mut script = format!("read_verilog {}\nhierarchy -check\n", e.verilog().join(" "));
-        script += &e.names().iter().map(|name| format!("select -assert-any {name}\n")).collect::<String>();
+        let mut script = format!("read_verilog {}\nhierarchy -check\n", e.fresh_files().join(" "));
+        script += &e.fresh.iter().map(|name| format!("select -assert-any {name}\n")).collect::<String>();
         script += "select -clear\nproc\ncheck -assert\n";
         std::fs::write(e.dir.join("check.ys"), script).expect("target is writable");
-        c.arg("check.ys");
-    });
+        Some(run(c.arg("check.ys"), &e.dir).unless_silent(&e.label))
+    };
+    let some: Vec<&Emitted> = all().iter().filter(|e| !e.fresh.is_empty()).collect();
+    let Some(said) = some.par_iter().map(|e| one(e)).collect::<Option<Vec<_>>>() else { return };
+    no_problems(&said.into_iter().flatten().collect::<Vec<_>>());
+    let texts: usize = some.iter().map(|e| e.fresh.len()).sum();
+    println!("{texts} modules of {} configurations", some.len());
+    assert!(texts > 600 && some.len() > 60, "{texts} modules of {} configurations", some.len());
 }
 
 /// Each text once, by the current Yosys, which looks for undeclared nets where the older one does not.

@@ -4,7 +4,7 @@ use super::super::row::{Context, Row};
 use super::super::unit::{UNIT, Unit};
 use super::WIDTHS;
 use crate::bits::mask;
-use crate::proofs::{BIT_LEVEL, Extra, INVARIANT, PROOF, Proof, Reach};
+use crate::proofs::{Extra, INVARIANT, PROOF, Proof, Reach};
 use std::collections::VecDeque;
 
 /// The entries.
@@ -18,10 +18,10 @@ static DELAY_LINE: Unit = Unit {
     proofs: &[Proof {
         name: "delay_line",
         units: &["delay_line"],
-        claim: "what as many registers in a row do, at every length, held and moving, for 40 clocks",
+        claim: "what as many registers in a row do, at every length, held and moving, by induction",
         text: harness!("delay_line"),
-        engine: BIT_LEVEL,
-        reach: Reach::Clocks(40),
+        engine: INVARIANT,
+        reach: Reach::Induction(1),
         extra: Extra::DelayLines,
         ..PROOF
     }],
