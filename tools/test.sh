@@ -136,6 +136,7 @@ if [ "${1:-}" = --full ]; then
     export RELIEFRTL_TRIPLES="${RELIEFRTL_TRIPLES:-8}"            # bits of the formats whose every three operands are added
     export RELIEFRTL_ROWS="${RELIEFRTL_ROWS:-20000}"              # rows of each unit at each choice and larger format, in the interpreter
     export RELIEFRTL_MUTANTS="${RELIEFRTL_MUTANTS:-5}"            # mutants of each unit that are simulated, too
+    export RELIEFRTL_SHARE="${RELIEFRTL_SHARE:-1}"                # of long lists of modes and choices in Icarus and on hard cases: all
     export RELIEFRTL_PARTS="${RELIEFRTL_PARTS:-1}"                # of the large tables of corners: all
     export RELIEFRTL_LEVEL="${RELIEFRTL_LEVEL:-2}"                # the large tables in the interpreter at five formats
     export RELIEFRTL_DIVIDENDS="${RELIEFRTL_DIVIDENDS:-65536}"    # every dividend of the divider by table

@@ -8,6 +8,8 @@ mod oracle;
 mod parts;
 mod traverse;
 
+#[path = "../support/budget.rs"]
+mod budget;
 #[path = "../support/files.rs"]
 mod files;
 #[path = "../support/float_units.rs"]

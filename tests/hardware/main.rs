@@ -1,6 +1,7 @@
 //! The hardware: operations, units and whole traversals in the interpreter, Icarus and Verilator against the golden model.
 mod bench_faults;
 mod bilinear_rtl;
+mod checked;
 mod corners;
 mod cut_out;
 mod engines;
@@ -23,6 +24,8 @@ mod units_interp;
 mod unknown;
 mod windows;
 
+#[path = "../support/budget.rs"]
+mod budget;
 #[path = "../support/files.rs"]
 mod files;
 #[path = "../support/simulators.rs"]

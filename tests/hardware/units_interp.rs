@@ -1,23 +1,10 @@
 //! Every unit in the interpreter against the golden model, at its defaults and at other parameter values.
-use reliefrtl::catalogue::{bindings, check_interp, units, vector_set};
+use crate::checked::{Checked, check_all};
+use reliefrtl::catalogue::{check_interp, units, vector_set};
 use reliefrtl::config::{Design, ExtraUnit, ExtraUnits, LatencyConfig, LevelUp, ModeConfig, Trim};
 use reliefrtl::format::FloatFormat;
 use reliefrtl::ir::Binding;
 use reliefrtl::vectors::Plan;
-
-fn check_all(d: &Design, rows: usize) -> usize {
-    let mut checked = 0;
-    for m in units(d) {
-        for b in std::iter::once(Binding::new()).chain(bindings(d, &m)) {
-            let set = vector_set(d, &m, &b, Plan { rows, seed: 7 });
-            let report = check_interp(&m, &set).unwrap_or_else(|e| panic!("{}: {e} (at {b:?})", m.name));
-            assert!(report.checked > 0, "{}", m.name);
-            report.verdict(&set, &m).unwrap_or_else(|e| panic!("{e} (at {b:?})"));
-            checked += report.checked;
-        }
-    }
-    checked
-}
 
 #[test]
 fn units_equal_their_models() {
@@ -28,6 +15,7 @@ fn units_equal_their_models() {
 
 #[test]
 fn units_equal_their_models_in_every_mode() {
+    let mut checked = Checked::default();
     for level_up in LevelUp::ALL {
         for levels_down in 1..=4 {
             let mut d = Design {
@@ -36,7 +24,7 @@ fn units_equal_their_models_in_every_mode() {
             };
             d.latency.add = levels_down;
             d.latency.div = 6 * levels_down;
-            check_all(&d, 300);
+            checked.units(&d, 300);
         }
     }
 }
@@ -44,12 +32,13 @@ fn units_equal_their_models_in_every_mode() {
 /// The units that a trim and a level of detail add or change, by every rule that they depend on.
 #[test]
 fn units_of_trim_and_detail_equal_their_models() {
+    let mut checked = Checked::default();
     for trim in Trim::ALL {
         for lod in [false, true] {
             for level_up in LevelUp::ALL {
                 let mode = ModeConfig { start_level: !lod, level_up, trim, lod, ..ModeConfig::default() };
                 let d = Design { mode, ..Design::default() };
-                check_all(&d, 400);
+                checked.units(&d, 400);
             }
         }
     }

@@ -1,23 +1,10 @@
 //! Every unit in the interpreter against the golden model.
 use super::{FORMATS, design};
-use reliefrtl::catalogue::{bindings, check_interp, units, vector_set};
-use reliefrtl::config::{Design, LevelUp, ModeConfig, Trim};
+use crate::checked::{Checked, check_all};
+use reliefrtl::catalogue::{check_interp, units, vector_set};
+use reliefrtl::config::{LevelUp, ModeConfig, Trim};
 use reliefrtl::ir::Binding;
 use reliefrtl::vectors::Plan;
-
-fn check_all(d: &Design, rows: usize) -> usize {
-    let mut checked = 0;
-    for m in units(d) {
-        for b in std::iter::once(Binding::new()).chain(bindings(d, &m)) {
-            let set = vector_set(d, &m, &b, Plan { rows, seed: 7 });
-            let report = check_interp(&m, &set).unwrap();
-            assert!(report.checked > 0, "{}", m.name);
-            report.verdict(&set, &m).unwrap_or_else(|e| panic!("{e} (at {b:?})"));
-            checked += report.checked;
-        }
-    }
-    checked
-}
 
 #[test]
 fn units_equal_their_models() {
@@ -30,13 +17,14 @@ fn units_equal_their_models() {
 
 #[test]
 fn units_equal_their_models_in_every_mode_and_at_every_latency() {
+    let mut checked = Checked::default();
     for (k, level_up) in LevelUp::ALL.into_iter().enumerate() {
         for levels_down in 1..=4 {
             let mut d = design(24, 24);
             d.mode = ModeConfig { start_level: levels_down % 2 == 0, levels_down, level_up, ..ModeConfig::default() };
             let l = [0, 1, 2, 3, 5, 8, 16][(5 * levels_down as usize + k) % 7];
             (d.latency.add, d.latency.mul, d.latency.div, d.latency.compare) = (l, l, 2 * l, l);
-            check_all(&d, 200);
+            checked.units(&d, 200);
         }
     }
 }

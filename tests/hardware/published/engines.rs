@@ -1,6 +1,7 @@
 //! The emitted Verilog of the published datapath in Icarus and Verilator, and `trace` by all four engines.
 //! A missing simulator fails these tests (`tools/test.sh` installs them) unless RELIEFRTL_NO_SIMULATORS=1.
 use super::scenes::{hard, modes};
+use crate::budget::share;
 use crate::files::write;
 use crate::simulators::skip;
 use reliefrtl::bench::{Simulator, bench_files, run_bench};
@@ -33,14 +34,16 @@ fn tree(c: &Config) -> TempDir {
 
 /// Three formats, with and without what modes add.
 const CONFIGS: [&[&str]; 3] = [
-    &["vectors.planned=true"],
+    &[],
     &["format.exp=8", "format.man=23", "mode.level_up=coherent", "mode.levels_down=3", "datapath.nudge_bits=12"],
     &["format.exp=5", "format.man=10", "traverse.tile_bits=2", "mode.start_level=false"],
 ];
 
 fn all_units(sim: Simulator, configs: &[&[&str]]) {
     for sets in configs {
-        let c = config(sets);
+        let mut c = config(sets);
+        // The planned rays take Icarus a minute.
+        c.vectors.planned = sets.is_empty() && sim == Simulator::Verilator;
         let dir = tree(&c);
         let done = check_tree(&c, dir.path(), sim.into(), &[], None, None, &|_| ()).unwrap();
         assert!(done.len() >= 23 && done.iter().all(|x| x.rows > 0));
@@ -165,9 +168,11 @@ fn in_mode(sim: Simulator, mode: ModeConfig) -> usize {
 #[test]
 fn every_mode_in_icarus() {
     if !skip() {
-        let checked: usize = modes().into_iter().map(|m| in_mode(Simulator::Icarus, m)).sum();
-        println!("icarus: 0 of {checked} rays mismatched in 40 modes (seed 2)");
-        assert_eq!(checked, 40 * RAYS);
+        // 3 divides no number of choices that a mode has.
+        let some: Vec<ModeConfig> = modes().into_iter().step_by(share(3)).collect();
+        let checked: usize = some.iter().map(|m| in_mode(Simulator::Icarus, *m)).sum();
+        println!("icarus: 0 of {checked} rays mismatched in {} modes (seed 2)", some.len());
+        assert_eq!(checked, some.len() * RAYS);
     }
 }
 

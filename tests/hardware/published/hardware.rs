@@ -1,6 +1,6 @@
 //! The units and the traverse unit of the published datapath in the interpreter, against the golden model.
 use super::scenes::{design, hard, modes};
-use reliefrtl::catalogue::{bindings, check_interp, units, vector_set};
+use crate::checked::{Checked, check_all};
 use reliefrtl::config::{Design, LevelUp, ModeConfig};
 use reliefrtl::format::FloatFormat;
 use reliefrtl::golden::prepare;
@@ -8,21 +8,6 @@ use reliefrtl::interp::Traffic;
 use reliefrtl::ir::Binding;
 use reliefrtl::trace::{Pipeline, hit};
 use reliefrtl::units::traversal::{loop_resources, traverse};
-use reliefrtl::vectors::Plan;
-
-fn check_all(d: &Design, rows: usize) -> usize {
-    let mut checked = 0;
-    for m in units(d) {
-        for b in std::iter::once(Binding::new()).chain(bindings(d, &m)) {
-            let set = vector_set(d, &m, &b, Plan { rows, seed: 7 });
-            let report = check_interp(&m, &set).unwrap();
-            assert!(report.checked > 0, "{}", m.name);
-            report.verdict(&set, &m).unwrap_or_else(|e| panic!("{e} (at {b:?})"));
-            checked += report.checked;
-        }
-    }
-    checked
-}
 
 #[test]
 fn units_equal_their_models() {
@@ -33,20 +18,21 @@ fn units_equal_their_models() {
 
 #[test]
 fn units_equal_their_models_in_every_mode_and_at_every_latency() {
+    let mut checked = Checked::default();
     for level_up in LevelUp::ALL {
         for levels_down in 1..=4 {
             let mut d = design(6);
             d.mode = ModeConfig { start_level: levels_down % 2 == 0, levels_down, level_up, ..d.mode };
             d.datapath.nudge_bits = 4 * levels_down - 4;
             (d.latency.add, d.latency.div) = (levels_down - 1, 6 * levels_down);
-            check_all(&d, 200);
+            checked.units(&d, 200);
         }
     }
     for l in [0, 1, 3, 8] {
         let mut d = design(8);
         let all = &mut d.latency;
         (all.add, all.mul, all.div, all.compare, all.from_int, all.to_int) = (l, l, l, l, l, l);
-        check_all(&d, 200);
+        checked.units(&d, 200);
     }
 }
 
