@@ -67,9 +67,22 @@ fn commented(lines: &[String]) -> String {
         None => format!("{l}\n"),
         Some((code, text)) if fits(&code, &text, column) => format!("{code:column$}{COMMENT}{text}\n"),
         Some((code, text)) if fits(&code, &text, 0) => format!("{code}{COMMENT}{text}\n"),
-        Some((code, text)) => format!("  // {text}\n{code}\n"),
+        Some((code, text)) => format!("{}{code}\n", above(&text)),
     };
     lines.iter().map(line).collect()
+}
+
+/// A comment on lines of its own.
+fn above(text: &str) -> String {
+    let (mut out, mut line) = (String::new(), "  //".to_owned());
+    for word in text.split(' ') {
+        if line.len() + 1 + word.len() > COLUMNS {
+            out += &format!("{line}\n");
+            line = "  //".to_owned();
+        }
+        line += &format!(" {word}");
+    }
+    out + &line + "\n"
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! Everything that stands before a module's body: banner, parameters, ports, derived constants, conditions.
 use super::expr::konst_name;
-use super::layout::{COLUMNS, bare, is_wide, range, wide, wrap};
+use super::layout::{COLUMNS, bare, filled, is_wide, range, wide, wrap};
 use super::printer::{Printer, has_word};
 use super::style::SPDX;
-use ir::{Dir, Op};
+use ir::{Dir, Op, Port};
 
 impl Printer<'_> {
     /// What the module is, how long it takes, what was chosen.
@@ -32,8 +32,9 @@ impl Printer<'_> {
         }
     }
 
-    /// Parameters and ports, a line each.
-    pub(super) fn header(&mut self) {
+    /// Parameters, ports and derived constants, a line each. Where a port's range leaves no room for its name, ports are declared after the
+    /// constants, whose names make the ranges short.
+    pub(super) fn header(&mut self, body: &str) {
         let m = self.m;
         self.out += &self.style.opening();
         self.out += &format!("module {}{}", self.style.prefix, m.name);
@@ -60,13 +61,43 @@ impl Printer<'_> {
         }
         self.out += " (\n";
         let ranges: Vec<String> = m.ports.iter().map(|p| range(&p.width.expanded())).collect();
+        let lines = self.ports(&ranges, ",");
+        if lines.iter().all(|l| l.len() <= COLUMNS) {
+            self.declare(&lines, "");
+            self.out += ");\n";
+            self.constants(body);
+        } else {
+            let names: Vec<String> = m.ports.iter().map(|p| p.name.clone()).collect();
+            self.out += &filled("  ", &names, "");
+            self.out += ");\n";
+            let ranges: Vec<String> = m.ports.iter().map(|p| self.range(&p.width)).collect();
+            self.constants(&format!("{body} {}", ranges.join(" ")));
+            let lines = self.ports(&ranges, ";");
+            self.declare(&lines, ";");
+        }
+    }
+
+    /// A declaration of each port, with room for what ends it.
+    fn ports(&self, ranges: &[String], end: &str) -> Vec<String> {
         let rw = ranges.iter().map(String::len).max().unwrap_or(0);
-        let nw = m.ports.iter().map(|p| p.name.len()).max().unwrap_or(0) + 1;
-        for (i, p) in m.ports.iter().enumerate() {
-            let comma = if i + 1 < m.ports.len() { "," } else { "" };
+        let nw = self.m.ports.iter().map(|p| p.name.len()).max().unwrap_or(0) + end.len();
+        let line = |(p, range): (&Port, &String)| {
             let dir = if p.dir == Dir::In { "input " } else { "output" };
-            let name = format!("{}{comma}", p.name);
-            let decl = format!("  {dir} wire {:rw$} {name:nw$}", ranges[i]);
+            format!("  {dir} wire {range:rw$} {:nw$}", format!("{}{end}", p.name))
+        };
+        self.m.ports.iter().zip(ranges).map(line).collect()
+    }
+
+    /// Writes the declarations of the ports with what they mean; the last one ends with `last`.
+    fn declare(&mut self, lines: &[String], last: &str) {
+        let m = self.m;
+        for (i, (p, line)) in m.ports.iter().zip(lines).enumerate() {
+            let mut decl = line.clone();
+            if i + 1 == lines.len() {
+                let width = decl.len();
+                decl.truncate(decl.trim_end().len() - 1);
+                decl = format!("{:width$}", decl + last);
+            }
             let full = format!("{decl}  // {}", p.meaning());
             if full.len() > COLUMNS {
                 self.comment("  ", "", &p.meaning());
@@ -76,11 +107,10 @@ impl Printer<'_> {
             }
             self.out.push('\n');
         }
-        self.out += ");\n";
     }
 
     /// The derived constants that the body needs, directly or through another.
-    pub(super) fn constants(&mut self, body: &str) {
+    fn constants(&mut self, body: &str) {
         let m = self.m;
         let mut text = body.to_string();
         let mut used = vec![false; m.locals.len()];

@@ -23,8 +23,7 @@ pub fn print_module(m: &Module, style: &Style) -> String {
     };
     let body = body + "endmodule\n" + style.closing();
     p.banner();
-    p.header();
-    p.constants(&body);
+    p.header(&body);
     p.checks();
     p.out + &body
 }

@@ -196,6 +196,37 @@ fn a_spoiled_unit_of_the_fixed_datapath_is_disproved() {
     }
 }
 
+const WINDOWS: [&str; 4] = ["--set", "datapath.kind=fixed", "--set", "datapath.search=windows"];
+
+/// A change of one token in a module of the search by windows.
+const SPOILED_WINDOWS: [(&str, &str, &str); 3] = [
+    ("window_choice", "s0_goes & ~s0_ends", "s0_goes & s0_ends"),
+    ("window_advance", "crosses & ~x_first", "crosses & x_first"),
+    ("window_index", "passed < reached", "reached < passed"),
+];
+
+#[test]
+fn the_search_by_windows_has_its_proofs() {
+    let dir = tempfile::tempdir().unwrap();
+    let design = [&WINDOWS[..], &["--set", "windows.set=1 4@2 16@4"], &SMALL[..]].concat();
+    ok(dir.path(), &[&["build"], &design[..]].concat());
+    let prove = |unit: &str| run(dir.path(), &[&["prove", "--unit", unit, "--dir", "out"], &design[..]].concat());
+    for unit in ["window_progress", "traverse"] {
+        let out = prove(unit);
+        assert_eq!(out.status.code(), Some(0), "{unit}: {}", String::from_utf8_lossy(&out.stderr));
+    }
+    for (unit, from, to) in SPOILED_WINDOWS {
+        let file = dir.path().join(format!("out/rtl/relief_{unit}.v"));
+        let text = std::fs::read_to_string(&file).unwrap();
+        assert!(text.contains(from), "{unit} has no {from}");
+        std::fs::write(&file, text.replacen(from, to, 1)).unwrap();
+        let out = prove("window_progress");
+        let said = String::from_utf8_lossy(&out.stderr).into_owned();
+        assert_eq!(out.status.code(), Some(1), "{unit}: {from} -> {to}: {said}");
+        std::fs::write(&file, text).unwrap();
+    }
+}
+
 #[test]
 fn a_missing_tool_is_named() {
     let dir = tempfile::tempdir().unwrap();

@@ -7,6 +7,7 @@ use super::fixed;
 use crate::bits::mask;
 use crate::config::{Design, Window, WindowWidths};
 use crate::golden::fixed::FixedAxis;
+use crate::proofs::{PROOF, Proof};
 use crate::golden::{Datapath, RayInput, WindowAxis, Windows};
 
 /// The entries.
@@ -290,5 +291,13 @@ static INDEX: Unit = Unit {
     }),
     // An offset is less than a texel.
     legal: Some(|c, row| row["offset"] &= mask(widths(c).estimate_fraction)),
+    proofs: &[Proof {
+        name: "window_progress",
+        units: &[CHOICE.name, ADVANCE.name, "window_index"],
+        claim: "an iteration without a hit takes the ray beyond a plane, and none takes it back: no ray visits a texel again",
+        text: harness!("window_progress"),
+        chained: true,
+        ..PROOF
+    }],
     ..WINDOWS
 };

@@ -101,7 +101,7 @@ impl Estimate {
     pub fn of(b: &Builder, f: &Expr, levels: &Expr, tile: &Expr) -> Self {
         let fraction = b.local("EstimateW", estimate_fraction(f, levels, tile));
         let travel = b.local("TravelW", levels + tile + &fraction);
-        Self { travel, offset: &fraction + 1, fraction, time: Expr::from(OPERAND).smaller(f + 2) }
+        Self { travel, offset: &fraction + 1, fraction, time: b.local("FactorW", Expr::from(OPERAND).smaller(f + 2)) }
     }
 }
 

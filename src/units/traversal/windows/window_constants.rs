@@ -72,13 +72,13 @@ fn first_plane<'b>(
     let inside = (entry.slice(0, &dist_w) & b.konst(part.pow2() - 1, &dist_w).named("texel_mask")).named("in_texel");
     let dist = neg.mux(inside, b.konst(part.pow2(), &dist_w).named("texel") - inside).named("distance");
     b.section("products", "Half of the reciprocal each, as multipliers are.");
-    let low_w = Expr::from(super::params::OPERAND).smaller(&p.w - 1);
+    let low_w = b.local("LowW", Expr::from(super::params::OPERAND).smaller(&p.w - 1));
     let low = dist.product(r.slice(0, &low_w)).named("low_product");
     let high = dist.product(r.slice(&low_w, &p.w - &low_w)).named("high_product");
     b.section("product", "");
     // As many bits as the plane's parameter has, with what is cut off below.
     let total = f + &p.tile + &p.w;
-    let below = part.smaller(&p.w + &p.tile - 2);
+    let below = b.local("BelowW", part.smaller(&p.w + &p.tile - 2));
     let carry =
         (high.zext(&dist_w + &p.w - &low_w) + low.slice(&low_w, &dist_w).zext(&dist_w + &p.w - &low_w)).named("upper");
     let product = b.cat(&[carry, low.slice(0, &low_w)]).zext(&total).named("product");

@@ -1,8 +1,8 @@
 //! `window_way`: how far the ray has come along one axis by a parameter, for an estimate that is never ahead.
-use super::params::{Estimate, OPERAND, Widths, bindings};
+use super::params::{Estimate, Widths, bindings};
 use crate::traversal::fixed::params::TIME;
 use config::Design;
-use ir::{Builder, Expr, Module};
+use ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Builds `window_way`, as many clocks as `plane_product`.
@@ -19,7 +19,7 @@ pub fn window_way(d: &Design) -> Arc<Module> {
     let m = b.input("m", &time, TIME, "parameter");
     let out = b.output("way", &e.travel, "2^-EstimateW texels", "how far the ray has come");
     let l = super::plane_product::latency(&d.latency);
-    let top = m.slice(&time - Expr::from(OPERAND).smaller(&time), &e.time);
+    let top = m.slice(&time - &e.time, &e.time);
     b.unused(m);
     let product = travel.product(top).named("product");
     b.unused(product);
