@@ -1,6 +1,6 @@
 //! What is to be generated: format, traversal parameters, modes, latencies.
 use super::{DatapathConfig, ExtraUnits, WindowsConfig};
-use base::format::FloatFormat;
+use reliefrtl_base::format::FloatFormat;
 use serde::{Deserialize, Serialize};
 
 /// When a crossing goes one pyramid level up (`docs/datapath.md`; PIDM-HW section 3.3).

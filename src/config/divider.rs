@@ -1,6 +1,6 @@
 //! What a divider by table asks of the rest of the design.
 use super::{Design, Divider};
-use base::error::{Error, Result};
+use reliefrtl_base::error::{Error, Result};
 
 impl Design {
     /// The fewest clocks of a divider by table: its memory has a register, and so has the result.

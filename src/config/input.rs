@@ -1,6 +1,6 @@
 //! The sections of the configuration that do not shape the hardware, and the named choices of the number format.
 use super::ExtraUnit;
-use base::format::{FloatFormat, Rounding, Specials, Subnormals};
+use reliefrtl_base::format::{FloatFormat, Rounding, Specials, Subnormals};
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
@@ -205,11 +205,11 @@ impl MapConfig {
     ///
     /// # Errors
     /// It does not repeat.
-    pub fn published_border(&self) -> base::error::Result<()> {
+    pub fn published_border(&self) -> reliefrtl_base::error::Result<()> {
         if self.border == Border::Wrap {
             return Ok(());
         }
-        Err(base::error::Error::input(format!(
+        Err(reliefrtl_base::error::Error::input(format!(
             "map.border = \"{}\" does not go with --scenes: the published maps repeat",
             self.border
         )))

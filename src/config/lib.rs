@@ -22,7 +22,6 @@ mod source;
 pub mod validate;
 mod windows;
 
-pub use base::format::{Rounding, Specials, Subnormals};
 pub use clock::{Choice, Scope, for_clock, latency_key};
 pub use datapath::{DatapathConfig, DatapathFacts, DatapathKind, Reads, Search, datapaths};
 pub use design::{ConvertConfig, Design, Divider, LatencyConfig, LevelUp, ModeConfig, TraverseConfig, Trim};
@@ -33,6 +32,7 @@ pub use input::{
     NanRule, VectorsConfig, View, ViewConfig,
 };
 pub use profile::Profile;
+pub use reliefrtl_base::format::{Rounding, Specials, Subnormals};
 pub use windows::{Window, WindowSet, WindowWidths, WindowsConfig};
 
 use serde::{Deserialize, Serialize};

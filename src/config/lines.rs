@@ -1,6 +1,6 @@
 //! On which line of a TOML text a key stands.
-use base::error::{Error, Result};
-use base::files::{SETTINGS, read_named_text};
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_base::files::{SETTINGS, read_named_text};
 use std::collections::HashMap;
 
 /// The line of each section and key.

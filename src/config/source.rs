@@ -3,7 +3,7 @@ use super::check;
 use super::keys::{self, Legal, SECTIONS};
 use super::lines::{self, Lines, syntax};
 use super::{Config, validate};
-use base::error::{Error, Result};
+use reliefrtl_base::error::{Error, Result};
 use std::path::Path;
 use toml::{Table, Value};
 

@@ -1,7 +1,7 @@
 //! What must hold of a whole configuration.
 use super::keys::KEYS;
 use super::{Border, Config, MapKind, MapRange, Search, Trim, check, datapaths};
-use base::error::{Error, Result};
+use reliefrtl_base::error::{Error, Result};
 
 impl Config {
     /// Checks every value and what holds between them, and reports all problems at once.

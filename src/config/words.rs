@@ -19,10 +19,10 @@ macro_rules! words {
             }
         }
         impl std::str::FromStr for $type {
-            type Err = base::error::Error;
-            fn from_str(word: &str) -> base::error::Result<Self> {
+            type Err = reliefrtl_base::error::Error;
+            fn from_str(word: &str) -> reliefrtl_base::error::Result<Self> {
                 Self::ALL.iter().copied().find(|one| one.word() == word).ok_or_else(|| {
-                    base::error::Error::input(format!("{word:?} is not one of {}", Self::WORDS.join(", ")))
+                    reliefrtl_base::error::Error::input(format!("{word:?} is not one of {}", Self::WORDS.join(", ")))
                 })
             }
         }

@@ -1,18 +1,18 @@
 //! What the model of every datapath can do.
 use super::pyramid::Pyramid;
 use super::record::{Iteration, RayHit, RayInput};
-use base::error::Result;
-use config::Design;
+use reliefrtl_base::error::Result;
+use reliefrtl_config::Design;
 
 /// The model of a datapath, with the constants of one design at hand.
 ///
-/// What a datapath has and promises, and what it is called, stands in [`config::DatapathFacts`]; the exact values of its words are read by
+/// What a datapath has and promises, and what it is called, stands in [`reliefrtl_config::DatapathFacts`]; the exact values of its words are read by
 /// the oracle alone.
 pub trait Datapath: std::fmt::Debug + Send + Sync {
     /// Computes the constants of `design`.
     ///
     /// # Errors
-    /// [`base::error::Error::Input`] if sizes or modes are outside of the datapath's ranges.
+    /// [`reliefrtl_base::error::Error::Input`] if sizes or modes are outside of the datapath's ranges.
     fn prepare(design: &Design) -> Result<Self>
     where
         Self: Sized;

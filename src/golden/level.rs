@@ -1,5 +1,5 @@
 //! Which pyramid level to start on, to descend to, and when to go up: integers only.
-use config::LevelUp;
+use reliefrtl_config::LevelUp;
 
 /// The lowest level, at most `n`, whose node holds both texels `(x, y)` and `(xa, ya)`.
 ///

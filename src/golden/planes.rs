@@ -1,7 +1,7 @@
 //! What a datapath that compares parameters of planes computes with: the walk from node to node is the same for all of them.
 use super::level::start_level;
 use super::record::RayInput;
-use config::Design;
+use reliefrtl_config::Design;
 
 /// One axis of a ray, as far as the walk looks at it. Texels are unwrapped.
 pub(super) trait AxisView {

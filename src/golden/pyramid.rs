@@ -1,7 +1,7 @@
 //! The maximum pyramid and its place in memory.
 use super::window_maps::{Made, WindowMaps};
-use base::error::{Error, Result};
-use config::WindowSet;
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_config::WindowSet;
 use std::sync::Arc;
 
 /// A pyramid of maxima over a square map that repeats; level 0 is the map, level `levels` one node.

@@ -1,6 +1,6 @@
 //! A ray, what a traversal returns of it, and what each of the iterations did.
 use super::float;
-use base::format::FloatFormat;
+use reliefrtl_base::format::FloatFormat;
 
 /// A ray as it enters the unit; every field is an encoded number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

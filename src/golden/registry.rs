@@ -5,8 +5,8 @@ use super::published::Published;
 use super::record::RayInput;
 use super::watertight::Watertight;
 use super::windows::Windows;
-use base::error::Result;
-use config::{DatapathKind, Design};
+use reliefrtl_base::error::Result;
+use reliefrtl_config::{DatapathKind, Design};
 
 /// A row of the table: the model of a datapath, not yet of a design.
 #[derive(Clone, Copy, Debug)]

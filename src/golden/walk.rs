@@ -4,7 +4,7 @@ use super::planes::{AxisView, PlaneArithmetic, Setup, kept};
 use super::pyramid::Pyramid;
 use super::record::{Decision, Iteration, RayHit, RayInput};
 use super::trim::chord;
-use config::{LevelUp, Trim};
+use reliefrtl_config::{LevelUp, Trim};
 
 /// Traces a ray, and shows every iteration to `on_iteration`.
 ///

@@ -1,5 +1,5 @@
 //! The maps of windows: the highest code of every window of a size (`docs/windows.md`, Memory).
-use config::{Window, WindowSet};
+use reliefrtl_config::{Window, WindowSet};
 use std::sync::{Arc, RwLock};
 
 /// One map: the windows of one size, row by row.

@@ -2,8 +2,8 @@
 //! the other, and takes them out again where a slice asks for one.
 use super::flat::Flat;
 use super::netlist::{Kind, Slot};
-use base::bits::MAX_WIDTH;
-use ir::{Binding, Module, NodeId, Op};
+use reliefrtl_base::bits::MAX_WIDTH;
+use reliefrtl_ir::{Binding, Module, NodeId, Op};
 
 /// The slots of a value, lowest first: one for a word, some for a bundle.
 #[derive(Clone, Debug, Default)]

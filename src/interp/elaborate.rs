@@ -3,9 +3,9 @@
 use super::bundle::Parts;
 use super::flat::Flat;
 use super::netlist::*;
-use base::bits::{MAX_WIDTH, mask};
-use base::error::{Error, Result};
-use ir::{Binding, Body, Module, Names, NodeId, Op, Prim};
+use reliefrtl_base::bits::{MAX_WIDTH, mask};
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_ir::{Binding, Body, Module, Names, NodeId, Op, Prim};
 use std::collections::BTreeMap;
 
 /// Elaborates `m` at `over` (its defaults where `over` is silent).
@@ -22,7 +22,7 @@ pub fn elaborate(m: &Module, over: &Binding) -> Result<Netlist> {
     let mut inputs = BTreeMap::new();
     let mut ports = Vec::new();
     for (i, p) in m.ports.iter().enumerate() {
-        if p.dir == ir::Dir::In && Some(i) != m.clk {
+        if p.dir == reliefrtl_ir::Dir::In && Some(i) != m.clk {
             let width = p.width.eval(&binding) as u32;
             narrow(m, &p.name, width)?;
             let s = f.source(width);

@@ -1,6 +1,6 @@
 //! One flat operation on one set of operands: the only place that maps operations to `bits`.
 use super::netlist::{FlatOp, Kind};
-use base::bits::{div_rows, interleave, lzc, mask, recip_table, sar, shl, shr, signed};
+use reliefrtl_base::bits::{div_rows, interleave, lzc, mask, recip_table, sar, shl, shr, signed};
 
 /// Computes `op` on `a`, `b`, `c` (operands that the operation does not have are ignored).
 #[inline(always)]

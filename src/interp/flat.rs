@@ -1,8 +1,8 @@
 //! A flat design that grows: equal operations are shared, constants folded, and at the end all is levelized.
 use super::eval::eval;
 use super::netlist::*;
-use base::error::{Error, Result};
-use ir::Binding;
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_ir::Binding;
 use std::collections::{BTreeMap, HashMap};
 
 /// Growing flat design. Values are numbered in order of creation first and renumbered by `levelize`.

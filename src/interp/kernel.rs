@@ -4,7 +4,7 @@
 //! operation means, and `tests/hardware/lanes.rs` holds these loops to it at every width.
 use super::eval::eval;
 use super::netlist::{FlatOp, Kind};
-use base::bits::mask;
+use reliefrtl_base::bits::mask;
 
 /// Lanes of a block. All values of a block together should fit the second-level cache.
 pub const BLOCK: usize = 128;

@@ -1,5 +1,5 @@
 //! A module and all below it as one flat list of operations, elaborated at parameter values and levelized once.
-use ir::Binding;
+use reliefrtl_ir::Binding;
 use std::collections::BTreeMap;
 
 /// Index of a value.

@@ -1,7 +1,7 @@
 //! Operations that are another value, or one of a cheaper operation: rules that hold for every operand.
 use super::flat::Flat;
 use super::netlist::*;
-use base::bits::mask;
+use reliefrtl_base::bits::mask;
 
 impl Flat {
     /// The value of `op` without `op`, if one of the rules applies.

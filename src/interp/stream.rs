@@ -1,10 +1,10 @@
 //! Drives a valid/ready design in the interpreter: many lanes, each with its own share of the items.
 use super::lanes::Lanes;
 use super::netlist::{Netlist, Slot};
-use base::error::{Error, Result};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
+use reliefrtl_base::error::{Error, Result};
 use std::sync::Arc;
 
 /// How the bench behaves on both sides of the design.

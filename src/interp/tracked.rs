@@ -4,7 +4,7 @@
 //! `eval` as everywhere.
 use super::eval::eval;
 use super::netlist::*;
-use base::bits::mask;
+use reliefrtl_base::bits::mask;
 
 /// A value and its unknown bits.
 pub type Bits = (u64, u64);

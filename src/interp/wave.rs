@@ -39,7 +39,7 @@ impl Wave {
         let signals: Vec<Signal> = named
             .map(|(name, slot)| Signal { name: name.clone(), slot: *slot, width: net.widths[*slot as usize] })
             .collect();
-        let unknown: Vec<Bits> = signals.iter().map(|s| (0, base::bits::mask(s.width))).collect();
+        let unknown: Vec<Bits> = signals.iter().map(|s| (0, reliefrtl_base::bits::mask(s.width))).collect();
         let (before, last) = (unknown.clone(), unknown);
         Self { signals, first: 0, before, rows: VecDeque::new(), last, window: None, left: None }
     }

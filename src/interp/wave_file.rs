@@ -1,11 +1,11 @@
 //! Waveforms as files: VCD, written here, and FST.
 use super::tracked::Bits;
 use super::wave::Wave;
-use base::error::{Error, Result};
-use base::files::{Scratch, Sink};
 use fst_writer::{
     FstFileType, FstInfo, FstScopeType, FstSignalId, FstSignalType, FstVarDirection, FstVarType, open_fst,
 };
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_base::files::{Scratch, Sink};
 use std::path::Path;
 
 /// Units of time in a clock; the clock rises at its start and falls in its middle.

@@ -1,5 +1,5 @@
 //! Width and constant expressions over module parameters.
-use base::bits;
+use reliefrtl_base::bits;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::{Add, Mul, Sub};

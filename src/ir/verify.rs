@@ -3,7 +3,7 @@ use super::expr::{Binding, Expr};
 use super::keywords::is_keyword;
 use super::loops::combinational_loop;
 use super::module::*;
-use base::bits::{MAX_BUNDLE, MAX_WIDTH};
+use reliefrtl_base::bits::{MAX_BUNDLE, MAX_WIDTH};
 use std::collections::BTreeSet;
 
 /// Checks `m` at its defaults and at `bindings`; returns every problem found.

@@ -1,7 +1,7 @@
 //! One axis of the walk: where the next plane is, as a number that may be a little off and as one that is not.
 use super::exact::{Dyadic, Ratio, scale, too_wide};
 use super::wide::U256;
-use base::error::{Error, Result};
+use reliefrtl_base::error::{Error, Result};
 
 /// Behind every parameter, and a number that differences can be taken of.
 pub(super) const NEVER: f64 = 1e300;

@@ -5,9 +5,9 @@
 //! the width that is asked for.
 use super::exact::Dyadic;
 use super::walk::{ExactMap, ExactRay};
-use base::error::{Error, Result};
 use dashu::integer::IBig;
 use dashu::rational::RBig;
+use reliefrtl_base::error::{Error, Result};
 
 /// A root, enclosed: `low <= root <= high`, parameters in height codes. Equal ends are the root itself, but for the rounding to f64.
 #[derive(Clone, Copy, Debug, PartialEq)]

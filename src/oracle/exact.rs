@@ -1,6 +1,6 @@
 //! Non-negative rationals `num / den * 2^exp`, compared without rounding.
 use super::wide::{U256, aligned};
-use base::error::{Error, Result};
+use reliefrtl_base::error::{Error, Result};
 use std::cmp::Ordering;
 
 /// The exact value `num / den * 2^exp`; `den` is not 0.

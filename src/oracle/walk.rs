@@ -1,8 +1,8 @@
 //! The walk itself.
 use super::axis::{Axis, NEVER};
 use super::exact::{Dyadic, Ratio};
-use base::error::{Error, Result};
-use base::format::{FloatFormat, Words};
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_base::format::{FloatFormat, Words};
 use std::cmp::Ordering;
 
 /// A square map that repeats.

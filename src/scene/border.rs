@@ -1,7 +1,7 @@
 //! What lies behind a map's border. The hardware repeats the map; other borders are prepared into a map one level up, and rays and hits
 //! are scaled to it and back. A tile of the design is then two tiles of the map along each side.
-use base::error::{Error, Result};
-use config::Border;
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_config::Border;
 
 /// The codes of 2^levels x 2^levels texels as the design sees them.
 ///

@@ -1,10 +1,10 @@
 //! Pinhole cameras above the quad, and the rays through their pixels.
 use super::degrees::sin_cos;
-use base::error::{Error, Result};
-use config::keys::{Key, Legal};
-use config::lines::{self, Lines};
-use config::{Border, View, check, validate};
 use glam::{DVec2, DVec3};
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_config::keys::{Key, Legal};
+use reliefrtl_config::lines::{self, Lines};
+use reliefrtl_config::{Border, View, check, validate};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 

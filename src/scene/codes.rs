@@ -1,8 +1,8 @@
 //! Heights to the codes that the memory holds.
 use super::height_map::{Depth, HeightMap};
 use super::resample::{Column, stretch};
-use base::error::{Error, Result};
-use config::Border;
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_config::Border;
 
 /// The map as unsigned-normalized codes of `height_bits` bits for 2^levels x 2^levels texels, row by row:
 /// height h becomes h * (2^height_bits - 1), rounded to nearest. Codes of a source with as many bits come out unchanged.

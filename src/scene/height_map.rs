@@ -1,5 +1,5 @@
 //! A height map as it was read or made, before it becomes codes.
-use base::error::{Error, Result};
+use reliefrtl_base::error::{Error, Result};
 
 /// How finely the source tells heights apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

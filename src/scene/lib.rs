@@ -22,12 +22,12 @@ mod taken;
 
 pub use camera::{Camera, QUAD_SIDE, ViewRay};
 pub use codes::{bordered_codes, to_codes};
-pub use config::{MapKind, View};
 pub use height_map::{Depth, HeightMap};
 pub use load::{decode, decode_as, decode_codes, load, load_codes};
 pub use maps::procedural;
 pub use picture::Picture;
 pub use ray_set::{RaySet, RaySource, evenly};
 pub use rays_csv::{RayTable, parse_rays, parse_table, read_rays};
+pub use reliefrtl_config::{MapKind, View};
 pub use shade::{ShadePoint, Shader};
 pub use taken::Taken;

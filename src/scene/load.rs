@@ -4,9 +4,9 @@ use super::formats::{self, Samples};
 use super::height_map::{Depth, HeightMap};
 use super::source::Source;
 use super::taken::Taken;
-use base::error::{Error, Result};
-use config::check::plain;
-use config::{MapConfig, MapRange};
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_config::check::plain;
+use reliefrtl_config::{MapConfig, MapRange};
 use std::path::Path;
 
 /// Reads a map with the default choices; see [`load_codes`].

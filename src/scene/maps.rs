@@ -2,9 +2,9 @@
 use super::height_map::{Depth, HeightMap};
 use super::noise::{around, fractal, gradient, mix, smooth_min, smooth_step, value};
 use super::rocks::Rocks;
-use base::error::{Error, Result};
-use config::MapKind;
 use rayon::prelude::*;
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_config::MapKind;
 
 /// The map of `2^levels` x `2^levels` texels. The natural ones fill [0, 1]; the seed changes them, but not `stairs`, `flat`, `spike`,
 /// `pit` and `checker`.

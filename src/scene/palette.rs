@@ -1,5 +1,5 @@
 //! Colours. All arithmetic is linear; the square root stands in for the display's curve, because it is the same everywhere.
-use config::MapKind;
+use reliefrtl_config::MapKind;
 
 /// Linear red, green, blue.
 pub(super) type Colour = [f64; 3];

@@ -1,10 +1,10 @@
 //! Pictures: shaded previews, maps of the number of steps, grey height maps.
 use super::palette::{Colour, HEAT, by_height, bytes};
 use super::shade::{ShadePoint, Shader};
-use base::error::{Error, Result};
-use base::files::write_atomic;
 use image::ImageEncoder;
 use rayon::prelude::*;
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_base::files::write_atomic;
 use std::path::Path;
 
 /// An RGB picture, row by row.

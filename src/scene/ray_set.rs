@@ -1,8 +1,8 @@
 //! Named sets of rays: those of a standard view, of a camera file, or of a table.
 use super::border::enter_border;
 use super::{Camera, RayTable, View, ViewRay};
-use base::error::{Error, Result};
-use config::Border;
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_config::Border;
 
 /// Rays with a name.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! Lists of rays from CSV files.
-use base::error::{Error, Result};
-use base::files::{MARK, TABLE, read_named};
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_base::files::{MARK, TABLE, read_named};
 use std::path::Path;
 
 const COLUMNS: [&str; 4] = ["u", "v", "du", "dv"];

@@ -2,8 +2,8 @@
 use super::camera::QUAD_SIDE;
 use super::noise::fractal;
 use super::palette::{Colour, by_height, mottle_of, of_map};
-use config::MapKind;
 use glam::DVec3;
+use reliefrtl_config::MapKind;
 
 /// Where a ray met the height field; from any engine.
 #[derive(Clone, Copy, Debug, PartialEq)]

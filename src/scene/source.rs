@@ -1,6 +1,6 @@
 //! Where the bytes of a map come from: a file that is read as far as it is needed, or bytes in memory.
-use base::error::{Error, Result};
-use base::files::open_named;
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_base::files::open_named;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Cursor, Read, Seek};
 use std::path::Path;

@@ -1,5 +1,5 @@
 //! What was taken of a map's file, for the summary.
-use config::check::plain;
+use reliefrtl_config::check::plain;
 use serde::Serialize;
 use std::fmt;
 

@@ -1,6 +1,6 @@
 //! `delay_line`: a word some clocks later, in a small memory instead of registers (`latency.delay_line`).
 use super::lzc::finish_primitive;
-use ir::{Builder, Lines, Module, Prim, with_lines};
+use reliefrtl_ir::{Builder, Lines, Module, Prim, with_lines};
 use std::sync::Arc;
 
 /// Clocks of the longest line: a memory of 16 words, as look-up tables have, and a register behind it.

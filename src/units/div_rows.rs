@@ -1,6 +1,6 @@
 //! `div_rows`: rows of restoring division, one quotient bit each.
 use super::lzc::finish_primitive;
-use ir::{Builder, Expr, Module, Prim, Sig};
+use reliefrtl_ir::{Builder, Expr, Module, Prim, Sig};
 use std::sync::Arc;
 
 /// Builds the rows (parameters W, ROWS), combinational.

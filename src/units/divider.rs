@@ -1,7 +1,7 @@
 //! The core of the divider.
 use super::{div_rows, recip_table};
-use config::{Design, Divider};
-use ir::Module;
+use reliefrtl_config::{Design, Divider};
+use reliefrtl_ir::Module;
 use std::sync::Arc;
 
 /// What `fp_div` stands on besides its own text.

@@ -1,6 +1,6 @@
 //! `interleave`: two words in Morton order, the first in the even bits.
 use super::lzc::finish_primitive;
-use ir::{Builder, Module, Prim, Sig};
+use reliefrtl_ir::{Builder, Module, Prim, Sig};
 use std::sync::Arc;
 
 /// Builds the interleaver (parameter W), wires only.

@@ -10,8 +10,8 @@ pub mod sqrt_rows;
 pub mod stream;
 pub mod traversal;
 
-use config::{Design, ExtraUnits};
-use ir::Module;
+use reliefrtl_config::{Design, ExtraUnits};
+use reliefrtl_ir::Module;
 use std::sync::Arc;
 
 /// The arithmetic of a design and what it is made of, leaves first: units that stand alone, at any legal format.
@@ -42,7 +42,7 @@ pub fn all(d: &Design) -> Vec<Arc<Module>> {
     let path = traversal::Datapath::of(d);
     let parity = traversal::reads_parity(d);
     let mut list = arithmetic_in_registers(d);
-    let trims = d.mode.trim != config::Trim::None;
+    let trims = d.mode.trim != reliefrtl_config::Trim::None;
     let nodes = !d.datapath.kind.facts().windows;
     list.extend((nodes && (d.mode.start_level || trims)).then(|| traversal::start_level(t)));
     if d.mode.lod {
@@ -54,7 +54,7 @@ pub fn all(d: &Design) -> Vec<Arc<Module>> {
     list.extend((path.steps)(d));
     if trims {
         list.push(traversal::chord_trim(d));
-        list.extend((d.mode.level_up != config::LevelUp::None).then(|| traversal::trim_return(d)));
+        list.extend((d.mode.level_up != reliefrtl_config::LevelUp::None).then(|| traversal::trim_return(d)));
     }
     list.extend(indices.then(|| traversal::multi_level_down(d)));
     list.extend(traversal::level_up(d, (path.level_up_clocks)(d)).filter(|_| nodes));

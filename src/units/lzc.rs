@@ -1,5 +1,5 @@
 //! `lzc`: leading zeros of a word; the word's width when it is zero.
-use ir::{Body, Builder, Module, Prim, Sig};
+use reliefrtl_ir::{Body, Builder, Module, Prim, Sig};
 use std::sync::Arc;
 
 /// Builds the leading-zero counter (parameter W), combinational.
@@ -22,6 +22,6 @@ pub fn lzc<'b>(b: &'b Builder, instance: &str, word: Sig<'b>, name: &str) -> Sig
 /// Ends a primitive: outputs appear `latency` clocks after the inputs.
 pub(super) fn finish_primitive(b: Builder, prim: Prim, latency: u32) -> Arc<Module> {
     let mut m = Arc::unwrap_or_clone(b.finish_with(Body::Prim(prim), latency));
-    m.ports.iter_mut().filter(|p| p.dir == ir::Dir::Out).for_each(|p| p.stage = Some(latency));
+    m.ports.iter_mut().filter(|p| p.dir == reliefrtl_ir::Dir::Out).for_each(|p| p.stage = Some(latency));
     Arc::new(m)
 }

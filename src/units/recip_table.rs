@@ -1,7 +1,7 @@
 //! `recip_table`: a line under the reciprocal for each value of a significand's top fraction bits.
 use super::lzc::finish_primitive;
-use base::bits::{INDEX_W, SLOPE_W, START_W};
-use ir::{Builder, Module, Prim, Sig};
+use reliefrtl_base::bits::{INDEX_W, SLOPE_W, START_W};
+use reliefrtl_ir::{Builder, Module, Prim, Sig};
 use std::sync::Arc;
 
 /// Builds the table, one clock.

@@ -1,6 +1,6 @@
 //! `sqrt_rows`: rows of restoring square root, one digit each.
 use super::lzc::finish_primitive;
-use ir::{Builder, Expr, Module, Prim, Sig};
+use reliefrtl_ir::{Builder, Expr, Module, Prim, Sig};
 use std::sync::Arc;
 
 /// Builds the rows (parameters W, ROWS, FIRST), combinational.

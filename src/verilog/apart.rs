@@ -1,5 +1,5 @@
 //! Bundles that come out of an instance: where slices take one apart, the instance drives their nets, as one concatenation.
-use ir::{Expr, Module, NodeId, Op};
+use reliefrtl_ir::{Expr, Module, NodeId, Op};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Outputs of instances that are taken apart.

@@ -1,6 +1,6 @@
 //! Delay bundles: values that only wait share one packed shift register, where each would have one of its own in every stage.
 use super::layout::range;
-use ir::{Binding, Expr, Module, Names, Node, NodeId, Op};
+use reliefrtl_ir::{Binding, Expr, Module, Names, Node, NodeId, Op};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Registers that a bundle has to save: fewer are quicker read one by one.

@@ -5,7 +5,7 @@
 //! stands before a primary, and widening is written out.
 use super::layout::{fill, group, literal, range, tight};
 use super::widths::{named, with_bounds_named};
-use ir::{Expr, Names, Node, NodeId, Op};
+use reliefrtl_ir::{Expr, Names, Node, NodeId, Op};
 
 /// How tightly an expression binds.
 #[derive(Clone, Copy, PartialEq, Eq)]

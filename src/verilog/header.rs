@@ -3,7 +3,7 @@ use super::expr::konst_name;
 use super::layout::{COLUMNS, bare, filled, is_wide, range, wide, wrap};
 use super::printer::{Printer, has_word};
 use super::style::SPDX;
-use ir::{Dir, Op, Port};
+use reliefrtl_ir::{Dir, Op, Port};
 
 impl Printer<'_> {
     /// What the module is, how long it takes, what was chosen.
@@ -153,7 +153,7 @@ impl Printer<'_> {
                 let t: String = s.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
                 t.split('_').filter(|x| !x.is_empty()).collect::<Vec<_>>().join("_")
             };
-            let sum = |e: &ir::Expr| {
+            let sum = |e: &reliefrtl_ir::Expr| {
                 let text = e.to_string().replace("(1 << ", "(2 to the ");
                 word(text.replace(" + ", " plus ").replace(" - ", " minus "))
             };

@@ -3,7 +3,7 @@ use super::expr::Expressions;
 use super::layout::{COLUMNS, bare, filled};
 use super::printer::Printer;
 use super::widths::named;
-use ir::{Dir, Expr, Instance, NodeId, Op};
+use reliefrtl_ir::{Dir, Expr, Instance, NodeId, Op};
 
 impl Printer<'_> {
     /// Instance `index` of the module, after the nets that it drives.

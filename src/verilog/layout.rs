@@ -1,5 +1,5 @@
 //! Ranges, literals and line breaks.
-use ir::{Atom, Expr, Func};
+use reliefrtl_ir::{Atom, Expr, Func};
 
 /// The longest line that is printed, in columns.
 pub const COLUMNS: usize = 100;

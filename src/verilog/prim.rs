@@ -1,6 +1,6 @@
 //! Verilog bodies of the primitives: the only text that is not printed from a graph.
-use base::bits::{INDEX_W, SLOPE_W, START_W, recip_table};
-use ir::Prim;
+use reliefrtl_base::bits::{INDEX_W, SLOPE_W, START_W, recip_table};
+use reliefrtl_ir::Prim;
 use std::borrow::Cow;
 
 /// The body of a primitive module, between header and `endmodule`.

@@ -4,7 +4,7 @@ use super::bundle::Bundles;
 use super::layout::{COLUMNS, range};
 use super::style::Style;
 use super::widths::named;
-use ir::{Expr, Module, Names};
+use reliefrtl_ir::{Expr, Module, Names};
 
 /// A module's text under construction.
 pub(super) struct Printer<'m> {

@@ -4,7 +4,7 @@ use super::expr::{Binds, Expressions};
 use super::layout::{COLUMNS, fill, filled};
 use super::printer::Printer;
 use super::widths::named;
-use ir::{Expr, NodeId, Op};
+use reliefrtl_ir::{Expr, NodeId, Op};
 
 impl Printer<'_> {
     fn declare_reg(&mut self, id: NodeId) -> String {

@@ -1,6 +1,6 @@
 //! What stands in a file besides its module: licence, time scale, the default kind of nets.
-use config::{DefaultNettype, EmitConfig};
-use ir::{Module, Term};
+use reliefrtl_config::{DefaultNettype, EmitConfig};
+use reliefrtl_ir::{Module, Term};
 
 /// The licence of everything that is emitted.
 pub const SPDX: &str = "SPDX-License-Identifier: MIT OR Apache-2.0";

@@ -7,7 +7,7 @@ use super::layout::wrap;
 use super::prim;
 use super::printer::{Printer, has_word};
 use super::style::Style;
-use ir::{Body, Module, Names, NodeId, Op};
+use reliefrtl_ir::{Body, Module, Names, NodeId, Op};
 
 /// Prints a module. The same module gives the same bytes: no date, path, host or hash order reaches the text.
 pub fn print_module(m: &Module, style: &Style) -> String {
@@ -126,7 +126,7 @@ impl Printer<'_> {
 mod tests {
     use super::super::bundle::{delayed_bit, delayed_net};
     use super::*;
-    use ir::{Binding, Builder};
+    use reliefrtl_ir::{Binding, Builder};
 
     /// A module whose three words of 8 bits come out `clocks` later, beside a valid bit.
     fn module(clocks: u32) -> std::sync::Arc<Module> {

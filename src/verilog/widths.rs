@@ -1,5 +1,5 @@
 //! Widths by the names that they have in a module's text.
-use ir::{Atom, Expr, Func, Module};
+use reliefrtl_ir::{Atom, Expr, Func, Module};
 
 /// A width by the `localparam` of `m` that has the same value everywhere, where there is one; else with the larger or smaller of two values by
 /// the `localparam` that has it.

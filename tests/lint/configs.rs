@@ -218,8 +218,21 @@ const SPREAD: &[&[&str]] = &[
     ],
     &["datapath.kind=fixed", "latency.add=0", "latency.mul=0", "latency.div=0", "latency.compare=0"],
     &["datapath.kind=fixed", "datapath.search=windows"],
-    &["datapath.kind=fixed", "datapath.search=windows", "windows.set=1 4@2 16@4", "datapath.fraction_bits=20", "datapath.reciprocal_bits=20"],
-    &["datapath.kind=fixed", "datapath.search=windows", "windows.set=1 3 9 27", "traverse.levels=10", "traverse.height_bits=16", "datapath.reciprocal_bits=31"],
+    &[
+        "datapath.kind=fixed",
+        "datapath.search=windows",
+        "windows.set=1 4@2 16@4",
+        "datapath.fraction_bits=20",
+        "datapath.reciprocal_bits=20",
+    ],
+    &[
+        "datapath.kind=fixed",
+        "datapath.search=windows",
+        "windows.set=1 3 9 27",
+        "traverse.levels=10",
+        "traverse.height_bits=16",
+        "datapath.reciprocal_bits=31",
+    ],
     EXTRA,
     &[
         "emit.units=fp_sqrt,fp_recip,fp_compare,fp_add3,fifo,arbiter",

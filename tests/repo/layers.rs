@@ -164,7 +164,7 @@ fn a_use_is_of_the_file_that_defines_the_name() {
     let own = ("a/mod.rs", "mod deep; pub use deep::Thing; pub fn f(t: Thing) {}");
     let back = ("a/deep.rs", "use super::f; pub struct Thing; fn g() { f() }");
     let (member, inner) = (("c/lib.rs", "pub mod d; pub fn f() {}"), ("c/d.rs", "use crate::f; pub struct Deep;"));
-    let user = ("b.rs", "use c::d::Deep; fn g() { c::f(); other::f() }");
+    let user = ("b.rs", "use reliefrtl_c::d::Deep; fn g() { reliefrtl_c::f(); other::f() }");
     assert_eq!(uses_of(&[lib, member, inner, user]), ["b.rs>c/d.rs:Deep", "b.rs>c/lib.rs:f", "c/d.rs>c/lib.rs:f"]);
     assert_eq!(uses_of(&[lib, own, back]), ["a/deep.rs>a/mod.rs:f", "a/mod.rs>a/deep.rs:Thing"]);
 }

@@ -7,8 +7,8 @@ use super::fixed;
 use crate::bits::mask;
 use crate::config::{Design, Window, WindowWidths};
 use crate::golden::fixed::FixedAxis;
-use crate::proofs::{PROOF, Proof};
 use crate::golden::{Datapath, RayInput, WindowAxis, Windows};
+use crate::proofs::{PROOF, Proof};
 
 /// The entries.
 pub const UNITS: &[&Unit] = &[

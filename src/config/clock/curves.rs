@@ -1,6 +1,6 @@
 //! What was measured: clocks of units alone by latency, and of whole traversals by profile.
 use super::super::{DatapathConfig, DatapathKind, Divider, LatencyConfig, Profile};
-use base::measured::{Entry, all};
+use reliefrtl_base::measured::{Entry, all};
 use std::sync::LazyLock;
 
 /// Clocks of one unit.

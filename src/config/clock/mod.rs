@@ -1,16 +1,16 @@
 //! Latencies for a clock, from a table of measurements, and what those of a configuration are good for.
 //!
 //! The clocks are those of units alone on an ECP5 (85k, speed grade 8) at 1/7/16: `data/figures.json`, each with the call that measures it
-//! ([`base::measured`]). A traversal around them is slower: a share of the slowest unit's clock is counted on.
+//! ([`reliefrtl_base::measured`]). A traversal around them is slower: a share of the slowest unit's clock is counted on.
 mod curves;
 mod provenance;
 
 pub use curves::latency_key;
 
 use super::{Design, LatencyConfig, Profile};
-use base::error::{Error, Result};
-use base::measured::Entry;
 use curves::{BESIDE, CURVES, Curve, LATENCY_KEYS, PLACED, TRAVERSAL, curve_of, field};
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_base::measured::Entry;
 
 /// What stands between the units of a watertight traversal.
 #[derive(Clone, Copy)]

@@ -2,8 +2,8 @@
 use super::super::{DatapathConfig, Design, LatencyConfig};
 use super::curves::{LATENCY_KEYS, Point, TRAVERSAL, curve_of, field};
 use super::{Choice, Scope};
-use base::format::FloatFormat;
-use base::measured::Entry;
+use reliefrtl_base::format::FloatFormat;
+use reliefrtl_base::measured::Entry;
 
 impl Choice {
     /// One sentence about the latencies that a design ended up with, which `--set` may have changed since: what they were measured at, and what

@@ -1,7 +1,7 @@
 //! What is known of a datapath besides its arithmetic and its hardware.
 use super::kind::DatapathConfig;
 use crate::{Config, Design};
-use base::format::{FloatFormat, Words};
+use reliefrtl_base::format::{FloatFormat, Words};
 
 /// A row of the table: one datapath.
 #[derive(Debug)]

@@ -2,7 +2,7 @@
 use super::facts::{DatapathFacts, Reads};
 use super::float;
 use crate::{Config, DatapathConfig, Design};
-use base::format::Words;
+use reliefrtl_base::format::Words;
 
 /// The narrowest fraction, and the narrowest reciprocal.
 const LEAST: u32 = 8;

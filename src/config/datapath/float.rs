@@ -1,6 +1,6 @@
 //! What the datapaths in floating point share.
 use crate::{Config, Design};
-use base::format::{FloatFormat, Words};
+use reliefrtl_base::format::{FloatFormat, Words};
 
 /// The numbers of a ray.
 pub(super) fn words(d: &Design) -> Words {

@@ -3,7 +3,7 @@ use super::facts::DatapathFacts;
 use super::kind::{DatapathConfig, DatapathKind};
 use super::{fixed, published, watertight, windows};
 use crate::{Design, ModeConfig, Trim, WindowSet};
-use base::format::{FloatFormat, Words};
+use reliefrtl_base::format::{FloatFormat, Words};
 
 impl DatapathKind {
     /// All.

@@ -2,7 +2,7 @@
 use super::facts::{DatapathFacts, Reads};
 use super::float;
 use crate::{Config, Trim};
-use base::format::FloatFormat;
+use reliefrtl_base::format::FloatFormat;
 
 pub(super) const FACTS: DatapathFacts = DatapathFacts {
     word: "watertight",

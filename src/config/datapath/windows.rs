@@ -3,7 +3,7 @@ use super::facts::DatapathFacts;
 use super::fixed;
 use crate::windows::ignored;
 use crate::{Config, DatapathConfig};
-use base::format::FloatFormat;
+use reliefrtl_base::format::FloatFormat;
 
 pub(super) const FACTS: DatapathFacts = DatapathFacts {
     word: "windows",

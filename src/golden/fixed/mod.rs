@@ -14,8 +14,8 @@ use super::datapath::Datapath;
 use super::pyramid::Pyramid;
 use super::record::{Iteration, RayHit, RayInput};
 use super::walk::walk;
-use base::error::Result;
-use config::Design;
+use reliefrtl_base::error::Result;
+use reliefrtl_config::Design;
 
 impl Datapath for Fixed {
     fn prepare(design: &Design) -> Result<Self> {

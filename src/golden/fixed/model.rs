@@ -1,6 +1,6 @@
 //! The constants of a fixed-point design, and what its sizes may be.
-use base::error::{Error, Result};
-use config::Design;
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_config::Design;
 
 /// Bits that the ray parameter has beyond FRACTION_W: it counts in 2^-(FRACTION_W + GUARD - HEIGHT_W) height codes.
 pub(super) const GUARD: u32 = 2;

@@ -3,7 +3,7 @@ use super::model::Fixed;
 use super::setup::FixedAxis;
 use crate::planes::{PlaneArithmetic, Setup};
 use crate::record::RayInput;
-use config::Design;
+use reliefrtl_config::Design;
 
 impl Fixed {
     /// t_v of a height code: its depth, as the parameter counts height codes, without any rounding.

@@ -1,7 +1,7 @@
 //! The words of a ray and of its parameter.
 use super::model::time_fraction;
 use crate::record::RayInput;
-use config::Design;
+use reliefrtl_config::Design;
 
 /// The ray whose words are nearest to (u, v, du, dv), in tiles: entry points wrapped into \[0, 1), travels that are too long as the one
 /// word that no ray may have.

@@ -1,7 +1,7 @@
 //! Sum, product, quotient, comparison.
 use super::rounding::round;
 use super::value::{Finite, Value, decode, infinity, invalid, zero};
-use base::format::{FloatFormat, Rounding};
+use reliefrtl_base::format::{FloatFormat, Rounding};
 
 /// Exponents further apart than this leave the smaller operand of a sum no influence but its sign:
 /// a significand has at most 53 bits, so the smaller operand is below 2^-10 units in the last place of the larger.

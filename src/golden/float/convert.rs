@@ -2,7 +2,7 @@
 use super::arith::ratio;
 use super::rounding::round;
 use super::value::{Value, decode, infinity, invalid, zero};
-use base::format::FloatFormat;
+use reliefrtl_base::format::FloatFormat;
 
 /// `v * 2^-frac`, rounded once; 0 gives +0.
 pub fn from_fixed(fmt: FloatFormat, v: i64, frac: u32) -> u64 {

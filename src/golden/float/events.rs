@@ -1,6 +1,6 @@
 //! What happens inside of an operation that rounds: told from its results at more bits and with an exponent of more range, for one row.
 use super::value::{Value, decode};
-use base::format::{FloatFormat, Rounding, Specials, Subnormals};
+use reliefrtl_base::format::{FloatFormat, Rounding, Specials, Subnormals};
 
 /// Exponent bits with which no operation on formats of at most 11 leaves the range.
 const WIDE: u32 = 14;

@@ -2,7 +2,7 @@
 use super::arith::{div, order, signed, zero_sum};
 use super::rounding::round;
 use super::value::{Finite, Value, decode, infinity, invalid, zero};
-use base::format::FloatFormat;
+use reliefrtl_base::format::FloatFormat;
 use std::cmp::Ordering;
 
 /// The square root, rounded once. Of -0 it is -0; of a negative number NaN, or where there is none, -0.

@@ -1,6 +1,6 @@
 //! The one rounding.
 use super::value::{infinity, zero};
-use base::format::{FloatFormat, Rounding};
+use reliefrtl_base::format::{FloatFormat, Rounding};
 use std::cmp::Ordering;
 
 /// What a rounding cuts off, compared with half a unit in the last kept place; `None` is nothing.

@@ -1,5 +1,5 @@
 //! What an encoded number means.
-use base::format::FloatFormat;
+use reliefrtl_base::format::FloatFormat;
 
 /// What an encoded number means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

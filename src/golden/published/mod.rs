@@ -13,8 +13,8 @@ use super::datapath::Datapath;
 use super::float;
 use super::pyramid::Pyramid;
 use super::record::{Iteration, RayHit, RayInput};
-use base::error::Result;
-use config::Design;
+use reliefrtl_base::error::Result;
+use reliefrtl_config::Design;
 
 impl Datapath for Published {
     fn prepare(design: &Design) -> Result<Self> {

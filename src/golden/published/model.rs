@@ -1,7 +1,7 @@
 //! The constants of a published design.
 use crate::float;
-use base::error::{Error, Result};
-use config::{Design, Trim};
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_config::{Design, Trim};
 
 /// The published model of one design, with the design's constants at hand.
 #[derive(Clone, Debug)]

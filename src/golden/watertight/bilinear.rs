@@ -8,7 +8,7 @@ use crate::float::{self, Value};
 use crate::planes::Setup;
 use crate::pyramid::Pyramid;
 use crate::record::{BilinearHit, Patch, RayHit, RayInput};
-use base::format::FloatFormat;
+use reliefrtl_base::format::FloatFormat;
 
 /// A refined hit. Where the surface was not hit, texel, fractions and parameter are those of the block hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

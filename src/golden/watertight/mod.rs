@@ -12,8 +12,8 @@ use super::float;
 use super::pyramid::Pyramid;
 use super::record::{Iteration, RayHit, RayInput};
 use super::walk::walk;
-use base::error::Result;
-use config::Design;
+use reliefrtl_base::error::Result;
+use reliefrtl_config::Design;
 
 impl Datapath for Watertight {
     fn prepare(design: &Design) -> Result<Self> {

@@ -1,7 +1,7 @@
 //! The constants of a watertight design.
 use crate::float::{self, power_of_two};
-use base::error::{Error, Result};
-use config::{Design, Trim};
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_config::{Design, Trim};
 
 /// The watertight model of one design, with the design's constants at hand.
 #[derive(Clone, Debug)]

@@ -4,7 +4,7 @@ use super::setup::Axis;
 use crate::float;
 use crate::planes::{PlaneArithmetic, Setup};
 use crate::record::RayInput;
-use config::Design;
+use reliefrtl_config::Design;
 
 impl PlaneArithmetic for Watertight {
     type Axis = Axis;

@@ -10,8 +10,8 @@ use super::datapath::Datapath;
 use super::fixed::Fixed;
 use super::pyramid::Pyramid;
 use super::record::{Iteration, RayHit, RayInput};
-use base::error::{Error, Result};
-use config::{Design, WindowSet, WindowWidths};
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_config::{Design, WindowSet, WindowWidths};
 
 /// The model of one design, with the design's constants at hand.
 #[derive(Clone, Debug)]

@@ -2,7 +2,7 @@
 use super::Windows;
 use crate::fixed::FixedAxis;
 use crate::record::RayInput;
-use config::Window;
+use reliefrtl_config::Window;
 
 /// One axis of a ray after setup.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -5,7 +5,7 @@ use crate::pyramid::Pyramid;
 use crate::record::{Decision, Iteration, RayHit, RayInput};
 use crate::walk::leave;
 use crate::window_maps::WindowMap;
-use config::WindowSet;
+use reliefrtl_config::WindowSet;
 
 /// What one iteration hands to the next.
 #[derive(Clone, Copy, Debug)]

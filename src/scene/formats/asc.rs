@@ -3,9 +3,9 @@ use super::opened::{Info, Opened, Rows, Samples, broken, oblong, sized};
 use super::pick::Pick;
 use super::plain::Words;
 use crate::source::Source;
-use base::error::Result;
-use base::files::MARK;
-use config::MapConfig;
+use reliefrtl_base::error::Result;
+use reliefrtl_base::files::MARK;
+use reliefrtl_config::MapConfig;
 use std::io::{Read, Seek};
 
 const KIND: &str = "ESRI ASC";

@@ -1,7 +1,7 @@
 //! Block compression of one channel: 4 x 4 texels in 8 bytes, two ends and a place between them for each.
 use super::opened::{Rows, broken, filled};
 use crate::source::{Handle, Source};
-use base::error::Result;
+use reliefrtl_base::error::Result;
 use std::io::SeekFrom;
 
 const KIND: &str = "BC4";

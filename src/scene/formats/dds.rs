@@ -4,9 +4,9 @@ use super::opened::{Info, Opened, Samples, broken, sized};
 use super::packed::{Layout, Packed, Stored};
 use super::pick::Pick;
 use crate::source::Source;
-use base::error::Result;
-use config::MapConfig;
 use ddsfile::{Caps2, D3DFormat, Dds, DxgiFormat};
+use reliefrtl_base::error::Result;
+use reliefrtl_config::MapConfig;
 use std::io::Read;
 
 const KIND: &str = "DDS";

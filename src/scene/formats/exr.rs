@@ -2,14 +2,14 @@
 use super::opened::{Info, Opened, Rows, Samples, broken, filled, noted, oblong, sized};
 use super::pick::Pick;
 use crate::source::Handle;
-use base::error::{Error, Result};
-use config::MapConfig;
 use exr::block::UncompressedBlock;
 use exr::block::chunk::{Chunk, CompressedBlock};
 use exr::block::reader::{AllChunksReader, ChunksReader};
 use exr::meta::BlockDescription;
 use exr::meta::attribute::SampleType;
 use exr::meta::header::Header;
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_config::MapConfig;
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 

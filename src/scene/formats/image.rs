@@ -3,9 +3,9 @@ use super::opened::{Info, Opened, Rows, Samples, broken, filled, sized};
 use super::orient::{of_exif, upright};
 use super::pick::Pick;
 use crate::source::Source;
-use base::error::{Error, Result};
-use config::MapConfig;
 use image::{ColorType, ImageDecoder, ImageFormat, ImageReader, Limits};
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_config::MapConfig;
 use std::io::{Read, SeekFrom};
 
 /// What a decoder may allocate besides the picture itself, in bytes.

@@ -21,9 +21,9 @@ mod tiff_packed;
 pub(super) use opened::{Samples, filled};
 
 use super::source::{Handle, Source};
-use base::error::{Error, Result};
-use config::{ByteOrder, MapConfig};
 use opened::{Opened, broken};
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_config::{ByteOrder, MapConfig};
 use std::io::Read;
 
 /// What is read, for the sentences about files that are not.

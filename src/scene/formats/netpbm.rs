@@ -6,8 +6,8 @@ use super::packed::{Layout, Packed, Stored, above};
 use super::pick::Pick;
 use super::plain::Words;
 use crate::source::Source;
-use base::error::Result;
-use config::MapConfig;
+use reliefrtl_base::error::Result;
+use reliefrtl_config::MapConfig;
 use std::io::{Read, Seek, SeekFrom};
 
 const GREY: [&str; 1] = ["Y"];
@@ -84,7 +84,7 @@ fn one_picture(source: &Source, layout: &mut Layout, channels: usize, kind: &str
     Err(broken(kind, format!("{bytes} after its last pixel, and a map is one picture")))
 }
 
-fn announced(kind: &str, width: usize, height: usize, there: u64) -> base::error::Error {
+fn announced(kind: &str, width: usize, height: usize, there: u64) -> reliefrtl_base::error::Error {
     broken(kind, format!("{width} x {height} pixels are announced, but only {there} bytes follow"))
 }
 

@@ -1,7 +1,7 @@
 //! What a reader makes of a file: what its header says, then its rows; and what all readers share.
-use base::error::{Error, Result};
-use config::MapConfig;
-use config::check::plain as plain_number;
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_config::MapConfig;
+use reliefrtl_config::check::plain as plain_number;
 use std::fmt;
 
 /// The rows of a file, top to bottom, in the file's own numbers.

@@ -1,6 +1,6 @@
 //! Pictures that are stored turned or mirrored.
 use super::opened::{Info, Opened, Rows, filled};
-use base::error::{Error, Result};
+use reliefrtl_base::error::{Error, Result};
 
 /// A picture whose stored rows must be turned, as the tag of TIFF and EXIF says: 1 is upright, 2 mirrored, 3 upside down, 4 both, 5 to 8
 /// with rows and columns exchanged.

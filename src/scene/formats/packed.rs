@@ -2,7 +2,7 @@
 use super::opened::{Rows, broken, filled};
 use super::pick::Pick;
 use crate::source::{Handle, Source};
-use base::error::{Error, Result};
+use reliefrtl_base::error::{Error, Result};
 use std::io::SeekFrom;
 
 /// How one sample is stored.

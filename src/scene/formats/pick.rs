@@ -1,6 +1,6 @@
 //! Which channel of a pixel is the height.
-use base::error::{Error, Result};
-use config::MapConfig;
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_config::MapConfig;
 
 /// The choice among the channels of a file.
 pub(super) struct Pick {

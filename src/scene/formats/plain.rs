@@ -1,7 +1,7 @@
 //! Words of a text file, one after the other, without the file in memory.
 use super::opened::broken;
 use crate::source::Handle;
-use base::error::Result;
+use reliefrtl_base::error::Result;
 use std::io::{BufRead, Seek};
 
 /// No number is longer.

@@ -3,9 +3,9 @@ use super::opened::{Info, Opened, Rows, Samples, broken, filled, sized};
 use super::orient::{of_exif, upright};
 use super::pick::Pick;
 use crate::source::Handle;
-use base::error::Result;
-use config::MapConfig;
 use png::{ColorType, DecodeOptions, Decoder, Limits, Reader, Transformations};
+use reliefrtl_base::error::Result;
+use reliefrtl_config::MapConfig;
 
 const KIND: &str = "PNG";
 /// What may be allocated for a header, in bytes; rows are counted by [`sized`].

@@ -3,8 +3,8 @@ use super::opened::{Info, Opened, Samples, sized};
 use super::packed::{Layout, Packed, Stored};
 use super::pick::Pick;
 use crate::source::Source;
-use base::error::{Error, Result};
-use config::{ByteOrder, MapConfig};
+use reliefrtl_base::error::{Error, Result};
+use reliefrtl_config::{ByteOrder, MapConfig};
 
 pub(super) const RAW: &str = "RAW";
 pub(super) const HGT: &str = "HGT";

@@ -6,7 +6,7 @@ use super::opened::{Rows, broken, filled};
 use super::pick::Pick;
 use super::tiff_packed::{Turned, lzw, pack_bits, unpacked_here, word};
 use crate::source::Handle;
-use base::error::{Error, Result};
+use reliefrtl_base::error::{Error, Result};
 use std::io::{Read, SeekFrom};
 use tiff::decoder::{Decoder, DecodingResult};
 use tiff::tags::{CompressionMethod, Tag};

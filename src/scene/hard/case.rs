@@ -1,7 +1,7 @@
 //! A hard case, and what it makes for a design.
 use super::Numbers;
 use super::draw::{Draw, Ray};
-use config::Design;
+use reliefrtl_config::Design;
 
 /// Makes a map, and what makes each of its rays.
 pub(super) type Make = fn(&Draw) -> (Vec<u32>, fn(&mut Draw) -> Ray);

@@ -12,7 +12,7 @@ pub use draw::Ray;
 pub use numbers::Numbers;
 pub use picture::footprints;
 
-use base::error::{Error, Result};
+use reliefrtl_base::error::{Error, Result};
 
 impl Case {
     /// All cases.

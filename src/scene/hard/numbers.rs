@@ -1,6 +1,6 @@
 //! What a design's number format can hold exactly, as f64.
-use base::format::Words;
-use config::Design;
+use reliefrtl_base::format::Words;
+use reliefrtl_config::Design;
 
 /// The numbers of a design's rays; all of them fit into an f64 exactly.
 #[derive(Clone, Copy, Debug)]

@@ -3,7 +3,7 @@ use super::HardScene;
 use super::draw::Ray;
 use crate::palette::{by_height, bytes, of_map};
 use crate::picture::Picture;
-use config::MapKind;
+use reliefrtl_config::MapKind;
 
 /// Side of the map in the picture, at least; a larger map is shrunk to it, each pixel its highest texel.
 const SIDE: usize = 640;

@@ -9,8 +9,8 @@
 use super::fields::{Fields, FormatParams};
 use super::general;
 use crate::lzc::lzc;
-use base::format::FloatFormat;
-use ir::{Builder, Expr, Module, Sig};
+use reliefrtl_base::format::FloatFormat;
+use reliefrtl_ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
 
 /// Sections and how long each takes, in tenths of a nanosecond on ECP5.

@@ -10,8 +10,8 @@
 use super::fields::FormatParams;
 use super::general::{Classes, Exact, Operand, Range, any, exponent_width, round};
 use crate::lzc::lzc;
-use base::format::{FloatFormat, Rounding};
-use ir::{Builder, Expr, Module, Sig};
+use reliefrtl_base::format::{FloatFormat, Rounding};
+use reliefrtl_ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
 
 /// Sections and how long each takes, in tenths of a nanosecond on ECP5.

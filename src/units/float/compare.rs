@@ -3,8 +3,8 @@
 //! One carry chain and one equality over the magnitudes; signs and classes are decided beside them.
 use super::fields::FormatParams;
 use super::general::{Operand, any};
-use base::format::FloatFormat;
-use ir::{Builder, Module};
+use reliefrtl_base::format::FloatFormat;
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Sections and how long each takes, in tenths of a nanosecond on ECP5.

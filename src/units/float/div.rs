@@ -10,9 +10,9 @@ use super::quotient::Quotient;
 use super::round::Candidate;
 use super::rows::Groups;
 use crate::div_rows::div_rows;
-use base::format::FloatFormat;
-use config::{Divider, LatencyConfig};
-use ir::{Builder, Module};
+use reliefrtl_base::format::FloatFormat;
+use reliefrtl_config::{Divider, LatencyConfig};
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// The sections behind the rows.

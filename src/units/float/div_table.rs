@@ -8,10 +8,10 @@ use super::fields::FormatParams;
 use super::quotient::Quotient;
 use super::round::Classes;
 use crate::recip_table::recip_table;
-use base::bits::{INDEX_W, SLOPE_W, START_W};
-use base::format::FloatFormat;
-use config::Design;
-use ir::{Builder, Expr, Module};
+use reliefrtl_base::bits::{INDEX_W, SLOPE_W, START_W};
+use reliefrtl_base::format::FloatFormat;
+use reliefrtl_config::Design;
+use reliefrtl_ir::{Builder, Expr, Module};
 use std::sync::Arc;
 
 /// What stands behind the table's register, and how long it takes, in tenths of a nanosecond on ECP5: a read of a block

@@ -1,6 +1,6 @@
 //! Fields of a floating-point operand, and the classes that the format's policy knows.
-use base::format::{FloatFormat, Rounding};
-use ir::{Binding, Builder, Expr, Sig};
+use reliefrtl_base::format::{FloatFormat, Rounding};
+use reliefrtl_ir::{Binding, Builder, Expr, Sig};
 
 /// The format parameters of a module and its derived widths.
 #[derive(Clone)]

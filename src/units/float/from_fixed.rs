@@ -3,8 +3,8 @@ use super::fields::FormatParams;
 use super::general;
 use super::round::{Special, Unrounded, round_pack};
 use crate::lzc::lzc;
-use base::format::FloatFormat;
-use ir::{Builder, Expr, Module};
+use reliefrtl_base::format::FloatFormat;
+use reliefrtl_ir::{Builder, Expr, Module};
 use std::sync::Arc;
 
 /// Builds `fp_from_int`: `a` is a signed integer of `int_w` bits (parameter INT_W).

@@ -3,8 +3,8 @@
 //! One carry chain over the magnitudes, with no test before it: where `a` is negative, its last position turns
 //! `a < b` into `a <= b`, whose complement is the answer for two negative numbers. Classes are decided beside the chain.
 use super::fields::{Fields, FormatParams, Split};
-use base::format::FloatFormat;
-use ir::{Builder, Module, Sig};
+use reliefrtl_base::format::FloatFormat;
+use reliefrtl_ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
 /// Sections and how long each takes, in tenths of a nanosecond on ECP5.

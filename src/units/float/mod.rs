@@ -30,8 +30,8 @@ pub use sqrt::fp_sqrt;
 pub use to_fixed::{fp_to_fixed, fp_to_int};
 
 use super::{div_rows, sqrt_rows};
-use config::{Design, Divider, ExtraUnit};
-use ir::Module;
+use reliefrtl_config::{Design, Divider, ExtraUnit};
+use reliefrtl_ir::Module;
 use std::sync::Arc;
 
 /// A unit that no traversal needs, and what it alone brings with it, leaves first.

@@ -7,8 +7,8 @@
 use super::fields::{Fields, FormatParams};
 use super::general;
 use super::round::{Candidate, Classes};
-use base::format::FloatFormat;
-use ir::{Builder, Expr, Module, Sig};
+use reliefrtl_base::format::FloatFormat;
+use reliefrtl_ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
 
 /// Sections and how long each takes, in tenths of a nanosecond on ECP5.

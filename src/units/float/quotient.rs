@@ -1,7 +1,7 @@
 //! What both dividers know of a quotient before they divide: sign, exponent, classes.
 use super::fields::{Fields, FormatParams};
 use super::round::Classes;
-use ir::{Builder, Expr, Sig};
+use reliefrtl_ir::{Builder, Expr, Sig};
 
 /// A quotient but for its significand.
 pub struct Quotient<'b> {

@@ -6,8 +6,8 @@ use super::fields::FormatParams;
 use super::general::{Classes, Exact, Operand, Range, exponent_width, round};
 use super::rows::Groups;
 use crate::div_rows::div_rows;
-use base::format::FloatFormat;
-use ir::{Builder, Module, Sig};
+use reliefrtl_base::format::FloatFormat;
+use reliefrtl_ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
 /// What stands before the rows where subnormals are numbers, and behind them.

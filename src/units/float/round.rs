@@ -2,7 +2,7 @@
 //! rounding. `fp_add` and `fp_div` by a table round in code of their own. Each is proved equal to `general` for every operand, but for the division by a table,
 //! which is held against the golden model (`tests/proofs/roundings.rs`, `tests/golden/arithmetic/div_table.rs`).
 use super::fields::FormatParams;
-use ir::{Builder, Expr, Sig};
+use reliefrtl_ir::{Builder, Expr, Sig};
 
 /// A result before rounding.
 pub struct Unrounded<'b> {

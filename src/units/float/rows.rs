@@ -1,5 +1,5 @@
 //! Digit rows in groups, one a stage.
-use ir::{Builder, Expr, plan_stages};
+use reliefrtl_ir::{Builder, Expr, plan_stages};
 
 /// What a row takes, in tenths of a nanosecond on ECP5.
 const ROW: u32 = 35;

@@ -7,8 +7,8 @@ use super::fields::FormatParams;
 use super::general::{Classes, Exact, Operand, Range, exponent_width, round};
 use super::rows::Groups;
 use crate::sqrt_rows::sqrt_rows;
-use base::format::FloatFormat;
-use ir::{Builder, Module, Sig};
+use reliefrtl_base::format::FloatFormat;
+use reliefrtl_ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
 /// What stands before the rows where subnormals are numbers.

@@ -1,8 +1,8 @@
 //! `fp_to_int`, `fp_to_fixed`: a float to a signed integer, or fixed-point number, toward minus infinity, saturating.
 use super::fields::{Fields, FormatParams};
 use super::general::Operand;
-use base::format::FloatFormat;
-use ir::{Builder, Expr, Module, Sig};
+use reliefrtl_base::format::FloatFormat;
+use reliefrtl_ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
 
 /// Builds `fp_to_int`: the result is a signed integer of `int_w` bits (parameter INT_W).

@@ -1,5 +1,5 @@
 //! `arbiter`: some streams into one, round robin.
-use ir::{Builder, Module};
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Inputs of the arbiter where nothing else is asked for.

@@ -3,7 +3,7 @@
 //!
 //! Pointers, occupancy and credits; a `fifo_mem` holds the data.
 use super::fifo_mem::fifo_mem;
-use ir::{Builder, Module, Sig};
+use reliefrtl_ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
 /// Address bits of a slot: 16 slots, as a distributed memory of look-up tables has.

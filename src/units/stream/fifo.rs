@@ -1,6 +1,6 @@
 //! `fifo`: a synchronous FIFO with valid and ready on both sides.
 use super::fifo_mem::fifo_mem;
-use ir::{Builder, Module};
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Builds `fifo` (parameters W, DEPTH).

@@ -1,6 +1,6 @@
 //! `fifo_mem`: the words of a FIFO, one write port and one read port with a register after it.
 use crate::lzc::finish_primitive;
-use ir::{Builder, Module, Prim};
+use reliefrtl_ir::{Builder, Module, Prim};
 use std::sync::Arc;
 
 /// Builds `fifo_mem` (parameters ADDR_W, DATA_W, DEPTH), simple dual-port.

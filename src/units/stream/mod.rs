@@ -17,8 +17,8 @@ pub use ports::{InputStream, OutputStream};
 pub use spill_register::spill_register;
 pub use stream_delay::{stream_delay, word_delay};
 
-use config::ExtraUnit;
-use ir::{Builder, Module, Record, Sig};
+use reliefrtl_config::ExtraUnit;
+use reliefrtl_ir::{Builder, Module, Record, Sig};
 use std::sync::Arc;
 
 /// A unit of streams that no traversal needs, and what it alone brings with it, leaves first.
@@ -57,7 +57,7 @@ impl<'b> Stream<'b> {
         self.buffered(b, name, &fifo(), &[("DEPTH", depth.into())])
     }
 
-    fn buffered(self, b: &'b Builder, name: &str, module: &Arc<Module>, params: &[(&str, ir::Expr)]) -> Self {
+    fn buffered(self, b: &'b Builder, name: &str, module: &Arc<Module>, params: &[(&str, reliefrtl_ir::Expr)]) -> Self {
         let (word, ready) = (self.data.bundle(b), b.wire(&format!("{name}_ready"), 1));
         let params: Vec<_> = params.iter().cloned().chain([("W", word.width())]).collect();
         let ins = [("in_valid", self.valid), ("in_data", word), ("out_ready", ready)];

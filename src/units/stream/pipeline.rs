@@ -2,7 +2,7 @@
 use super::credit_fifo::credit_fifo;
 use super::spill_register::spill_register;
 use super::stream_delay::stream_delay;
-use ir::{Builder, Record, Sig};
+use reliefrtl_ir::{Builder, Record, Sig};
 
 /// What decouples ready after setup and after the hit. The one definition of the values of `latency.handshake`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

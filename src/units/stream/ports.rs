@@ -1,6 +1,6 @@
 //! Streams at the ports of a module.
 use super::Stream;
-use ir::{Builder, Expr, OutputRecord, Record, Sig};
+use reliefrtl_ir::{Builder, Expr, OutputRecord, Record, Sig};
 
 /// A field of a port: its name, width, unit and meaning.
 pub type Field<'a> = (&'a str, Expr, &'a str, &'a str);

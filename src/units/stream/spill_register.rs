@@ -2,7 +2,7 @@
 //! The consumer may stall at once; the producer stalls one cycle later, and the word of that cycle spills into the second slot.
 //!
 //! Only registers drive the wide multiplexer and the load enables, so no handshake fans out to every data bit in the cycle in which it is decided.
-use ir::{Builder, Module, Sig};
+use reliefrtl_ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
 /// Builds `spill_register` (parameter W).

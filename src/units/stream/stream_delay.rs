@@ -1,5 +1,5 @@
 //! Delay beside a pipeline with a clock enable: a word's valid bit, and what it carries along.
-use ir::{Builder, Module};
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Builds a delay of `clocks` under the name `name` (parameter W): a word, and its valid bit, which reset clears.

@@ -5,8 +5,8 @@
 //! height is no larger (`docs/datapath.md`, "Chord trim").
 use super::params::{LevelParams, bindings, index_width};
 use super::start_level::start_level;
-use config::{Design, Trim};
-use ir::{Builder, Expr, Module, Sig};
+use reliefrtl_config::{Design, Trim};
+use reliefrtl_ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
 
 /// Builds `chord_trim`, combinational; integers only, so that it serves every datapath that knows these texels.

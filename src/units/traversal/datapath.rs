@@ -6,8 +6,8 @@ use super::loop_state::{Field, Numbers, Ray, Sizes, said_by, tag};
 use super::search::Search;
 use super::slot_memory::SlotMemory;
 use crate::float::FormatParams;
-use config::Design;
-use ir::{Builder, Expr, Module, Sig};
+use reliefrtl_config::Design;
+use reliefrtl_ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
 
 /// Builds an iteration: from the slot's ray to the ray that goes back; where constants stand in slot memories, from these, too.

@@ -1,7 +1,7 @@
 //! `finest_level`: the level at which a ray may end, and the level at which it starts, which is no finer (PDM section 3.4).
 use super::params::{LevelParams, bindings};
-use config::TraverseConfig;
-use ir::{Builder, Module};
+use reliefrtl_config::TraverseConfig;
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Builds `finest_level`, combinational.

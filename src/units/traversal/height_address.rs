@@ -4,8 +4,8 @@
 //! index uses, so levels lie without gaps and no adder is needed (`docs/datapath.md`, "The pyramid in memory").
 use super::params::{LevelParams, bindings};
 use crate::interleave::interleave;
-use config::TraverseConfig;
-use ir::{Builder, Module};
+use reliefrtl_config::TraverseConfig;
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Builds `height_address`, combinational.

@@ -2,7 +2,7 @@
 //! time for anything else.
 use super::height_memory::MEM_INIT;
 use crate::lzc::finish_primitive;
-use ir::{Builder, Module, Prim};
+use reliefrtl_ir::{Builder, Module, Prim};
 use std::sync::Arc;
 
 /// Address bits of a bank: 8192 words of 8 bits fill four ECP5 block memories of 8192 x 2.
@@ -34,6 +34,6 @@ pub fn height_banks(addr: u32, data: u32, depth: u32) -> Arc<Module> {
 }
 
 /// Passed at each instance, so that a parameter of the same name above would not be taken for it.
-pub(super) fn bank_bits() -> ir::Expr {
-    ir::Expr::from(i64::from(BANK_BITS))
+pub(super) fn bank_bits() -> reliefrtl_ir::Expr {
+    reliefrtl_ir::Expr::from(i64::from(BANK_BITS))
 }

@@ -1,6 +1,6 @@
 //! `height_memory`: the pyramid's heights on chip: one write port, one read port with a register after it.
 use crate::lzc::finish_primitive;
-use ir::{Builder, Expr, Module, Prim};
+use reliefrtl_ir::{Builder, Expr, Module, Prim};
 use std::sync::Arc;
 
 /// The parameter that names the file of a memory's first words.

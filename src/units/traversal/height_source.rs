@@ -5,8 +5,8 @@
 //! looks up again, or the source parks it outside the loop and gives the slot to a parked ray that is ready, or to a new ray
 //! ([`HeightPort::exchange`]). A source that never misses is [`super::OnChip`].
 use super::loop_state::{Field, Ray, Sizes};
-use config::Design;
-use ir::{Builder, Expr, Sig};
+use reliefrtl_config::Design;
+use reliefrtl_ir::{Builder, Expr, Sig};
 
 /// A memory of heights and its load port.
 #[derive(Clone)]

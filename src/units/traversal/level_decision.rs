@@ -1,7 +1,7 @@
 //! `level_decision`: hit, descend or cross; the node, level and parameter of the next iteration (PIDM-HW section 4.2).
 use super::params::{LevelParams, bindings, index_width};
-use config::{Design, Trim};
-use ir::{Binding, Builder, Expr, Module};
+use reliefrtl_config::{Design, Trim};
+use reliefrtl_ir::{Binding, Builder, Expr, Module};
 use std::sync::Arc;
 
 /// A datapath's ray parameter, as `level_decision` passes it on.

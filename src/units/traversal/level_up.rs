@@ -1,7 +1,7 @@
 //! `level_up`: does a crossing go one level up? (PIDM-HW section 3.3; the rules stand in `docs/datapath.md`.)
 use super::params::{LevelParams, bindings, index_width};
-use config::{Design, LevelUp};
-use ir::{Builder, Module, Sig};
+use reliefrtl_config::{Design, LevelUp};
+use reliefrtl_ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
 /// Whether the rule asks if the crossed plane bounds the parent node too: whether its index is even.

@@ -3,8 +3,8 @@ use super::bilinear;
 use super::datapath::Datapath;
 use super::traverse::Traverse;
 use crate::float::names;
-use config::Design;
-use ir::Module;
+use reliefrtl_config::Design;
+use reliefrtl_ir::Module;
 use std::sync::Arc;
 
 /// Floating-point units in the loop, and its stages.

@@ -1,7 +1,7 @@
 //! The state of a ray in the loop.
 use crate::float::FormatParams;
-use config::{Design, LevelUp, Trim};
-use ir::{Builder, Expr, Module, Sig};
+use reliefrtl_config::{Design, LevelUp, Trim};
+use reliefrtl_ir::{Builder, Expr, Module, Sig};
 
 /// Parameters of `traverse`.
 pub struct Sizes {

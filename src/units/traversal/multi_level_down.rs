@@ -2,8 +2,8 @@
 //!
 //! Until the first crossing the step is `levels_down` levels where that many are left, afterwards one.
 use super::params::{LevelParams, bindings, index_width};
-use config::Design;
-use ir::{Builder, Module, Sig};
+use reliefrtl_config::Design;
+use reliefrtl_ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
 /// Clocks through `multi_level_down`: a register between its comparisons and what they choose.

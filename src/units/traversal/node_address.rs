@@ -1,8 +1,8 @@
 //! The address of a ray's node.
 use super::height_address::height_address;
 use super::loop_state::{Ray, Sizes};
-use config::Design;
-use ir::{Builder, Sig};
+use reliefrtl_config::Design;
+use reliefrtl_ir::{Builder, Sig};
 
 /// Where the node of `level` that holds the ray's texel stands in the pyramid (2 * LEVELS + 1 bits, words), by an instance of that name.
 pub fn node_address<'b>(

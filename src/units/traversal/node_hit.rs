@@ -2,8 +2,8 @@
 //!
 //! Which texel of the node the ray carries depends on the way it came; the hit position, kept in the node, does not.
 use super::params::{LevelParams, index_width};
-use config::TraverseConfig;
-use ir::{Binding, Builder, Module};
+use reliefrtl_config::TraverseConfig;
+use reliefrtl_ir::{Binding, Builder, Module};
 use std::sync::Arc;
 
 /// Builds `node_hit`, combinational.

@@ -1,8 +1,8 @@
 //! `node_planes`: along one axis, the texels that a descent may go to, the plane by which the ray can leave,
 //! and the texel beyond it (PIDM-HW section 3.2, node crossing).
 use super::params::{LevelParams, bindings, index_width};
-use config::{Design, TraverseConfig};
-use ir::{Builder, Module};
+use reliefrtl_config::{Design, TraverseConfig};
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `node_planes`: extent and planes are a shift and a sum, one behind the other.

@@ -3,8 +3,8 @@ use super::height_banks::{bank_bits, height_banks};
 use super::height_memory::height_memory;
 use super::height_source::{HeightPort, HeightSource, Heights, Load, Place};
 use super::loop_state::Ray;
-use config::Design;
-use ir::{Module, Sig};
+use reliefrtl_config::Design;
+use reliefrtl_ir::{Module, Sig};
 use std::sync::Arc;
 
 /// The whole pyramid in memory on chip, of one node a word; or the windows of each size in one of its own.

@@ -1,7 +1,7 @@
 //! Parameters that the traversal's units share.
 use crate::float::FormatParams;
-use config::{Design, TraverseConfig, Trim};
-use ir::{Binding, Builder, Expr};
+use reliefrtl_config::{Design, TraverseConfig, Trim};
+use reliefrtl_ir::{Binding, Builder, Expr};
 
 /// LEVELS, with the width of a level number.
 pub struct LevelParams {

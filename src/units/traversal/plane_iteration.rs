@@ -8,8 +8,8 @@ use super::node_planes::node_planes;
 use super::plane_units::PlaneUnits;
 use super::trim;
 use super::trim_return::trim_return;
-use config::{Design, LevelUp, Trim};
-use ir::{Builder, Sig};
+use reliefrtl_config::{Design, LevelUp, Trim};
+use reliefrtl_ir::{Builder, Sig};
 
 /// Builds the iteration; operands meet at the stage at which the latest of them is known.
 pub fn plane_iteration<'b>(

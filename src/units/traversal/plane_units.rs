@@ -1,6 +1,6 @@
 //! What a datapath that compares plane parameters puts into its iteration.
-use config::Design;
-use ir::{Builder, Module, Sig};
+use reliefrtl_config::Design;
+use reliefrtl_ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
 /// Two signals, of u or least first.

@@ -1,7 +1,7 @@
 //! The hardware datapaths, by their kind: the one place that knows all of them.
 use super::datapath::Datapath;
 use super::{fixed, published, watertight, windows};
-use config::{DatapathKind, Design};
+use reliefrtl_config::{DatapathKind, Design};
 
 impl Datapath {
     /// The datapath of a design.

@@ -4,8 +4,8 @@ use super::datapath::Datapath;
 use super::height_source::Load;
 use super::loop_state::{Ray, Sizes};
 use crate::stream::{Pipeline, word_delay};
-use config::Design;
-use ir::{Builder, Expr, Record, Sig};
+use reliefrtl_config::Design;
+use reliefrtl_ir::{Builder, Expr, Record, Sig};
 
 /// What a hit is, wherever it was found: texel, position in it, ray parameter.
 const HIT: [&str; 5] = ["i", "j", "fu", "fv", "t"];

@@ -3,8 +3,8 @@ use super::height_memory::pyramid_words;
 use super::height_source::Load;
 use super::loop_state::{Field, Ray, Sizes, level_state};
 use super::slot_memory::SlotMemory;
-use config::Design;
-use ir::Builder;
+use reliefrtl_config::Design;
+use reliefrtl_ir::Builder;
 
 /// Builds the ray that leaves, from the loop's registers and the slot memories.
 pub type Leaving = for<'b> fn(&'b Builder, &Sizes, &Ray<'b>, &SlotMemory<'b>) -> Ray<'b>;

@@ -2,7 +2,7 @@
 //!
 //! A group of words is written when its ray enters, and read in the stage that needs it; each group has a memory, as each memory has one read port.
 use crate::stream::fifo_mem;
-use ir::{Builder, Expr, Record, Sig};
+use reliefrtl_ir::{Builder, Expr, Record, Sig};
 
 /// The memories of one loop.
 pub struct SlotMemory<'b> {

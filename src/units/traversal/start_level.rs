@@ -4,8 +4,8 @@
 //! XORs before counting; their OR has the same topmost 1 and needs no comparator.
 use super::params::{LevelParams, bindings, index_width};
 use crate::lzc::lzc;
-use config::TraverseConfig;
-use ir::{Builder, Module};
+use reliefrtl_config::TraverseConfig;
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Builds `start_level`, combinational.

@@ -13,8 +13,8 @@ use super::result::{Result, result_fields};
 use super::slot_memory::SlotMemory;
 use crate::delay_line::in_lines;
 use crate::stream::{Decoupling, InputStream, OutputStream, Pipeline, SLOTS};
-use config::{Design, Trim};
-use ir::{Binding, Builder, Module, Sig};
+use reliefrtl_config::{Design, Trim};
+use reliefrtl_ir::{Binding, Builder, Module, Sig};
 use std::sync::Arc;
 
 /// Name of the module.

@@ -2,8 +2,8 @@
 use super::chord_trim::chord_trim;
 use super::loop_state::{Ray, Sizes};
 use super::plane_units::{Pair, PlaneUnits};
-use config::Design;
-use ir::{Builder, Sig};
+use reliefrtl_config::Design;
+use reliefrtl_ir::{Builder, Sig};
 
 /// The level of the node to be read instead of the ray's own; `bounds` are least and greatest texel of a descent, `times` the parameters of the
 /// exit planes, each u first.

@@ -3,8 +3,8 @@
 //! A trimmed node has the exit of the untrimmed one, so the crossing leaves both and the ray goes on at the untrimmed level; but where selective
 //! level-up sees the predicted hit in a neighbour of the trimmed node, it stays at that node's level.
 use super::params::{LevelParams, bindings};
-use config::{Design, LevelUp};
-use ir::{Builder, Module};
+use reliefrtl_config::{Design, LevelUp};
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Builds `trim_return`, combinational; for every rule but the one that never ascends, whose crossings stay at the untrimmed level.

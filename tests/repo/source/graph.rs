@@ -22,7 +22,6 @@ enum Target {
 struct Names<'a> {
     modules: &'a [Module],
     by_path: BTreeMap<&'a [String], usize>,
-    crates: BTreeSet<&'a String>,
 }
 
 /// What a look-up has been through.
@@ -50,7 +49,7 @@ impl Names<'_> {
                 Some(Target::Module(m)) => here = m,
                 Some(item) => return Some(item),
                 // Another crate of ours.
-                None if k == 0 && self.crates.contains(name) => here = found(&path[..1])?,
+                None if k == 0 && self.own(name).is_some() => here = self.own(name)?,
                 // A macro may define it.
                 None => return (rooted || k > 0).then_some(Target::Item(here)),
             }
@@ -86,6 +85,12 @@ impl Names<'_> {
                 _ => None,
             })
         })
+    }
+
+    /// The module of a crate of ours, by the crate's name.
+    fn own(&self, name: &str) -> Option<usize> {
+        let folder = name.strip_prefix("reliefrtl_")?.to_owned();
+        self.by_path.get([folder].as_slice()).copied()
     }
 
     fn item(&self, at: usize, path: &[String]) -> Option<&Path> {
@@ -128,8 +133,7 @@ fn paths(m: &Module) -> Vec<(Vec<String>, usize)> {
 /// Every use of one file by another, once a pair and item.
 pub fn edges(modules: &[Module]) -> Vec<Edge> {
     let by_path = modules.iter().enumerate().map(|(k, m)| (m.path.as_slice(), k)).collect();
-    let crates = modules.iter().filter_map(|m| m.root.first()).collect();
-    let names = Names { modules, by_path, crates };
+    let names = Names { modules, by_path };
     let mut out: BTreeMap<(PathBuf, PathBuf, String), usize> = BTreeMap::new();
     for (at, m) in modules.iter().enumerate() {
         let imported = m.imports.values().flatten().filter(|i: &&Import| !i.passed_on);

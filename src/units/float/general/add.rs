@@ -2,8 +2,8 @@
 use super::super::fields::FormatParams;
 use super::{Classes, Exact, Operand, Range, any, exponent_width, round};
 use crate::lzc::lzc;
-use base::format::{FloatFormat, Rounding};
-use ir::{Builder, Module};
+use reliefrtl_base::format::{FloatFormat, Rounding};
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Sections and how long each takes, in tenths of a nanosecond on ECP5.

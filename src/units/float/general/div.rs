@@ -3,8 +3,8 @@ use super::super::fields::FormatParams;
 use super::super::rows::Groups;
 use super::{Classes, Exact, Operand, Range, any, exponent_width, round};
 use crate::div_rows::div_rows;
-use base::format::FloatFormat;
-use ir::{Builder, Module, Sig};
+use reliefrtl_base::format::FloatFormat;
+use reliefrtl_ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
 const HEAD: (&str, u32) = ("operands", 50);

@@ -13,7 +13,7 @@ pub use mul::fp_mul;
 pub use operand::{Operand, exponent_width};
 pub use round::{Classes, Exact, Range, round};
 
-use ir::Sig;
+use reliefrtl_ir::Sig;
 
 /// The OR of those that are there.
 pub fn any<'b>(of: &[Option<Sig<'b>>]) -> Option<Sig<'b>> {

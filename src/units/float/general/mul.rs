@@ -1,8 +1,8 @@
 //! `fp_mul` at any choice of rounding, subnormals and specials.
 use super::super::fields::FormatParams;
 use super::{Classes, Exact, Operand, Range, any, exponent_width, round};
-use base::format::FloatFormat;
-use ir::{Builder, Module};
+use reliefrtl_base::format::FloatFormat;
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Builds `fp_mul` with `latency` clocks from operand to result.

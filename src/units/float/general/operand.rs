@@ -1,7 +1,7 @@
 //! An operand, read as the format's choices say.
 use super::super::fields::{Fields, FormatParams, Split};
 use crate::lzc::lzc;
-use ir::{Builder, Expr, Sig};
+use reliefrtl_ir::{Builder, Expr, Sig};
 
 /// An operand taken apart; net names start with its own.
 pub struct Operand<'b> {

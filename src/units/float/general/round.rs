@@ -1,8 +1,8 @@
 //! The rounding at every choice; what is not chosen is not emitted. The faster code of the default choices is proved equal to it.
 use super::super::fields::FormatParams;
 use super::any;
-use base::format::Rounding;
-use ir::{Builder, Sig};
+use reliefrtl_base::format::Rounding;
+use reliefrtl_ir::{Builder, Sig};
 
 /// A result before rounding.
 pub struct Exact<'b> {

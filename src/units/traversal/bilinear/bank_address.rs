@@ -4,8 +4,8 @@
 //! of its address: these are the parities (`docs/bilinear.md`, "The memory").
 use crate::interleave::interleave;
 use crate::traversal::params::LevelParams;
-use config::TraverseConfig;
-use ir::{Binding, Builder, Module};
+use reliefrtl_config::TraverseConfig;
+use reliefrtl_ir::{Binding, Builder, Module};
 use std::sync::Arc;
 
 /// Builds `bank_address`, combinational.
@@ -24,7 +24,7 @@ pub fn bank_address(t: &TraverseConfig) -> Arc<Module> {
     .map(|(name, doc)| b.output(&format!("address_{name}"), levels.clone() * 2 - 2, "words", doc));
     // An odd first texel stands beside the even one of the next pair.
     let half = &levels - 1;
-    let pair = |x: ir::Sig<'_>, name: &str| {
+    let pair = |x: reliefrtl_ir::Sig<'_>, name: &str| {
         let odd = x.slice(1, &half).named(&format!("{name}_odd"));
         let even = (odd + x.bit(0).zext(&half)).named(&format!("{name}_even"));
         [even.id(), odd.id()]

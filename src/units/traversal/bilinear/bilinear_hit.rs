@@ -2,8 +2,8 @@
 use super::{bilinear_window, patch_corner, patch_memory, ray_place, secant_step, surface_gap};
 use crate::float::{FormatParams, fp_div};
 use crate::traversal::params::{LevelParams, index_width};
-use config::{Design, LatencyConfig};
-use ir::{Binding, Builder, Module, Sig};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Binding, Builder, Module, Sig};
 use std::sync::Arc;
 
 /// Name of the module.

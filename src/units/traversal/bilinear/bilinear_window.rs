@@ -1,8 +1,8 @@
 //! `bilinear_window`: between which parameters the surface is looked for: half a texel of the faster axis before and behind the hit.
 use super::common::negated;
 use crate::float::{FormatParams, bindings, fp_add, fp_lt, fp_mul};
-use config::{Design, LatencyConfig};
-use ir::{Builder, Module};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `bilinear_window`.

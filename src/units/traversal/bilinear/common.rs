@@ -1,6 +1,6 @@
 //! What several units of the refinement need.
 use crate::traversal::height_memory::MEM_INIT;
-use ir::{Builder, Sig};
+use reliefrtl_ir::{Builder, Sig};
 
 /// Declares the file of the map's words; each of the four memories of a copy has one of its own.
 pub(super) fn preloaded(b: &Builder) {

@@ -18,8 +18,8 @@ pub use ray_place::ray_place;
 pub use secant_step::secant_step;
 pub use surface_gap::surface_gap;
 
-use config::Design;
-use ir::Module;
+use reliefrtl_config::Design;
+use reliefrtl_ir::Module;
 use std::sync::Arc;
 
 /// All of them, leaves first.

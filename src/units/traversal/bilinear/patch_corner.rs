@@ -1,8 +1,8 @@
 //! `patch_corner`: along one axis, the first texel of the patch in which a place lies. Heights stand at the centres of texels, so it is half a texel further
 //! back.
 use crate::traversal::params::LevelParams;
-use config::TraverseConfig;
-use ir::{Binding, Builder, Module};
+use reliefrtl_config::TraverseConfig;
+use reliefrtl_ir::{Binding, Builder, Module};
 use std::sync::Arc;
 
 /// Builds `patch_corner`, combinational.

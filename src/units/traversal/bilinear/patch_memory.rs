@@ -5,8 +5,8 @@
 use super::bank_address;
 use crate::traversal::height_memory;
 use crate::traversal::params::LevelParams;
-use config::TraverseConfig;
-use ir::{Binding, Builder, Module, Sig};
+use reliefrtl_config::TraverseConfig;
+use reliefrtl_ir::{Binding, Builder, Module, Sig};
 use std::sync::Arc;
 
 /// Builds `patch_memory`, of one clock.

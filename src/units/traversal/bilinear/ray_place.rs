@@ -1,8 +1,8 @@
 //! `ray_place`: along one axis, the texel of a map that repeats in which the ray is at a parameter, and where in it.
 use crate::float::{FormatParams, fp_add, fp_mul, fp_to_fixed};
 use crate::traversal::params::{LevelParams, index_width};
-use config::{Design, LatencyConfig};
-use ir::{Binding, Builder, Module};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Binding, Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `ray_place`.

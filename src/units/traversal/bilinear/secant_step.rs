@@ -1,8 +1,8 @@
 //! `secant_step`: where the chord between the gaps at a window's two ends meets zero.
 use super::common::negated;
 use crate::float::{Fields, FormatParams, bindings, fp_add, fp_div, fp_lt, fp_mul};
-use config::{Design, LatencyConfig};
-use ir::{Builder, Module};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `secant_step`.

@@ -1,8 +1,8 @@
 //! `surface_gap`: how high a ray is over the surface interpolated between the centres of four texels.
 use super::common::negated;
 use crate::float::{FormatParams, fp_add, fp_from_fixed};
-use config::{Design, LatencyConfig};
-use ir::{Binding, Builder, Module, Sig};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Binding, Builder, Module, Sig};
 use std::sync::Arc;
 
 /// Clocks through `surface_gap`: two products, one behind the other, a conversion and a sum.

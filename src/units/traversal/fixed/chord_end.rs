@@ -4,8 +4,8 @@
 //! by more, and a travel that is larger by more than its roundings, make up for it (`docs/fixed.md`, "Chord trim").
 use super::params::{LENGTH, Params, TIME, bindings, time_width};
 use super::predicted_hit::{position, way};
-use config::{Design, LatencyConfig};
-use ir::{Builder, Module};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// What a travel per height code may lack.

@@ -1,7 +1,7 @@
 //! `height_test`: how far the ray may go before it meets the node's height: max(t, M - height), M the largest code.
 use super::params::{GUARD, Params, TIME, bindings, time_width};
-use config::Design;
-use ir::{Builder, Module};
+use reliefrtl_config::Design;
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Builds `height_test`, `latency.compare` clocks.

@@ -2,8 +2,8 @@
 use super::params::{LENGTH, Params, TIME, bindings, time_width};
 use super::predicted_hit::position;
 use crate::traversal::node_hit;
-use config::{Design, LatencyConfig};
-use ir::{Builder, Expr, Module, Sig};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
 
 /// Clocks through `hit_position`; at least one, as the valid bit beside it decides whether the pipeline moves.

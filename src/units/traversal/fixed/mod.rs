@@ -27,9 +27,9 @@ use super::plane_iteration::plane_iteration;
 use super::plane_units::PlaneUnits;
 use super::search::PYRAMID;
 use crate::div_rows::div_rows_module;
-use config::{Design, Trim};
-use ir::{Builder, Expr};
 use params::{LENGTH, Params, TIME, reach_conditions, shift_width, time_width};
+use reliefrtl_config::{Design, Trim};
+use reliefrtl_ir::{Builder, Expr};
 
 pub(in crate::traversal) static DATAPATH: Datapath = Datapath {
     search: &PYRAMID,

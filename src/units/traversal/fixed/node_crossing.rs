@@ -1,7 +1,7 @@
 //! `node_crossing`: does the ray meet the node's height before it leaves, and if not, by which plane does it leave?
 use super::params::{Params, TIME, bindings, time_width};
-use config::Design;
-use ir::{Builder, Module};
+use reliefrtl_config::Design;
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Builds `node_crossing`, `latency.compare` clocks.

@@ -1,6 +1,6 @@
 //! Parameters and widths of the fixed-point units. What they may be: `docs/fixed.md`, Parameters.
-use config::Design;
-use ir::{Binding, Builder, Expr};
+use reliefrtl_config::Design;
+use reliefrtl_ir::{Binding, Builder, Expr};
 
 /// Bits that the ray parameter has beyond FRACTION_W: its least bit is then well below what a position's least bit is worth.
 pub const GUARD: i64 = 2;

@@ -2,8 +2,8 @@
 //! is a monotone function of the integer plane: what makes the traversal watertight (`docs/fixed.md`).
 use super::params::{GUARD, LENGTH, Params, TIME, bindings, shift_width, time_width};
 use crate::lzc::lzc;
-use config::{Design, LatencyConfig};
-use ir::{Builder, Module};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `plane_time`.

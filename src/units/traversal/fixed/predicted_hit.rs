@@ -3,8 +3,8 @@
 //! The reciprocal, and with it a plane's parameter, may be too large by one part in 2^RECIP_W; a parameter smaller by as much
 //! makes up for it, and everything else is rounded down (`docs/fixed.md`).
 use super::params::{LENGTH, Params, TIME, bindings, time_width};
-use config::{Design, LatencyConfig};
-use ir::{Builder, Expr, Module, Sig};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
 
 /// Clocks through `predicted_hit`.

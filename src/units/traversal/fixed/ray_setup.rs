@@ -5,8 +5,8 @@
 use super::params::{LENGTH, Params, bindings, shift_width};
 use super::reciprocal::reciprocal;
 use crate::traversal::{finest_level, start_level};
-use config::{Design, Trim};
-use ir::{Builder, Expr, Module, NodeId, Sig};
+use reliefrtl_config::{Design, Trim};
+use reliefrtl_ir::{Builder, Expr, Module, NodeId, Sig};
 use std::sync::Arc;
 
 /// Clocks through `ray_setup`; at least one, so that a ready never follows from a valid in the same clock.

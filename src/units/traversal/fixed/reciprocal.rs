@@ -4,8 +4,8 @@
 use super::params::{LENGTH, Params, bindings, chunks, shift_width};
 use crate::div_rows::div_rows;
 use crate::lzc::lzc;
-use config::Design;
-use ir::{Builder, Expr, Module};
+use reliefrtl_config::Design;
+use reliefrtl_ir::{Builder, Expr, Module};
 use std::sync::Arc;
 
 /// Builds `reciprocal`, `latency.div` clocks.

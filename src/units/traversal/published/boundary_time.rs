@@ -5,8 +5,8 @@
 //! a ray toward smaller coordinates lands on the plane itself, which belongs to the old node (`docs/published.md`).
 use crate::float::{FormatParams, fp_add, fp_div, fp_from_fixed};
 use crate::traversal::params::index_width;
-use config::{Design, LatencyConfig};
-use ir::{Binding, Builder, Expr, Module};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Binding, Builder, Expr, Module};
 use std::sync::Arc;
 
 /// Clocks through `boundary_time`; one for the nudge.

@@ -1,8 +1,8 @@
 //! `crossing_test`: is the predicted hit in another node, so that the ray crosses into its neighbour? (PIDM-HW section 4.2,
 //! NC test and test for the end.)
 use crate::float::{FormatParams, bindings, fp_lt};
-use config::{Design, LatencyConfig};
-use ir::{Builder, Module, Sig};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
 /// Clocks through `crossing_test`.

@@ -1,8 +1,8 @@
 //! `descent_level`: the level of a descent (PIDM-HW section 3.2, MLD test): until the first crossing `levels_down` levels
 //! where that many are left, afterwards one. The child follows from the position.
 use crate::traversal::params::{LevelParams, bindings};
-use config::{ModeConfig, TraverseConfig};
-use ir::{Builder, Module};
+use reliefrtl_config::{ModeConfig, TraverseConfig};
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Builds `descent_level`, combinational.

@@ -1,7 +1,7 @@
 //! `exit_plane`: along one axis, the plane by which the ray can leave a node (PIDM-HW section 3.2, node crossing).
 use crate::traversal::params::{LevelParams, bindings, index_width};
-use config::TraverseConfig;
-use ir::{Builder, Module};
+use reliefrtl_config::TraverseConfig;
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Builds `exit_plane`, combinational; `parity` adds the output that tevs and selective level-up ask for.

@@ -8,8 +8,8 @@ use crate::traversal::level_up::{level_up, reads_parity};
 use crate::traversal::loop_state::{Ray, Sizes};
 use crate::traversal::node_address::node_address;
 use crate::traversal::start_level::start_level;
-use config::{Design, LevelUp};
-use ir::{Builder, Sig};
+use reliefrtl_config::{Design, LevelUp};
+use reliefrtl_ir::{Builder, Sig};
 
 /// Builds the iteration; operands meet at the stage at which the latest of them is known.
 pub(super) fn iteration<'b>(

@@ -2,8 +2,8 @@
 //! level decision). The texel follows by address conversion.
 use crate::float::{FormatParams, bindings as formats};
 use crate::traversal::params::{LevelParams, bindings};
-use config::Design;
-use ir::{Builder, Module};
+use reliefrtl_config::Design;
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Builds `level_choice`, combinational; with a start level it has the input that picks the ray's end.

@@ -30,8 +30,8 @@ use super::params::float_sizes;
 use super::search::PYRAMID;
 use crate::divider::divider_core;
 use crate::float::{self, FormatParams};
-use config::Design;
-use ir::{Expr, Module};
+use reliefrtl_config::Design;
+use reliefrtl_ir::{Expr, Module};
 use std::sync::Arc;
 
 pub(super) static DATAPATH: Datapath = Datapath {

@@ -1,7 +1,7 @@
 //! `nearer_plane`: which exit plane the ray meets first (PIDM-HW section 3.2, node crossing).
 use crate::float::{FormatParams, bindings, fp_lt};
-use config::{Design, LatencyConfig};
-use ir::{Builder, Module};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `nearer_plane`.

@@ -1,8 +1,8 @@
 //! `ray_point`: where the ray is at a parameter, along one axis: p + d * t (PIDM-HW section 3.1). The hit position and the
 //! node-crossing position are both of this form, and so is the ray's end.
 use crate::float::{FormatParams, bindings, fp_add, fp_mul};
-use config::{Design, LatencyConfig};
-use ir::{Builder, Module};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `ray_point`.

@@ -5,8 +5,8 @@
 
 use crate::float::{Fields, FormatParams, fp_to_int};
 use crate::traversal::params::{LevelParams, float_sizes};
-use config::{Design, LatencyConfig};
-use ir::{Binding, Builder, Expr, Module, Sig};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Binding, Builder, Expr, Module, Sig};
 use std::sync::Arc;
 
 /// Clocks through `ray_scale`; at least one, so that a ready never follows from a valid in the same clock.

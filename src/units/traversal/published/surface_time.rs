@@ -1,8 +1,8 @@
 //! `surface_time`: how far the ray may go before it meets the node's height, max(t, (M - height) / M) with M the largest
 //! code (PIDM-HW section 2: advance to the height, or stay where the ray is below it).
 use crate::float::{FormatParams, fp_from_int, fp_lt, fp_mul};
-use config::{Design, LatencyConfig};
-use ir::{Binding, Builder, Module};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Binding, Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `surface_time`.

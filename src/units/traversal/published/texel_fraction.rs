@@ -2,8 +2,8 @@
 //! fraction bits behind its point are all that is left to find.
 use crate::float::{FormatParams, fp_add, fp_mul, fp_to_fixed};
 use crate::traversal::params::index_width;
-use config::{Design, LatencyConfig};
-use ir::{Binding, Builder, Module};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Binding, Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `texel_fraction`; at least one, as the valid bit beside it decides whether the pipeline moves.

@@ -1,8 +1,8 @@
 //! `axis_ends`: the texels, along one axis, of a ray's entry and of the point where it meets the bottom plane.
 use crate::float::{FormatParams, bindings, fp_add, fp_to_int};
 use crate::traversal::params::index_width;
-use config::{Design, LatencyConfig};
-use ir::{Builder, Module};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `axis_ends`.

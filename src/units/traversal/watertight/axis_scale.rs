@@ -1,8 +1,8 @@
 //! `axis_scale`: a ray along one axis, from tiles to texels, and whether it can be traced.
 use crate::float::{Fields, FormatParams, bindings};
 use crate::traversal::params::LevelParams;
-use config::Design;
-use ir::{Builder, Module};
+use reliefrtl_config::Design;
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Builds `axis_scale`, combinational.

@@ -2,8 +2,8 @@
 //! per ray".
 use crate::float::{FormatParams, fp_add, fp_div, fp_mul, fp_to_int};
 use crate::traversal::params::LevelParams;
-use config::{Design, LatencyConfig, Trim};
-use ir::{Binding, Builder, Expr, Module, Sig};
+use reliefrtl_config::{Design, LatencyConfig, Trim};
+use reliefrtl_ir::{Binding, Builder, Expr, Module, Sig};
 use std::sync::Arc;
 
 /// Clocks through `axis_slope`.

@@ -3,8 +3,8 @@
 //! The entry point that comes in is moved forward by more than the estimate can err (`docs/datapath.md`, "Chord trim").
 use crate::float::{FormatParams, bindings, fp_add, fp_mul, fp_to_int};
 use crate::traversal::params::index_width;
-use config::{Design, LatencyConfig};
-use ir::{Builder, Module};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `chord_end`.

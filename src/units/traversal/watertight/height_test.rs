@@ -1,7 +1,7 @@
 //! `height_test`: how far the ray may go before it meets the node's height: max(t, M - height), M the largest code.
 use crate::float::{FormatParams, bindings, fp_from_int, fp_lt};
-use config::{Design, LatencyConfig};
-use ir::{Builder, Module};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `height_test`.

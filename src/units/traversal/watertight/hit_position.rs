@@ -2,8 +2,8 @@
 use crate::float::{FormatParams, fp_add, fp_mul, fp_to_fixed};
 use crate::traversal::node_hit;
 use crate::traversal::params::{LevelParams, index_width};
-use config::{Design, LatencyConfig};
-use ir::{Binding, Builder, Module};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Binding, Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `hit_position`; at least one, as the valid bit beside it decides whether the pipeline moves.

@@ -31,8 +31,8 @@ use super::plane_units::PlaneUnits;
 use super::search::PYRAMID;
 use crate::divider::divider_core;
 use crate::float::{self, FormatParams};
-use config::{Design, Trim};
-use ir::{Expr, Module};
+use reliefrtl_config::{Design, Trim};
+use reliefrtl_ir::{Expr, Module};
 use std::sync::Arc;
 
 pub(super) static DATAPATH: Datapath = Datapath {

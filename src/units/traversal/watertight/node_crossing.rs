@@ -1,8 +1,8 @@
 //! `node_crossing`: does the ray meet the node's height before it leaves, and if not, by which plane does it leave?
 //! (PIDM-HW section 3.2; here on ray parameters: no position is ever moved.)
 use crate::float::{FormatParams, bindings, fp_lt};
-use config::{Design, LatencyConfig};
-use ir::{Builder, Module};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `node_crossing`.

@@ -2,8 +2,8 @@
 //! function of the integer plane: what makes the traversal watertight (`docs/datapath.md`).
 use crate::float::{FormatParams, bindings, fp_add, fp_from_int, fp_mul};
 use crate::traversal::params::index_width;
-use config::{Design, LatencyConfig};
-use ir::{Builder, Module};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `plane_time`.

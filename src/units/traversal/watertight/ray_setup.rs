@@ -8,8 +8,8 @@ use super::axis_slope::{self, axis_slope};
 use crate::float::{FormatParams, fp_div, fp_to_int};
 use crate::traversal::params::{LevelParams, ray_conditions};
 use crate::traversal::{finest_level, start_level};
-use config::{Design, LatencyConfig, Trim};
-use ir::{Binding, Builder, Expr, Module, Record, Sig};
+use reliefrtl_config::{Design, LatencyConfig, Trim};
+use reliefrtl_ir::{Binding, Builder, Expr, Module, Record, Sig};
 use std::sync::Arc;
 
 /// Clocks through `ray_setup`; at least one, so that a ready never follows from a valid in the same clock.
@@ -73,7 +73,7 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     // Of unknown words it is not known whether they are a ray: then it is refused.
     let ok = (axes[0].ok & axes[1].ok).named("is_ok").decided(false).at(l);
     b.drive(o_ok, ok, Some(l));
-    let gate = |v: Sig<'_>| -> ir::NodeId { (v.at(l) & ok.rep(v.width())).id() };
+    let gate = |v: Sig<'_>| -> reliefrtl_ir::NodeId { (v.at(l) & ok.rep(v.width())).id() };
     let mut level = level;
     if let Some((lod, o_lod)) = lod.zip(o_lod) {
         let o = b.inst(&finest_level(t), "u_finest", &[], &[("lod", lod), ("start", level)]);

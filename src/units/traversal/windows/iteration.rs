@@ -10,8 +10,8 @@ use super::{
 use crate::traversal::height_source::HeightPort;
 use crate::traversal::loop_state::{Ray, Sizes};
 use crate::traversal::slot_memory::SlotMemory;
-use config::Design;
-use ir::{Builder, Expr, Record, Sig};
+use reliefrtl_config::Design;
+use reliefrtl_ir::{Builder, Expr, Record, Sig};
 
 const AXES: [&str; 2] = ["x", "y"];
 

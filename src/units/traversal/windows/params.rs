@@ -1,7 +1,7 @@
 //! Widths of the units of a search by windows (`docs/windows.md`).
 use crate::traversal::fixed::params::{Params, time_width};
-use config::{Design, Window, WindowSet};
-use ir::{Binding, Builder, Expr};
+use reliefrtl_config::{Design, Window, WindowSet};
+use reliefrtl_ir::{Binding, Builder, Expr};
 
 /// Operand bits of one multiplier.
 pub const OPERAND: i64 = 18;

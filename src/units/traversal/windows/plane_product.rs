@@ -1,7 +1,7 @@
 //! `plane_product`: k times the parameter from plane to plane, as two products that are no wider than a multiplier.
 use super::params::{FINE, OPERAND, PLANES, Planes, Widths, bindings};
-use config::{Design, LatencyConfig};
-use ir::{Builder, Expr, Module};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Builder, Expr, Module};
 use std::sync::Arc;
 
 /// Clocks through `plane_product`: the multipliers' half of a multiplication.

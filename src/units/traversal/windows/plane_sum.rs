@@ -1,8 +1,8 @@
 //! `plane_sum`: the parameter of the plane ahead of the texel, C + kQ, and whether it has more bits than that.
 use super::params::{FINE, Widths, bindings};
 use super::plane_product::low_width;
-use config::{Design, LatencyConfig};
-use ir::{Builder, Module};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `plane_sum`.

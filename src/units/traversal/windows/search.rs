@@ -5,8 +5,8 @@ use crate::traversal::height_source::Load;
 use crate::traversal::loop_state::{Field, Ray, Sizes, Start};
 use crate::traversal::search::Search;
 use crate::traversal::slot_memory::SlotMemory;
-use config::Design;
-use ir::{Builder, Expr, Record, Sig};
+use reliefrtl_config::Design;
+use reliefrtl_ir::{Builder, Expr, Record, Sig};
 
 pub(super) static WINDOWS: Search = Search {
     summary: "traces rays against a height field: a looping pipeline, the windows of all sizes a clock",
@@ -28,7 +28,7 @@ fn loads<'b>(b: &'b Builder, s: &Sizes, d: &Design) -> Vec<Load<'b>> {
     let set = d.window_set();
     let coarsest = set.sizes().iter().map(|w| w.grid_bits()).max().unwrap_or(0);
     b.require(i64::from(coarsest), &s.levels);
-    let one = |(c, w): (usize, &config::Window)| {
+    let one = |(c, w): (usize, &reliefrtl_config::Window)| {
         let grid = Expr::from(w.grid_bits());
         let text = format!("write a word of the windows {w} (while idle is 1)");
         Load {

@@ -1,7 +1,7 @@
 //! `window_address`: where the word of the window at a texel stands in the memory of its size, row by row.
 use super::params::{CELL_W, Widths, bindings};
-use config::{Design, Window};
-use ir::{Builder, Expr, Module};
+use reliefrtl_config::{Design, Window};
+use reliefrtl_ir::{Builder, Expr, Module};
 use std::sync::Arc;
 
 /// Address bits of the memory of one size: two or more.

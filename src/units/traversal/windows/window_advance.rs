@@ -1,8 +1,8 @@
 //! `window_advance`: the parameter up to which the ray is known to hit nothing, and the planes that it passes by the exit of a window.
 use super::params::{PLANES, SPAN_W, Widths, bindings, count_width};
 use crate::traversal::fixed::params::{GUARD, TIME};
-use config::{Design, LatencyConfig};
-use ir::{Builder, Module};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `window_advance`.

@@ -1,8 +1,8 @@
 //! `window_choice`: hit, or how far the windows are empty: the exit of the largest window that can't hold the hit, and the depth of the next one.
 use super::params::{CELL_W, SPAN_W, Widths, bindings, set_word};
 use crate::traversal::fixed::params::TIME;
-use config::Design;
-use ir::{Builder, Module, Sig};
+use reliefrtl_config::Design;
+use reliefrtl_ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
 /// Clocks through `window_choice`: what else is decided has clocks of its own.

@@ -3,8 +3,8 @@
 use super::params::{Estimate, FINE, Planes, Widths, bindings};
 use crate::lzc::lzc;
 use crate::traversal::fixed::params::{LENGTH, shift_width};
-use config::{Design, LatencyConfig};
-use ir::{Builder, Expr, Module, Sig};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
 
 /// Clocks through `window_constants`.

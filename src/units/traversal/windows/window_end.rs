@@ -1,7 +1,7 @@
 //! `window_end`: the parameter of the plane that ends a window along one axis, from that of the texel's plane.
 use super::params::{FINE, SPAN_W, Widths, bindings};
-use config::{Design, LatencyConfig};
-use ir::{Builder, Module};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `window_end`.

@@ -1,8 +1,8 @@
 //! `window_exit`: where the ray leaves a window, and whether it can hold the hit: whether the ray is at its highest code before.
 use super::params::{FINE, SPAN_W, Widths, bindings};
 use crate::traversal::fixed::params::{GUARD, TIME};
-use config::{Design, LatencyConfig};
-use ir::{Builder, Module};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Clocks through `window_exit`: two comparisons in series.

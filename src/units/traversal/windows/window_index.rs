@@ -1,7 +1,7 @@
 //! `window_index`: the planes that the ray has passed after an iteration, the larger of what an exit and what the estimate says.
 use super::params::{Estimate, PLANES, Widths, bindings, count_width};
-use config::Design;
-use ir::{Builder, Module};
+use reliefrtl_config::Design;
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Builds `window_index`, combinational: the loop's registers follow.

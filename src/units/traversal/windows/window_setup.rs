@@ -3,8 +3,8 @@ use super::params::{Estimate, FINE, Widths, bindings};
 use super::window_constants::{self, window_constants};
 use crate::traversal::fixed::params::LENGTH;
 use crate::traversal::fixed::{self, ray_setup};
-use config::Design;
-use ir::{Builder, Expr, Module};
+use reliefrtl_config::Design;
+use reliefrtl_ir::{Builder, Expr, Module};
 use std::sync::Arc;
 
 /// Clocks through `window_setup`, at least 1.

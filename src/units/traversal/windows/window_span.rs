@@ -2,8 +2,8 @@
 //!
 //! S - g and the texels up to the border of the grid's cell have no bit in common, so their sum is their bits together.
 use super::params::{CELL_W, FINE, SPAN_W, Widths, bindings};
-use config::{Design, LatencyConfig};
-use ir::{Builder, Expr, Module, Sig};
+use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
 
 /// Clocks through `window_span`.
@@ -48,6 +48,6 @@ pub fn window_span(d: &Design) -> Arc<Module> {
 }
 
 /// The parameter of a size, which an instance passes.
-pub fn size(w: config::Window) -> [(&'static str, Expr); 1] {
+pub fn size(w: reliefrtl_config::Window) -> [(&'static str, Expr); 1] {
     [("AHEAD", w.ahead().into())]
 }

@@ -1,7 +1,7 @@
 //! `window_texel`: the texel that the ray is in along one axis, by the planes that it has passed.
 use super::params::{PLANES, Widths, bindings, count_width};
-use config::Design;
-use ir::{Builder, Module};
+use reliefrtl_config::Design;
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Builds `window_texel`, combinational.

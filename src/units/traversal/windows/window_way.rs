@@ -1,8 +1,8 @@
 //! `window_way`: how far the ray has come along one axis by a parameter, for an estimate that is never ahead.
 use super::params::{Estimate, Widths, bindings};
 use crate::traversal::fixed::params::TIME;
-use config::Design;
-use ir::{Builder, Module};
+use reliefrtl_config::Design;
+use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
 /// Builds `window_way`, as many clocks as `plane_product`.
