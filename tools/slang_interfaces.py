@@ -35,6 +35,14 @@ def interface(text):
         for p in header.ports.ports
         if p.kind == syntax.SyntaxKind.ImplicitAnsiPort
     ]
+    # Names in the header, declarations in the body.
+    ports += [
+        [x.name.value, d.header.direction.valueText, len(d.header.dataType.dimensions) > 0]
+        for d in modules[0].members
+        if d.kind == syntax.SyntaxKind.PortDeclaration
+        for x in d.declarators
+        if x.kind == syntax.SyntaxKind.Declarator
+    ]
     errors = sum(1 for d in tree.diagnostics if d.isError())
     return {"modules": len(modules), "errors": errors, "name": header.name.value, "params": params, "ports": ports}
 

@@ -72,6 +72,7 @@ impl Printer<'_> {
             self.out += ");\n";
             let ranges: Vec<String> = m.ports.iter().map(|p| self.range(&p.width)).collect();
             self.constants(&format!("{body} {}", ranges.join(" ")));
+            self.out.push('\n');
             let lines = self.ports(&ranges, ";");
             self.declare(&lines, ";");
         }

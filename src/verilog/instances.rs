@@ -22,9 +22,8 @@ impl Printer<'_> {
                 }
                 let net = self.names.net(id);
                 let net = net.unwrap_or_else(|| panic!("{}: output of {} needs a name", m.name, inst.name));
-                if !self.names.drives_wire(id) {
-                    let doc = n.doc.clone().unwrap_or_else(|| inst.module.ports[port].meaning());
-                    self.declaration("wire", &n.width, &net, "", Some(&doc));
+                if !self.names.drives_wire(id) && !self.is_early(id) {
+                    self.declare_output(id);
                 }
                 pins.push((port, net));
             }

@@ -16,7 +16,8 @@ impl Printer<'_> {
 
     pub(super) fn loop_declarations(&mut self) {
         let ids: Vec<NodeId> = self.regs(|wrap, _| wrap);
-        if ids.is_empty() && self.wires().is_empty() {
+        let early = self.early_outputs();
+        if ids.is_empty() && self.wires().is_empty() && early.is_empty() {
             return;
         }
         self.out += "\n  // ---- loop registers, written at the end of the module, and handshake nets\n";
@@ -27,6 +28,29 @@ impl Printer<'_> {
             let (net, node) = (self.names.net(id).expect("wires have names"), self.m.node(id));
             self.declaration("wire", &node.width, &net, "", node.doc.as_deref());
         }
+        early.into_iter().for_each(|id| self.declare_output(id));
+    }
+
+    /// Outputs that are read at the beginning of the loop, of instances that stand at its end.
+    fn early_outputs(&self) -> Vec<NodeId> {
+        let all = (0..self.m.nodes.len()).map(|i| NodeId(i as u32));
+        all.filter(|id| self.is_early(*id) && !self.names.drives_wire(*id) && self.apart.parts(*id).is_none()).collect()
+    }
+
+    /// Whether an output of an instance belongs to an earlier stage than the one that the instance stands in.
+    pub(super) fn is_early(&self, id: NodeId) -> bool {
+        let Op::InstOut(k, _) = self.m.node(id).op else { return false };
+        self.m.insts[k.0 as usize].stage.is_some_and(|at| self.names.stage[id.0 as usize] < at)
+    }
+
+    /// Declares the net of an instance's output.
+    pub(super) fn declare_output(&mut self, id: NodeId) {
+        let (m, node) = (self.m, self.m.node(id));
+        let Op::InstOut(k, port) = node.op else { return };
+        let inst = &m.insts[k.0 as usize];
+        let net = self.names.net(id).unwrap_or_else(|| panic!("{}: output of {} needs a name", m.name, inst.name));
+        let doc = node.doc.clone().unwrap_or_else(|| inst.module.ports[port].meaning());
+        self.declaration("wire", &node.width, &net, "", Some(&doc));
     }
 
     pub(super) fn regs(&self, keep: impl Fn(bool, u32) -> bool) -> Vec<NodeId> {
