@@ -130,7 +130,7 @@ fn icarus_notices_what_is_cut_out() {
 #[test]
 fn verilator_notices_what_is_cut_out() {
     cuts(Simulator::Verilator, 0, &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10]);
-    cuts(Simulator::Verilator, 1, &[0, 1, 2, 3, 4, 5, 6, 7]);
+    cuts(Simulator::Verilator, 1, &[0, 3, 5, 6, 7]);
 }
 
 /// Texels that decide a planned ray: it ends on their top, so that with any other height it ends elsewhere or is a wall's.

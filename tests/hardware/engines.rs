@@ -1,5 +1,6 @@
 //! The emitted Verilog in Icarus and Verilator, at its defaults and at other parameter values; traffic; canaries.
 //! A missing simulator fails these tests (`tools/test.sh` installs them) unless RELIEFRTL_NO_SIMULATORS=1.
+use crate::budget::share;
 use crate::files::write;
 use crate::simulators::skip;
 use rand::{Rng, SeedableRng};
@@ -126,7 +127,8 @@ fn traverse_at(sim: Simulator, sizes: &[(u32, u32)], plusargs: &[&str]) {
 #[test]
 fn traverse_at_2_to_12_levels_in_verilator() {
     if !skip() {
-        let sizes: Vec<(u32, u32)> = (2..=9).map(|l| (l, if l % 2 == 0 { 8 } else { 16 })).chain([(2, 16)]).collect();
+        let sizes: Vec<(u32, u32)> =
+            (2..=9).step_by(share(3)).map(|l| (l, if l % 2 == 0 { 8 } else { 16 })).chain([(2, 16)]).collect();
         traverse_at(Simulator::Verilator, &sizes, &[]);
         traverse_at(Simulator::Verilator, &[(10, 8), (12, 8), (12, 16)], &["preloaded"]);
     }

@@ -2,6 +2,7 @@
 use super::configs::{EXTRA, Emitted, all};
 use super::no_problems;
 use super::tools::{Tool, run};
+use crate::budget::share;
 use rayon::prelude::*;
 use reliefrtl::bench::bench_files;
 use reliefrtl::catalogue;
@@ -99,7 +100,10 @@ fn verilate(tool: Tool) {
                 Some(c)
             }
         };
-        benches.iter().filter_map(each("-DITERATIONS")).chain(tops.iter().filter_map(each("--timing"))).collect()
+        // Debian's Verilator knows less than the current one: it is asked about some.
+        let step = if tool == Tool::Verilator { share(3) } else { 1 };
+        let benches = benches.iter().step_by(step).filter_map(each("-DITERATIONS"));
+        benches.chain(tops.iter().step_by(step).filter_map(each("--timing"))).collect()
     });
 }
 

@@ -3,6 +3,7 @@
 use super::configs::{Emitted, extra};
 use super::no_problems;
 use super::tools::{Said, Tool, run};
+use crate::budget::share;
 use rayon::prelude::*;
 use reliefrtl::ir::{Binding, Module};
 
@@ -107,12 +108,15 @@ fn the_same_text_elaborates_cleanly_at_other_parameters() {
     }
     cases.push((traverse, binding(&[("EXP_W", 8), ("MAN_W", 23), ("LEVELS", 10), ("HEIGHT_W", 12), ("TILE_W", 2)])));
     cases.push((traverse, binding(&[("TAG_W", 1), ("FRAC_W", 1), ("STEP_LIMIT", 1), ("TILE_W", 1)])));
-    let runs: Vec<_> = cases.iter().flat_map(|case| TOOLS.map(|tool| (tool, case))).collect();
+    // Debian's Verilator knows less than the current one: it is asked about some.
+    let asked = |k: usize, tool: Tool| tool != Tool::Verilator || k.is_multiple_of(share(3));
+    let all = cases.iter().enumerate().flat_map(|(k, case)| TOOLS.map(|tool| (k, tool, case)));
+    let runs: Vec<_> = all.filter(|(k, tool, _)| asked(*k, *tool)).map(|(_, tool, case)| (tool, case)).collect();
     let one = |(tool, (m, values)): &(Tool, &(&Module, Binding))| {
         elaborate(*tool, m, values).map(|said| said.unless_silent(&label(m, values)))
     };
     let Some(said) = runs.par_iter().map(one).collect::<Option<Vec<_>>>() else { return };
     no_problems(&said.into_iter().flatten().collect::<Vec<_>>());
-    println!("{} elaborations at other parameters, each in {} tools", cases.len(), TOOLS.len());
+    println!("{} elaborations at other parameters, in {} tools", runs.len(), TOOLS.len());
     assert!(cases.len() >= 24 + 22);
 }

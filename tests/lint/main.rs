@@ -12,6 +12,8 @@ mod text;
 mod tools;
 mod trees;
 
+#[path = "../support/budget.rs"]
+mod budget;
 #[path = "../support/files.rs"]
 mod files;
 #[path = "../support/simulators.rs"]

@@ -5,6 +5,8 @@ mod stored;
 mod streams;
 mod yosys;
 
+#[path = "../support/budget.rs"]
+mod budget;
 #[path = "../support/files.rs"]
 mod files;
 #[path = "../support/float_units.rs"]

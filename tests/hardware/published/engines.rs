@@ -139,7 +139,8 @@ fn traffic_in_icarus() {
 #[test]
 fn traverse_at_2_to_7_levels_in_icarus() {
     if !skip() {
-        let sizes: Vec<(u32, u32, u32)> = (2..=7).map(|l| (l, if l % 2 == 0 { 8 } else { 16 }, 14 - l)).collect();
+        let sizes: Vec<(u32, u32, u32)> =
+            (2..=7).step_by(share(2)).map(|l| (l, if l % 2 == 0 { 8 } else { 16 }, 14 - l)).collect();
         traverse_at(Simulator::Icarus, &sizes, &[]);
     }
 }

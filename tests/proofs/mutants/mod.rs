@@ -9,6 +9,7 @@ mod parts;
 mod simulated;
 mod survivors;
 
+use crate::budget::share;
 use crate::float_units::FLOAT_UNITS;
 use equal::{Verdict, compare};
 use rayon::prelude::*;
@@ -66,11 +67,17 @@ struct Survivor {
 
 /// Number of mutants of one unit, and those that live.
 fn mutate(net: &Netlist, latency: usize, set: &VectorSet) -> (usize, Vec<Survivor>) {
+    one_in(1, net, latency, set)
+}
+
+/// The same of one mutant in so many.
+fn one_in(step: usize, net: &Netlist, latency: usize, set: &VectorSet) -> (usize, Vec<Survivor>) {
     let all: Vec<(usize, &'static str, FlatOp)> = net
         .ops
         .iter()
         .enumerate()
         .flat_map(|(i, op)| neighbours(op).into_iter().map(move |(w, o)| (i, w, o)))
+        .step_by(step)
         .collect();
     let lives = |(i, what, op): &(usize, &'static str, FlatOp)| {
         let mut other = net.clone();
@@ -101,14 +108,14 @@ impl Judged {
 }
 
 /// Mutants of the arithmetic on the table of corners of a level and random rows; what survives is compared with the original for every input.
-fn judged(level: Level, rows: usize, seconds: u32) -> Vec<Judged> {
+fn judged(level: Level, rows: usize, seconds: u32, step: usize) -> Vec<Judged> {
     let d = Design::default();
     let campaign = Campaign { level, shard: Shard::WHOLE };
     let one = |unit: &&'static str| {
         let m = find(&d, unit).unwrap();
         let set = campaign_set(&d, &m, &Binding::new(), Plan { rows, seed: 1 }, campaign);
         let net = elaborate(&m, &Binding::new()).unwrap();
-        let (mutants, survivors) = mutate(&net, m.latency.unwrap() as usize, &set);
+        let (mutants, survivors) = one_in(step, &net, m.latency.unwrap() as usize, &set);
         let verdict = |s: &Survivor| (s.name.clone(), compare(&net, &s.net, seconds));
         let survivors: Vec<_> = survivors.par_iter().map(verdict).collect();
         let j = Judged { unit, mutants, survivors };
@@ -128,7 +135,7 @@ fn judged(level: Level, rows: usize, seconds: u32) -> Vec<Judged> {
 
 #[test]
 fn crossed_corners_kill_the_mutants_of_arithmetic() {
-    let all = judged(Level::One, 2000, 60);
+    let all = judged(Level::One, 2000, 60, share(2));
     let total = |f: &dyn Fn(&Judged) -> usize| all.iter().map(f).sum::<usize>();
     let others = total(&|j| j.mutants - j.same());
     let killed = total(&|j| j.mutants - j.survivors.len());
@@ -141,7 +148,7 @@ fn crossed_corners_kill_the_mutants_of_arithmetic() {
 #[test]
 #[ignore = "minutes; part of the full budget"]
 fn large_tables_kill_all_mutants_of_arithmetic() {
-    let all = judged(Level::Two, 100_000, 600);
+    let all = judged(Level::Two, 100_000, 600, 1);
     let alive: Vec<_> = all.iter().flat_map(|j| j.survivors.iter().map(move |s| (j.unit, s))).collect();
     let alive: Vec<_> = alive.into_iter().filter(|(_, s)| s.1 != Verdict::Same).collect();
     assert!(alive.is_empty(), "{alive:?}");
