@@ -119,7 +119,7 @@ fn memories_fit_or_are_named_and_need_no_registers_beside_them() {
     if skip() {
         return;
     }
-    for program in yosyses() {
+    for (k, program) in yosyses().into_iter().enumerate() {
         let dir = tempfile::tempdir().unwrap();
         tree(dir.path(), &reliefrtl::units::traversal::height_memory(17, 8, 87381));
         let (fits, said) = yosys(&program, dir.path(), "flow/ice40.ys");
@@ -128,7 +128,9 @@ fn memories_fit_or_are_named_and_need_no_registers_beside_them() {
 
         let dir = tempfile::tempdir().unwrap();
         tree(dir.path(), &reliefrtl::units::traversal::height_memory(11, 8, 2048));
-        for (target, register) in [("ecp5", "TRELLIS_FF"), ("ice40", "SB_DFF"), ("xilinx", " FD"), ("gowin", " DFF")] {
+        // Of the second version one family.
+        let families = [("ecp5", "TRELLIS_FF"), ("ice40", "SB_DFF"), ("xilinx", " FD"), ("gowin", " DFF")];
+        for (target, register) in families.into_iter().take(if k == 0 { 4 } else { 1 }) {
             let (done, said) = yosys(&program, dir.path(), &format!("flow/{target}.ys"));
             assert!(done, "{target}: {said}");
             let netlist = netlist(dir.path(), target);
