@@ -134,17 +134,17 @@ pub struct LatencyConfig {
     pub add3: u32,
     /// `level_decision` and what stands before it: 1 to 5.
     pub decision: u32,
-    /// Behind the choice of the slot's ray, inside the node's planes and behind them (watertight, fixed): 0 to 3.
+    /// After the choice of the slot's ray, inside the node's planes and after them (watertight, fixed): 0 to 3.
     pub node: u32,
     /// The read of a height: 1 to 4.
     pub memory: u32,
-    /// Behind the choice of one of two parameters (watertight): 0 or 1.
+    /// After the choice of one of two parameters (watertight): 0 or 1.
     pub select: u32,
     /// Inside `ray_setup`, around what is not a unit of its own (watertight): 0 or 1.
     pub setup: u32,
-    /// Behind the difference of `hit_position` and behind its result (watertight, fixed): 0 to 2.
+    /// After the difference of `hit_position` and after its result (watertight, fixed): 0 to 2.
     pub hit: u32,
-    /// Between ready in and ready out, before the loop and behind the hit: 0 to 3.
+    /// Between ready in and ready out, before the loop and after the hit: 0 to 3.
     pub handshake: u32,
     /// What waits this many clocks or longer waits in a `delay_line` instead of registers: 3 to 17; 0: nothing does.
     pub delay_line: u32,
@@ -156,7 +156,7 @@ pub struct LatencyConfig {
 pub struct ConvertConfig {
     /// INT_W: bits of the integer or fixed-point word; 0: what the traversal needs.
     pub int_bits: u32,
-    /// FRAC_W: of these, bits behind the point.
+    /// FRAC_W: of these, bits after the point.
     pub frac_bits: u32,
 }
 

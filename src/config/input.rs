@@ -81,7 +81,7 @@ pub enum MapKind {
 words!(MapKind: Rocks = "rocks", Bricks = "bricks", Dunes = "dunes", Spikes = "spikes", Stairs = "stairs", Flat = "flat",
     Spike = "spike", Pit = "pit", Checker = "checker", File = "file");
 
-/// What lies behind the map's border.
+/// What lies beyond the map's border.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Border {
@@ -152,7 +152,7 @@ pub struct MapConfig {
     pub repeat: u32,
     /// Whether an image of another size or depth may be resampled to 2^levels texels and height_bits bits.
     pub resample: bool,
-    /// What lies behind the map's border. Other borders than `wrap` take a map of 2^(levels-1) texels a side.
+    /// What lies beyond the map's border. Other borders than `wrap` take a map of 2^(levels-1) texels a side.
     pub border: Border,
     /// The heights of the file, in its own units, that become 0 and full height; `None`: whole numbers are codes, floats lie in \[0, 1\].
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -305,7 +305,7 @@ impl Default for VectorsConfig {
     }
 }
 
-/// What the `` `default_nettype`` is behind an emitted file.
+/// What the `` `default_nettype`` is after an emitted file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum DefaultNettype {
@@ -328,7 +328,7 @@ pub struct EmitConfig {
     pub prefix: String,
     /// The operand of the `` `timescale`` of every emitted file; empty: they have none.
     pub timescale: String,
-    /// What undeclared nets are behind every emitted file.
+    /// What undeclared nets are after every emitted file.
     pub default_nettype: DefaultNettype,
     /// Units besides what the traversal needs.
     pub units: Vec<ExtraUnit>,

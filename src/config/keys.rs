@@ -179,7 +179,7 @@ pub const KEYS: &[Key] = &[
     ),
     key(
         "datapath.nudge_bits",
-        "published: a crossing lands 2^-nudge_bits texels behind its plane; 0 is no nudge",
+        "published: a crossing lands 2^-nudge_bits texels beyond its plane; 0 is no nudge",
         Legal::Whole(0, 16),
     ),
     key("datapath.fraction_bits", "fixed: fraction bits of entry point, travel and ray parameter", Legal::Whole(8, 28)),
@@ -218,32 +218,32 @@ pub const KEYS: &[Key] = &[
     key("latency.add3", "fp_add3, in clocks", CLOCKS),
     key(
         "latency.decision",
-        "clocks of the decision: a register before level_decision (2), one inside level_up (3), one behind level_decision (4), a second inside level_up and one inside multi_level_down (5); published: all behind it",
+        "clocks of the decision: a register before level_decision (2), one inside level_up (3), one after level_decision (4), a second inside level_up and one inside multi_level_down (5); published: all after it",
         Legal::Whole(1, 5),
     ),
     key(
         "latency.node",
-        "registers behind a node's exit planes (1), behind the choice of the slot's ray (2), and between a node's extent and its planes (3); not the published datapath",
+        "registers after a node's exit planes (1), after the choice of the slot's ray (2), and between a node's extent and its planes (3); not the published datapath",
         Legal::Whole(0, 3),
     ),
     key(
         "latency.memory",
-        "the read of a height, in clocks; from 2 on the memory is in banks with a register behind each",
+        "the read of a height, in clocks; from 2 on the memory is in banks with a register after each",
         Legal::Whole(1, 4),
     ),
     key(
         "latency.select",
-        "registers behind the choice of one of two ray parameters; the watertight datapath",
+        "registers after the choice of one of two ray parameters; the watertight datapath",
         Legal::Whole(0, 1),
     ),
     key(
         "latency.setup",
-        "registers in the setup between its units: behind each step of the bias, and behind the start level; the watertight datapath",
+        "registers in the setup between its units: after each step of the bias, and after the start level; the watertight datapath",
         Legal::Whole(0, 1),
     ),
     key(
         "latency.hit",
-        "registers of the hit position: behind its difference (1), and behind the clamp (2); not the published datapath",
+        "registers of the hit position: after its difference (1), and after the clamp (2); not the published datapath",
         Legal::Whole(0, 2),
     ),
     key(
@@ -274,7 +274,7 @@ pub const KEYS: &[Key] = &[
     key("map.resample", "whether an image of another size or depth may be resampled to fit", Legal::Flag),
     key(
         "map.border",
-        "what lies behind the map's border; clamp and mirror take a map of 2^(levels-1) texels a side, which is prepared into 2^levels",
+        "what lies beyond the map's border; clamp and mirror take a map of 2^(levels-1) texels a side, which is prepared into 2^levels",
         Legal::Word(Border::WORDS),
     ),
     key("map.range", "heights of the file, in its units, that become 0 and full height", Legal::Range),
@@ -313,7 +313,7 @@ pub const KEYS: &[Key] = &[
     ),
     key(
         "emit.default_nettype",
-        "what undeclared nets are behind every emitted file; keep says nothing of them, before or behind",
+        "what undeclared nets are after every emitted file; keep says nothing of them, before or after",
         Legal::Word(DefaultNettype::WORDS),
     ),
     key("emit.units", "units besides what the traversal needs", Legal::SomeWords(ExtraUnit::WORDS)),

@@ -78,7 +78,7 @@ impl Tools {
 
 fn missing(tool: &str, package: &str) -> Error {
     Error::ToolMissing(format!(
-        "{tool} is not installed: install {package}, or name the program in the environment (SBY, YOSYS, YOSYS_SMTBMC, YOSYS_ABC)"
+        "{tool} is not installed: install {package}, or have `sh tools/test.sh --tools` install it and set RELIEFRTL_TOOLS to its target/tools, or name the program in the environment (SBY, YOSYS, YOSYS_SMTBMC, YOSYS_ABC)"
     ))
 }
 

@@ -250,7 +250,7 @@ pub struct CheckArgs {
 /// Options of `prove`.
 #[derive(Args, Debug)]
 pub struct ProveArgs {
-    /// Only this proof.
+    /// Only this proof, by its name in `prove --list`: that of a unit, or of a claim about several.
     #[arg(long, value_name = "NAME")]
     pub unit: Option<String>,
     /// A tree that `build` wrote with the same configuration; without it a fresh one is made and thrown away.

@@ -24,7 +24,7 @@ pub fn plane_sum(d: &Design) -> Arc<Module> {
     let l = latency(&d.latency);
     b.plan(l, &[("lower product", 7), ("upper product", 7)]);
     b.section("lower product", "");
-    let tall = (&p.plane + 1).larger(&p.count + &low_w + 1);
+    let tall = b.local("StartW", (&p.plane + 1).larger(&p.count + &low_w + 1));
     let start = (c.zext(&tall) + low.zext(&tall)).named("start");
     b.section("upper product", "All bits above a word are one: such a plane is never met.");
     let upper_w = &p.plane + &p.count + 1 - &low_w;
