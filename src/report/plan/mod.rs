@@ -87,6 +87,9 @@ impl Plan {
     /// A map that can't be read.
     pub fn new(c: &Config, selection: &Selection) -> Result<Self> {
         let mut c = c.clone();
+        // What is refused is refused before maps are made.
+        let units: Vec<Vec<UnitFigures>> =
+            selection.synth.iter().map(|file| synthesized::load(file)).collect::<Result<_>>()?;
         if selection.scenes.is_some() {
             c.map.published_border()?;
         }
@@ -98,8 +101,6 @@ impl Plan {
         let designs = selection.designs(&c);
         let headlines = headline::headlines(&c, &designs);
         let (cells, not_legal, rays) = (Vec::new(), Vec::new(), Vec::new());
-        let units: Vec<Vec<UnitFigures>> =
-            selection.synth.iter().map(|file| synthesized::load(file)).collect::<Result<_>>()?;
         let (selection, units) = (selection.clone(), units.concat());
         let synthesized = units.iter().filter_map(Synthesized::of).collect();
         let mut plan =
