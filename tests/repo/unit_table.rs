@@ -1,4 +1,4 @@
-//! The table of units in `docs/units.md` is what the catalogue says: names, clocks, parameters and summaries of every unit of the watertight datapath, and
+//! The table of units in `docs/units.md` is what the catalogue says: names, clocks, parameters and summaries of every unit of each datapath, and
 //! `docs/bilinear.md` adds clocks up right. `RELIEFRTL_REFRESH=1 cargo test --release --test repo unit_table` writes it anew.
 use reliefrtl::catalogue::SETTINGS;
 use reliefrtl::config::Config;
@@ -18,11 +18,9 @@ fn path(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(name)
 }
 
-fn config(set: &str) -> Config {
+fn config(sets: &str) -> Config {
     let mut c = Config::default();
-    if set.contains('=') {
-        c.apply_set(set).unwrap();
-    }
+    sets.split(' ').filter(|set| set.contains('=')).for_each(|set| c.apply_set(set).unwrap());
     c.validate().unwrap();
     c
 }
@@ -39,7 +37,12 @@ fn row(m: &Module, t: &Traverse, with: &str) -> String {
     };
     let params: Vec<&str> = m.params.iter().map(|p| p.name.as_str()).collect();
     let with = if with.is_empty() { String::new() } else { format!("`{with}`") };
-    format!("| `{}` | {clocks} | {} | {} | {with} |\n", m.name, params.join(" "), m.summary.trim_end_matches('.'))
+    format!(
+        "| `{}` | {clocks} | {} | {} | {with} |\n",
+        m.name,
+        params.join(" "),
+        m.summary.trim_end_matches('.').replace('|', "\\|")
+    )
 }
 
 /// The units that a setting brings, those of `seen` left out.
@@ -49,10 +52,28 @@ fn units(set: &str, seen: &mut BTreeSet<String>) -> Vec<Arc<Module>> {
     list.into_iter().filter(|m| seen.insert(m.name.clone())).collect()
 }
 
+const HEAD: &str = "| unit | clocks | parameters | what it does | only with |\n| --- | --- | --- | --- | --- |\n";
+
+/// The other datapaths, by what asks for them.
+const OTHERS: [&str; 3] =
+    ["datapath.kind=published", "datapath.kind=fixed", "datapath.kind=fixed datapath.search=windows"];
+
+/// The watertight units with what settings add, and for each other datapath the units that are not the same there.
 fn table() -> String {
+    let mut out = watertight();
+    for sets in OTHERS {
+        let d = config(sets).design();
+        let t = traverse(&d);
+        let rows = emit::modules(&all(&d)).unwrap().into_iter().map(|m| row(&m, &t, ""));
+        let own: String = rows.filter(|row| !out.contains(row)).collect();
+        out += &format!("\nWith `{}`, these besides or instead:\n\n{HEAD}{own}", sets.replace(' ', "` and `"));
+    }
+    out
+}
+
+fn watertight() -> String {
     let t = traverse(&Config::default().design());
-    let mut out =
-        "| unit | clocks | parameters | what it does | only with |\n| --- | --- | --- | --- | --- |\n".to_owned();
+    let mut out = HEAD.to_owned();
     let mut seen = BTreeSet::new();
     for with in [""].into_iter().chain(SETTINGS) {
         let list = units(with, &mut seen);
