@@ -56,11 +56,11 @@ pub fn record_ray(
         let offered = clock > 0 && !taken;
         sim.set(net.input("in_valid"), u64::from(offered));
         for (s, v) in data.iter().zip(row(&p.inputs, ray)) {
-            // Nobody offers a ray in the other clocks, so nobody says what is on the wires.
+            // In the other clocks no ray is valid, and what is on the wires is unknown.
             sim.set_bits(*s, if offered { (v, 0) } else { (0, mask(net.widths[*s as usize])) });
         }
         sim.eval();
-        // A handshake through registers is not ready in the first clock behind reset: the ray is offered until it is taken.
+        // A handshake through registers is not ready in the first clock after reset: the ray is valid until it transfers.
         taken |= offered && sim.get(net.output("in_ready")) == (1, 0);
         wave.sample(&sim);
         match window {

@@ -40,7 +40,7 @@ impl ValueEnum for Canary {
                 PossibleValue::new("drop").help("One input never enters, so its result never comes: exit code 6")
             }
             Self::Extra => PossibleValue::new("extra")
-                .help("One input enters twice, so a result comes that nobody expects: exit code 7"),
+                .help("One input enters twice, so a result comes that is not expected: exit code 7"),
             Self::Empty => PossibleValue::new("empty").help("No vectors at all: exit code 5"),
         })
     }
@@ -56,7 +56,7 @@ impl ValueEnum for Level {
             Self::One => PossibleValue::new("1").help("Some 20 thousand rows of two operands, and the random ones"),
             Self::Two => PossibleValue::new("2").help("Some 440 thousand rows of two operands, and the random ones"),
             Self::Three => PossibleValue::new("3")
-                .help("No tables: weighted random rows, of one seed after the other, until somebody stops it"),
+                .help("No tables: weighted random rows, of one seed after the other, until it is stopped"),
         })
     }
 }
