@@ -1,6 +1,6 @@
 //! What a search found, as numbers under names: what `fit --json` prints.
 use super::{Fit, Rejected, Trial};
-use crate::config::{DatapathConfig, ModeConfig, TraverseConfig, WindowSet};
+use crate::config::{DatapathConfig, ModeConfig, TraverseConfig};
 use crate::measure::Cost;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -59,9 +59,6 @@ pub struct FitFigures<'a> {
     pub mode: ModeConfig,
     /// Datapath and its widths.
     pub datapath: DatapathConfig,
-    /// Sizes of the windows, of a search by windows.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub windows: Option<WindowSet>,
     /// Exponent bits.
     pub exp: u32,
     /// Fraction bits.
@@ -90,7 +87,6 @@ impl<'a> FitFigures<'a> {
             traverse: d.traverse,
             mode: d.mode,
             datapath: d.datapath,
-            windows: d.datapath.kind.facts().windows.then(|| d.window_set()),
             exp: d.format.exp,
             man: d.format.man,
             bits: found.chosen.cost,

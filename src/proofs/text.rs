@@ -110,7 +110,7 @@ fn passed(m: &Module, mut params: Vec<String>) -> String {
 /// Clocks of the lines that are proved: all.
 const LENGTHS: std::ops::RangeInclusive<u32> = 3..=17;
 
-/// Cells by what is read of them (Yosys 0.30 on): of a bundle that holds a tag, the rest of the ray would stay, and all arithmetic before it.
+/// Cells by what is read of them (Yosys 0.26 on): of a bundle that holds a tag, the rest of the ray would stay, and all arithmetic before it.
 const SPLIT: &str = "splitnets\nsplitcells\n";
 
 /// Connects the wires of a FIFO's harness to its registers and to its words; the memory becomes registers before.

@@ -1,5 +1,4 @@
 //! The hardware on the hard cases: in every mode it equals the golden model, and all modes hit alike.
-use crate::budget::share;
 use crate::files::write;
 use crate::simulators::skip;
 use rayon::prelude::*;
@@ -126,12 +125,12 @@ fn same_hits(given: &[Given], all: &[ModeConfig], share: usize) {
 
 #[test]
 fn watertight_in_every_mode() {
-    every_mode(&config(&[]), share(29));
+    every_mode(&config(&[]), 29);
 }
 
 #[test]
 fn fixed_point_in_every_mode() {
-    every_mode(&config(&["datapath.kind=fixed"]), share(29));
+    every_mode(&config(&["datapath.kind=fixed"]), 29);
 }
 
 #[test]

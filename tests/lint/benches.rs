@@ -10,6 +10,7 @@ use reliefrtl::units::traversal::traverse;
 use std::collections::BTreeSet;
 use std::process::Command;
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Configurations whose benches differ in more than widths.
 const CHOSEN: [&str; 8] = [
@@ -86,7 +87,7 @@ fn silent(arguments: impl Fn(&Emitted, &[String], &[String]) -> Vec<Command>) {
 /// Each bench as the top, with the look into the loop; and each with its own clock; a text that an earlier configuration has, with the same unit,
 /// once. (One at a time: 5.006 mixes up the widths of a module that several tops have at several parameter values.)
 fn verilate(tool: Tool) {
-    let seen = Mutex::new(BTreeSet::new());
+    let (seen, turn) = (Mutex::new(BTreeSet::new()), AtomicUsize::new(0));
     silent(|e, benches, tops| {
         let each = |flag: &'static str| {
             let seen = &seen;
@@ -100,10 +101,11 @@ fn verilate(tool: Tool) {
                 Some(c)
             }
         };
-        // Debian's Verilator knows less than the current one: it is asked about some.
+        // Debian's Verilator knows less than the current one: it is asked about some, of each configuration about others.
         let step = if tool == Tool::Verilator { share(3) } else { 1 };
-        let benches = benches.iter().step_by(step).filter_map(each("-DITERATIONS"));
-        benches.chain(tops.iter().step_by(step).filter_map(each("--timing"))).collect()
+        let first = turn.fetch_add(1, Ordering::Relaxed) % step;
+        let benches = benches.iter().skip(first).step_by(step).filter_map(each("-DITERATIONS"));
+        benches.chain(tops.iter().skip(first).step_by(step).filter_map(each("--timing"))).collect()
     });
 }
 

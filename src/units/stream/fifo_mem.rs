@@ -5,7 +5,11 @@ use std::sync::Arc;
 
 /// Builds `fifo_mem` (parameters ADDR_W, DATA_W, DEPTH), simple dual-port.
 pub fn fifo_mem() -> Arc<Module> {
-    let b = Builder::new("fifo_mem", file!(), "data memory of a FIFO: one write port, one registered read port");
+    let b = Builder::new(
+        "fifo_mem",
+        file!(),
+        "memory of a FIFO's words or a loop's rays: one write port, one registered read port",
+    );
     let addr_w = b.param("ADDR_W", 4, "address bits");
     let data_w = b.param("DATA_W", 8, "bits of a word");
     let depth = b.param("DEPTH", 16, "slots");

@@ -142,6 +142,16 @@ fn crossed_corners_kill_the_mutants_of_arithmetic() {
     println!("{killed} of {others} mutants that are not the original killed");
     assert!(others > 500, "only {others} mutants");
     assert!(killed * 100 >= others * 99, "{killed} of {others} killed");
+    if share(2) > 1 {
+        return;
+    }
+    // All of them: the page has these numbers.
+    let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/arithmetic.md")).unwrap();
+    for j in &all {
+        let (others, killed) = (j.mutants - j.same(), j.mutants - j.survivors.len());
+        let row = format!("| `{}` | {} | {} | {killed} of {others} |", j.unit, j.mutants, j.same());
+        assert!(page.contains(&row), "docs/arithmetic.md has no {row}");
+    }
 }
 
 /// The large tables leave no mutant of the arithmetic alive that is not the original.
