@@ -145,7 +145,7 @@ fn ports<'a>(ports: impl Iterator<Item = &'a crate::ir::Port>) -> Vec<Port> {
         let one = w.as_const() == Some(1);
         Port {
             name: p.name.clone(),
-            width: text(w.clone()),
+            width: w.to_string(),
             range: if one { String::new() } else { format!("[{}:0]", text(w.clone() - 1)) },
             valid: None,
             select: if one { "[0]".into() } else { format!("[{}:0]", text(w - 1)) },

@@ -98,12 +98,6 @@ impl Builder {
             None => checks.push(Check { lhs, rhs }),
         }
     }
-    /// Requires what `inner`, of parameters by the same names, requires.
-    pub fn require_as(&self, inner: &Module) {
-        for c in &inner.checks {
-            self.require(&c.lhs, &c.rhs);
-        }
-    }
     /// Declares what a throughput of other than one result per clock is.
     pub fn throughput(&self, text: &str) {
         self.st.borrow_mut().m.throughput = text.into();
@@ -262,7 +256,9 @@ impl Builder {
         };
         let outs = module.data_outputs().map(|(i, p)| {
             let s = p.stage.map(|k| stage.unwrap_or(0) + k);
-            self.push_at(Op::InstOut(id, i), vec![], p.width.substitute(&map), s)
+            let out = self.push_at(Op::InstOut(id, i), vec![], p.width.substitute(&map), s);
+            self.st.borrow_mut().m.nodes[out.id.0 as usize].handshaked = module.latency.is_none();
+            out
         });
         outs.collect()
     }
@@ -286,7 +282,17 @@ impl Builder {
     pub(super) fn push_at(&self, op: Op, args: Vec<NodeId>, width: Expr, stage: Stage) -> Sig<'_> {
         let mut st = self.st.borrow_mut();
         let section = st.section;
-        st.m.nodes.push(Node { op, args, width, name: None, stage, section, valid: false, doc: None });
+        st.m.nodes.push(Node {
+            op,
+            args,
+            width,
+            name: None,
+            stage,
+            section,
+            valid: false,
+            doc: None,
+            handshaked: false,
+        });
         Sig { b: self, id: NodeId(st.m.nodes.len() as u32 - 1) }
     }
     /// `v` one register later; shared by all who ask.
@@ -326,7 +332,7 @@ impl Builder {
         self.st.borrow_mut().m.body = body;
         self.finish(Some(latency), &[])
     }
-    /// Ends the module: verifies it at its defaults and at `bindings`.
+    /// Ends the module: takes over what its instances require of the parameters, and verifies it at its defaults and at `bindings`.
     ///
     /// # Panics
     /// With all problems at once; a module that fails here is a bug of the unit that describes it.
@@ -334,6 +340,7 @@ impl Builder {
     pub fn finish(self, latency: Option<u32>, bindings: &[Binding]) -> Arc<Module> {
         let mut m = self.st.into_inner().m;
         m.latency = latency;
+        super::conditions::inherit(&mut m);
         let problems = super::verify::verify(&m, bindings);
         assert!(problems.is_empty(), "module {} is wrong:\n  {}", m.name, problems.join("\n  "));
         Arc::new(m)

@@ -1,5 +1,6 @@
 //! The one description of the hardware: fixed-width operations in pipeline stages, widths over module parameters.
 mod builder;
+mod conditions;
 mod contract;
 mod expr;
 mod keywords;
@@ -15,6 +16,7 @@ mod sig;
 mod verify;
 
 pub use builder::{Builder, Sig};
+pub use conditions::hold;
 pub use contract::Term;
 pub use expr::{Atom, Binding, Expr, Func};
 pub use keywords::{SYSTEM_VERILOG, VERILOG, is_keyword};

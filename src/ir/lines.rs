@@ -92,6 +92,7 @@ fn replace(m: &mut Module, waits: &[Wait], lines: &Lines) {
         section: 0,
         valid: false,
         doc: None,
+        handshaked: false,
     });
     let shift = always.is_some() as u32;
     for w in waits {

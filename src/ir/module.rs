@@ -152,6 +152,8 @@ pub struct Node {
     pub valid: bool,
     /// What it is and in which unit, for a comment where its net is declared.
     pub doc: Option<String>,
+    /// It comes out of a handshake: it belongs to no stage of this module, and its name has none.
+    pub handshaked: bool,
 }
 
 /// Direction of a port.

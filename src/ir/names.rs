@@ -1,5 +1,5 @@
 //! Names of a module's nets: base name and stage, the same in Verilog, waveforms and reports.
-use super::module::{Module, NodeId, Op};
+use super::module::{Module, Node, NodeId, Op};
 use std::collections::BTreeMap;
 
 /// Printed names of a module's nodes.
@@ -54,6 +54,12 @@ impl<'m> Names<'m> {
         !self.drives_wire(id) && !self.is_driven_early(id)
     }
 
+    /// Whether a node, or the bundle that it is a part of, comes out of a handshake.
+    fn is_handshaked(&self, n: &Node) -> bool {
+        let part_of = |n: &Node| matches!(n.op, Op::Slice { .. }) && self.m.node(n.args[0]).name.is_none();
+        n.handshaked || part_of(n) && self.m.node(n.args[0]).handshaked
+    }
+
     /// The net that carries a node, if it has one.
     pub fn net(&self, id: NodeId) -> Option<String> {
         let n = self.m.node(self.drives.get(&id).or(self.driven.get(&id)).copied().unwrap_or(id));
@@ -61,7 +67,7 @@ impl<'m> Names<'m> {
             (Op::Input(p), _) => Some(self.m.ports[*p].name.clone()),
             (op, _) if op.is_const() => None,
             (_, Some(name)) => Some(match n.stage {
-                Some(s) if self.staged => format!("s{s}_{name}"),
+                Some(s) if self.staged && !self.is_handshaked(n) => format!("s{s}_{name}"),
                 _ if self.m.port(name).is_some() => format!("{name}_net"),
                 _ => name.clone(),
             }),

@@ -43,9 +43,10 @@ impl<'b> Sig<'b> {
         }
         Sig { b: self.b, id }
     }
-    /// The value behind a handshake: it starts a new count of stages.
+    /// The value after a handshake: it starts a new count of stages.
     pub fn rebase_stage(self, stage: u32) -> Self {
-        self.b.st.borrow_mut().m.nodes[self.id.0 as usize].stage = Some(stage);
+        let node = &mut self.b.st.borrow_mut().m.nodes[self.id.0 as usize];
+        (node.stage, node.handshaked) = (Some(stage), true);
         self
     }
     /// The value without a stage: control that is read as it is now.

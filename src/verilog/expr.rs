@@ -116,7 +116,7 @@ impl Expressions for Names<'_> {
                 )
             }
             Op::Zext => {
-                let more = with_bounds_named(self.m, &(n.width.clone() - width(a(0))));
+                let more = with_bounds_named(self.m, &(n.width.clone() - named(self.m, &width(a(0)))));
                 (format!("{{{}, {}}}", fill(&more, 0), self.operand(a(0)).0), Binds::Primary)
             }
             Op::Sext => {

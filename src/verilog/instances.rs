@@ -2,7 +2,7 @@
 use super::expr::Expressions;
 use super::layout::{COLUMNS, bare, filled};
 use super::printer::Printer;
-use super::widths::named;
+use super::widths::by_parts;
 use reliefrtl_ir::{Dir, Expr, Instance, NodeId, Op};
 
 impl Printer<'_> {
@@ -66,7 +66,7 @@ impl Printer<'_> {
     /// Module, parameters and name of an instance, up to the parenthesis of its ports.
     fn instance_head(&self, inst: &Instance) -> String {
         let module = format!("{}{}", self.style.prefix, inst.module.name);
-        let value = |(n, e): &(String, Expr)| format!(".{n}({})", bare(&named(self.m, e).to_string()));
+        let value = |(n, e): &(String, Expr)| format!(".{n}({})", bare(&by_parts(self.m, e).to_string()));
         let file = |(n, suffix): &(String, String)| match suffix.as_str() {
             "" => format!(".{n}({n})"),
             _ => format!(".{n}(({n} == \"\") ? \"\" : {{{n}, \"{suffix}\"}})"),

@@ -20,9 +20,14 @@ impl Printer<'_> {
         if ids.is_empty() && self.wires().is_empty() && early.is_empty() {
             return;
         }
-        self.out += "\n  // ---- loop registers, written at the end of the module, and handshake nets\n";
+        if !ids.is_empty() {
+            self.out += "\n  // ---- state registers, written at the end of the module\n";
+        }
         for id in ids {
             self.declare_reg(id);
+        }
+        if !self.wires().is_empty() || !early.is_empty() {
+            self.out += "\n  // ---- nets that are driven further below\n";
         }
         for (id, _) in self.wires() {
             let (net, node) = (self.names.net(id).expect("wires have names"), self.m.node(id));
@@ -109,7 +114,7 @@ impl Printer<'_> {
         if ids.is_empty() {
             return;
         }
-        self.out += "\n  // ---- back to stage 0\n";
+        self.out += "\n  // ---- state registers\n";
         let nets: Vec<(String, NodeId)> =
             ids.into_iter().map(|id| (self.names.net(id).unwrap_or_default(), id)).collect();
         self.clocked(&nets);

@@ -25,3 +25,42 @@ pub(super) fn with_bounds_named(m: &Module, w: &Expr) -> Expr {
         })
     })
 }
+
+/// A sum of widths, such as that of a bundle, with as many of its terms as possible by the `localparam` of `m` that has them.
+pub(super) fn by_parts(m: &Module, w: &Expr) -> Expr {
+    let whole = named(m, w);
+    let mut rest = whole.clone();
+    for (name, e) in &m.locals {
+        let (flat, part) = (rest.expanded(), e.expanded());
+        let (terms, konst) = part.parts();
+        let of = |a: &Atom| flat.parts().0.iter().find(|t| t.0 == *a).map_or(0, |t| t.1);
+        // How often the whole constant stands in what is left.
+        let times = terms.iter().map(|(a, k)| if *k > 0 { of(a) / k } else { 0 }).min().unwrap_or(0);
+        let times = if konst > 0 { times.min(flat.parts().1 / konst) } else { times };
+        let is_name = matches!((terms, konst), ([(Atom::Param(_), 1)], 0));
+        if times > 0 && konst >= 0 && !is_name {
+            rest = (rest - part * times) + Expr::local(name, e.clone()) * times;
+        }
+    }
+    if rest.to_string().len() < whole.to_string().len() { rest } else { whole }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use reliefrtl_ir::Builder;
+
+    #[test]
+    fn a_sum_is_said_by_the_constants_of_the_module() {
+        let b = Builder::new("m", file!(), "widths");
+        let (exp, levels) = (b.param("EXP_W", 7, "bits"), b.param("LEVELS", 8, "bits"));
+        b.local("FloatW", &exp + 17);
+        b.local("LevelW", (&levels + 1).clog2());
+        let bundle = exp.clone() * 3 + (&levels + 1).clog2() + &levels + 54;
+        let m = b.finish(Some(0), &[]);
+        assert_eq!(by_parts(&m, &bundle).to_string(), "3 * FloatW + LEVELS + LevelW + 3");
+        assert_eq!(by_parts(&m, &(&levels + 2)).to_string(), "LEVELS + 2");
+        let at = |e: &Expr| e.eval(&m.default_binding());
+        assert_eq!(at(&by_parts(&m, &bundle)), at(&bundle));
+    }
+}

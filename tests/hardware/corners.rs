@@ -5,29 +5,23 @@ use crate::simulators::skip;
 use rayon::prelude::*;
 use reliefrtl::bench::{Simulator, bench_files, run_bench};
 use reliefrtl::catalogue::{check_interp, find, units, vector_set};
-use reliefrtl::config::{Config, DatapathKind, Design, ExtraUnits, ModeConfig, Trim};
+use reliefrtl::config::{Config, DatapathKind, Design, ExtraUnits, ModeConfig, Profile, Trim};
 use reliefrtl::emit;
 use reliefrtl::format::{FloatFormat, Rounding, Specials, Subnormals};
-use reliefrtl::ir::{Binding, Check, Module};
+use reliefrtl::ir::{Binding, Module, hold};
 use reliefrtl::project::accepts;
+use reliefrtl::units::{all, arithmetic, available};
 use reliefrtl::vectors::{Plan, set_files};
 use std::collections::BTreeSet;
 
 /// No width of a unit is larger.
 const WIDEST: i64 = 64;
 
-/// Whether the unit's own conditions hold: bounds of numbers first, of which the others are computed.
-fn holds(m: &Module, b: &Binding) -> bool {
-    let plain = |c: &&Check| c.lhs.as_const().is_some() || c.rhs.as_const().is_some();
-    let (bounds, rest): (Vec<_>, Vec<_>) = m.checks.iter().partition(plain);
-    bounds.into_iter().chain(rest).all(|c| c.lhs.eval_wide(b) <= c.rhs.eval_wide(b))
-}
-
 /// Values of each parameter to cross: the ends of what is legal beside the others' defaults, and beside the others' least values.
 fn ends(m: &Module) -> Vec<(String, Vec<i64>)> {
     let legal = |base: &Binding, name: &str| -> Vec<i64> {
         let at = |v: i64| base.iter().map(|(k, w)| (k.clone(), if k == name { v } else { *w })).collect::<Binding>();
-        (0..=WIDEST).filter(|v| holds(m, &at(*v))).collect()
+        (0..=WIDEST).filter(|v| hold(&m.checks, &at(*v))).collect()
     };
     let defaults = m.default_binding();
     let few = |v: &[i64]| v.iter().copied().take(2).chain(v.iter().rev().copied().take(2)).collect::<Vec<_>>();
@@ -64,11 +58,7 @@ fn corners(m: &Module, most: usize) -> Vec<Binding> {
         .map(|k| all * 618 / 1000 + k)
         .find(|s| (1..=all).all(|p| p == 1 || s % p != 0 || !all.is_multiple_of(p)))
         .unwrap_or(1);
-    (0..all)
-        .map(|k| pick(k * stride.max(1) % all))
-        .filter(|b| holds(m, b) && accepts(m, b).is_ok())
-        .take(most)
-        .collect()
+    (0..all).map(|k| pick(k * stride.max(1) % all)).filter(|b| hold(&m.checks, b)).take(most).collect()
 }
 
 /// What is wrong with a unit at its corners, and rows that were compared.
@@ -88,6 +78,26 @@ fn check(d: &Design, m: &Module, most: usize, rows: usize) -> (Vec<String>, usiz
     let (good, bad): (Vec<_>, Vec<_>) =
         list.par_iter().map(one).collect::<Vec<_>>().into_iter().partition(Result::is_ok);
     (bad.into_iter().filter_map(Result::err).collect(), good.into_iter().flatten().sum())
+}
+
+/// A module whose own conditions hold is one in which those of all others hold.
+#[test]
+fn conditions_of_a_module_hold_for_all_that_stands_in_it() {
+    let mut seen: BTreeSet<String> = BTreeSet::new();
+    let (mut tried, mut wrong) = (0, Vec::new());
+    let profiles = |d: Design| Profile::ALL.into_iter().map(move |p| Design { latency: p.latency_for(&d), ..d });
+    for d in designs().into_iter().flat_map(profiles) {
+        for m in all(&d).iter().chain(&available(&d)).chain(&arithmetic(&d)) {
+            if seen.insert(format!("{} {}", m.name, m.variant())) {
+                let list = corners(m, 40);
+                tried += list.len();
+                wrong.extend(list.iter().filter_map(|b| accepts(m, b).err()).map(|e| e.to_string()));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{} of {tried}:\n{}", wrong.len(), wrong[..wrong.len().min(20)].join("\n"));
+    println!("{} modules at {tried} corners", seen.len());
+    assert!(seen.len() > 100 && tried > 2000, "{} modules at {tried} corners", seen.len());
 }
 
 fn designs() -> Vec<Design> {

@@ -35,11 +35,11 @@ module {{ prefix }}tb_traverse #(
   // Bits of a row, as stated in the head of each file{% if not sizes %}, and words of the pyramid{% endif %}.
   localparam integer InW =
 {%- for p in inputs %}
-    ({{ p.width }}){% if not loop.last %} +{% else %};{% endif %}
+    {{ p.width }}{% if not loop.last %} +{% else %};{% endif %}  // {{ p.name }}
 {%- endfor %}
   localparam integer OutW =
 {%- for p in outputs %}
-    ({{ p.width }}){% if not loop.last %} +{% else %};{% endif %}
+    {{ p.width }}{% if not loop.last %} +{% else %};{% endif %}  // {{ p.name }}
 {%- endfor %}
 {%- if sizes %}
   localparam integer Sizes = {{ sizes | length }};  // sizes of windows, each with a memory
@@ -123,7 +123,6 @@ module {{ prefix }}tb_traverse #(
   wire       accepted = in_valid & in_ready & ~rst;
   wire       taken = out_valid & out_ready & ~rst;
   wire       expected = (tag_used[slot] === 1'b1) & (out_tag === tag_sent[slot]);
-  // Rays that are on their way have been accepted, and not been checked.
   // An iteration takes less than WarmUp clocks; the rest of a ray takes no longer than some of them.
   wire [31:0] limit = (patience > 0) ? patience : 4 * WarmUp * (longest + 16);
   wire       all_back = stim_left == 0 && rays == checked && !in_valid;

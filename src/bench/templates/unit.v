@@ -16,11 +16,11 @@ module {{ prefix }}tb_{{ unit }}{% if params %} #(
   // Bits of a row, as the files announce them.
   localparam integer InW =
 {%- for p in inputs %}
-    ({{ p.width }}){% if not loop.last %} +{% else %};{% endif %}
+    {{ p.width }}{% if not loop.last %} +{% else %};{% endif %}  // {{ p.name }}
 {%- endfor %}
   localparam integer OutW =
 {%- for p in outputs %}
-    ({{ p.width }}){% if not loop.last %} +{% else %};{% endif %}
+    {{ p.width }}{% if not loop.last %} +{% else %};{% endif %}  // {{ p.name }}
 {%- endfor %}
 
   reg [8*1000-1:0] dir;

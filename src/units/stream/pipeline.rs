@@ -101,6 +101,7 @@ impl<'b> Pipeline<'b> {
         b.connect(self.ready, o[ready].unstaged());
         b.connect(self.valid, o["out_valid"].unstaged());
         let buffered = words.unbundle(o["out_data"]);
-        buffered.map(|field, v| v.named(&format!("{outer}_{field}")).doc(&format!("{inner}_{field} after the buffer")))
+        buffered
+            .map(|field, v| v.named(&format!("{outer}_{field}")).doc(&format!("{inner}_{field}, when {name}_valid")))
     }
 }

@@ -110,8 +110,14 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
     rays.ready(&b, setup.ready);
     let accept = (setup.valid & slot_ready).named("accept");
 
-    b.section("slot", "A slot holds the new ray, or the one that recirculates.");
-    let memories = search.leaving.map(|_| SlotMemory::new(&b, slots, accept, new.clone()));
+    let memories_hold = search.leaving.is_some();
+    let choice = if registers_first(d, memories_hold) {
+        "A slot holds the new ray, or the one that recirculates. Both are registered before the choice: its select reaches every bit of a ray."
+    } else {
+        "A slot holds the new ray, or the one that recirculates."
+    };
+    b.section("slot", choice);
+    let memories = memories_hold.then(|| SlotMemory::new(&b, slots, accept, new.clone()));
     let new = heights.first(Ray::fresh(&b, &fields, |name| new[name], new["tag"]), accept);
     let (enters, entering) = match exchange.as_ref().zip(returns) {
         Some((e, returns)) => ((accept | returns).named("enters"), new.or_else(returns, &e.ray)),
@@ -176,12 +182,16 @@ struct Entry<'a, 'b> {
     slot_busy: Sig<'b>,
 }
 
+/// Whether both rays, and the select, are registered before one of them is chosen. Where slot memories hold the constants, a new ray starts from
+/// zeros, and there is little to select.
+fn registers_first(d: &Design, in_memories: bool) -> bool {
+    d.latency.node > 1 && !in_memories
+}
+
 /// The ray that the slot of stage 0 holds: the one that enters, or else the one that recirculates.
 fn in_slot<'b>(d: &Design, fields: &[Field], held: &Ray<'b>, entry: &Entry<'_, 'b>, in_memories: bool) -> Ray<'b> {
     let Entry { enters, ray, slot_busy } = *entry;
-    // Where slot memories hold the constants, a new ray starts from zeros, and there is little to select.
-    if d.latency.node > 1 && !in_memories {
-        // The select is registered before the multiplexer: it fans out to every bit of a ray.
+    if registers_first(d, in_memories) {
         held.reg_words().or_new(fields, enters.reg(), &ray.reg_words(), slot_busy.valid().reg())
     } else {
         held.or_new(fields, enters, ray, slot_busy)

@@ -1,6 +1,6 @@
 //! `bilinear_hit`: a hit on a texel moved to the surface interpolated between the centres of texels, one ray a clock.
 use super::{bilinear_window, patch_corner, patch_memory, ray_place, secant_step, surface_gap};
-use crate::float::{FormatParams, fp_div};
+use crate::float::FormatParams;
 use crate::traversal::params::{LevelParams, index_width};
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Binding, Builder, Module, Sig};
@@ -33,8 +33,6 @@ pub fn bilinear_hit(d: &Design) -> Arc<Module> {
     b.require(&frac, 16);
     b.require(&idx + &frac + &f.man, 60);
     b.require(&h + frac.clone() * 2 + &f.man, 60);
-    // What the divider asks of MAN_W holds here too.
-    b.require_as(&fp_div(d.format, &d.latency));
     b.clock();
     b.clock_enable();
     let load = [

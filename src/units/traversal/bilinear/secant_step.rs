@@ -28,8 +28,6 @@ pub fn secant_step(d: &Design) -> Arc<Module> {
     let o_t = b.output("t", &f.width, "float, height codes", "the step's parameter, of a hit");
     let (add, lt) = (fp_add(d.format, d.latency.add), fp_lt(d.format, d.latency.compare));
     let div = fp_div(d.format, &d.latency);
-    // A divider of many stages needs as many rows to cut: what it asks of MAN_W holds here too.
-    div.checks.iter().for_each(|c| b.require(&c.lhs, &c.rhs));
     let zero = b.zeros(&f.width);
 
     b.section("signs", "Below at the begin: the root was before. Above at the end: it is behind.");

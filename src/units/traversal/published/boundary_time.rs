@@ -30,9 +30,7 @@ pub fn boundary_time(d: &Design) -> Arc<Module> {
     let nudge = nudge_width(&b, d);
     b.require(2, &idx);
     b.require(&idx + &nudge + &f.man, 60);
-    // A divider of many stages needs as many rows to cut, one by table a multiplier's width.
     let div = fp_div(d.format, &d.latency);
-    b.require_as(&div);
     let wide = b.local("FixedW", &idx + &nudge + 1);
     b.clock();
     b.clock_enable();

@@ -44,8 +44,6 @@ pub fn axis_slope(d: &Design) -> Arc<Module> {
     b.require(&f.man, f.bias() + &levels);
     b.require(&levels + 2, f.bias());
     let div = fp_div(d.format, &d.latency);
-    // A divider of many stages needs as many rows to cut: what it asks of MAN_W holds here too.
-    b.require_as(&div);
     b.clock();
     b.clock_enable();
     let p = b.input("p", &f.width, "float, texels", "entry point");

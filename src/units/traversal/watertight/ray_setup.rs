@@ -5,7 +5,7 @@
 use super::axis_ends::{self, axis_ends};
 use super::axis_scale::axis_scale;
 use super::axis_slope::{self, axis_slope};
-use crate::float::{FormatParams, fp_div, fp_to_int};
+use crate::float::{FormatParams, fp_to_int};
 use crate::traversal::params::{LevelParams, ray_conditions};
 use crate::traversal::{finest_level, start_level};
 use reliefrtl_config::{Design, LatencyConfig, Trim};
@@ -44,8 +44,6 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let height = b.param("HEIGHT_W", t.height_bits, "bits of a height code");
     let tile = b.param("TILE_W", t.tile_bits, "a ray travels less than 2^TILE_W tiles along each axis");
     ray_conditions(&b, d, &f, &levels.levels, &height, &tile);
-    // A divider of many stages needs as many rows to cut: what it asks of MAN_W holds here too.
-    b.require_as(&fp_div(d.format, &d.latency));
     let idx = b.local("IdxW", &levels.levels + &tile + 2);
     b.clock();
     b.clock_enable();
