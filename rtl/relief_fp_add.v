@@ -50,29 +50,36 @@ module relief_fp_add #(
   wire             s0_b_sign = b[FloatW-1];
   wire [EXP_W-1:0] s0_b_exp = b[EXP_W+MAN_W-1:MAN_W];
   wire [MAN_W-1:0] s0_b_frac = b[MAN_W-1:0];
-  wire             s0_swap = a[EXP_W+MAN_W-1:0] < b[EXP_W+MAN_W-1:0];
+  wire             s0_swap = a[EXP_W+MAN_W-1:0] < b[EXP_W+MAN_W-1:0];  // b is the larger operand
+  // exponent of a less that of b
   wire [EXP_W:0]   s0_exp_diff_ab = {1'b0, s0_a_exp} - {1'b0, s0_b_exp};
-  wire [EXP_W-1:0] s0_exp_diff_ba = s0_b_exp - s0_a_exp;
-  wire             s0_subtract = s0_a_sign ^ s0_b_sign;
-  wire             s0_odd = s0_a_exp[0] ^ s0_b_exp[0];
-  wire             s0_a_is_zero = ~(|s0_a_exp);
-  wire             s0_b_is_zero = ~(|s0_b_exp);
-  wire             s0_a_exp_ones = &s0_a_exp;
-  wire             s0_b_exp_ones = &s0_b_exp;
+  wire [EXP_W-1:0] s0_exp_diff_ba = s0_b_exp - s0_a_exp;               // the other way round
+  wire             s0_subtract = s0_a_sign ^ s0_b_sign;                // the signs differ
+  wire             s0_odd = s0_a_exp[0] ^ s0_b_exp[0];  // the exponents differ by an odd number
+  wire             s0_a_is_zero = ~(|s0_a_exp);                        // a is zero
+  wire             s0_b_is_zero = ~(|s0_b_exp);                        // b is zero
+  wire             s0_a_exp_ones = &s0_a_exp;                          // a is infinity or NaN
+  wire             s0_b_exp_ones = &s0_b_exp;                          // b is infinity or NaN
 
   // ---- stage 0: order -----------------------------------------------------------------
   // Swap so that the operand of larger magnitude comes first: the significand difference is not
   // negative.
-  wire             s0_large_sign = s0_swap ? s0_b_sign : s0_a_sign;
-  wire [EXP_W-1:0] s0_large_exp = s0_swap ? s0_b_exp : s0_a_exp;
-  wire [MAN_W-1:0] s0_large_frac = s0_swap ? s0_b_frac : s0_a_frac;
+  wire             s0_large_sign = s0_swap ? s0_b_sign : s0_a_sign;  // sign of the larger operand
+  wire [EXP_W-1:0] s0_large_exp = s0_swap ? s0_b_exp : s0_a_exp;     // its exponent
+  wire [MAN_W-1:0] s0_large_frac = s0_swap ? s0_b_frac : s0_a_frac;  // its fraction
+  // significand of a, a bit lower if odd
   wire [NearW-1:0] s0_a_sig_prealigned = s0_odd ? {2'd1, s0_a_frac} : {1'b1, s0_a_frac, 1'b0};
+  // significand of b, a bit lower if odd
   wire [NearW-1:0] s0_b_sig_prealigned = s0_odd ? {2'd1, s0_b_frac} : {1'b1, s0_b_frac, 1'b0};
+  // significand of the smaller operand
   wire [NearW-1:0] s0_sig_small = s0_swap ? s0_a_sig_prealigned : s0_b_sig_prealigned;
+  // the smaller operand is zero
   wire             s0_small_is_zero = s0_swap ? s0_a_is_zero : s0_b_is_zero;
+  // difference of the exponents [bits]
   wire [EXP_W-1:0] s0_shift = s0_exp_diff_ab[EXP_W] ? s0_exp_diff_ba : s0_exp_diff_ab[EXP_W-1:0];
-  wire             s0_both_zero = s0_a_is_zero & s0_b_is_zero;
-  wire             s0_any_exp_max = s0_a_exp_ones | s0_b_exp_ones;
+  wire             s0_both_zero = s0_a_is_zero & s0_b_is_zero;       // both operands are zero
+  wire             s0_any_exp_max = s0_a_exp_ones | s0_b_exp_ones;  // an operand is infinity or NaN
+  // both are, with different signs
   wire             s0_inf_minus_inf = s0_a_exp_ones & s0_b_exp_ones & s0_subtract;
 
   // ---- stage 1: registers -------------------------------------------------------------
@@ -103,31 +110,46 @@ module relief_fp_add #(
 
   // ---- stage 1: align -----------------------------------------------------------------
   // Guard, round and sticky bits below the significand suffice to round the result.
+  // shift, in bits enough for its top bits to say that all is lost
   wire [ShiftW-1:0]  s1_wide_shift = {{(ShiftW - EXP_W){1'b0}}, s1_shift};
+  // alignment shift, even [bits]
   wire [AmountW-1:0] s1_amount = {s1_wide_shift[AmountW-1:1], 1'b0};
+  // the shift moves the smaller significand out altogether
   wire               s1_beyond = |s1_wide_shift[ShiftW-1:AmountW];
-  wire [MAN_W+2:0]   s1_sig_small_ext = {s1_sig_small, 1'b0};
+  wire [MAN_W+2:0]   s1_sig_small_ext = {s1_sig_small, 1'b0};  // with a guard bit
+  // nothing is left of the smaller operand but its sticky bit
   wire               s1_small_is_lost = s1_beyond | s1_small_is_zero;
+  // difference of significands whose exponents differ by at most 1, exact
   wire [NearW-1:0]   s1_near = {1'b1, s1_large_frac, 1'b0} - s1_sig_small;
+  // places at which a leading 1 means a result below the smallest normal
   wire [NearW-1:0]   s1_underflow_mask = ~({NearW{1'b1}} >> s1_large_exp);
+  // the exponent is the largest finite one
   wire               s1_near_max = (&s1_large_exp[EXP_W-1:1]) & ~s1_large_exp[0];
+  // the exponent is the smallest one
   wire               s1_bottom = ~(|s1_large_exp[EXP_W-1:1]) & s1_large_exp[0];
+  // the result is NaN
   wire               s1_is_nan = s1_any_exp_max & (s1_inf_minus_inf | (|s1_large_frac));
+  // the smaller significand at the place of the larger one
   wire [MAN_W+2:0]   s1_aligned = (s1_sig_small_ext >> s1_amount) &
       {(MAN_W + 3){~s1_small_is_lost}};
+  // a 1 was shifted out
   wire               s1_sticky =
       (s1_beyond | (|(s1_sig_small_ext & ~({(MAN_W + 3){1'b1}} << s1_amount)))) & ~s1_small_is_zero;
 
   // ---- stage 1: add -------------------------------------------------------------------
+  // larger significand, with room for carry, guard, round and sticky
   wire [MAN_W+4:0] s1_augend = {2'd1, s1_large_frac, 3'd0};
-  wire [MAN_W+4:0] s1_addend = {1'b0, s1_aligned, s1_sticky};
+  wire [MAN_W+4:0] s1_addend = {1'b0, s1_aligned, s1_sticky};  // smaller significand, likewise
+  // far sum or difference, not normalized
   wire [MAN_W+4:0] s1_sum = s1_subtract ? (s1_augend - s1_addend) : (s1_augend + s1_addend);
+  // exponent after a carry
   wire [EXP_W-1:0] s1_exp_up = s1_large_exp + {{(EXP_W - 1){1'b0}}, 1'b1};
+  // exponent after a shift by one bit
   wire [EXP_W-1:0] s1_exp_down = s1_large_exp - {{(EXP_W - 1){1'b0}}, 1'b1};
-  wire             s1_near_zero = ~(|s1_near);
-  wire [LzcW-1:0]  s1_lz_count;  // zeros above the topmost 1 [bits]
+  wire             s1_near_zero = ~(|s1_near);                 // the operands cancel
+  wire [LzcW-1:0]  s1_lz_count;                                // zeros above the topmost 1 [bits]
   relief_lzc #(.W(NearW)) u_lzc (.bits(s1_near), .count(s1_lz_count));
-  wire s1_flush = ~(|(s1_near & s1_underflow_mask));
+  wire s1_flush = ~(|(s1_near & s1_underflow_mask));  // the difference is below the smallest normal
 
   // ---- stage 2: registers -------------------------------------------------------------
   reg [MAN_W+4:0] s2_sum;
@@ -168,24 +190,31 @@ module relief_fp_add #(
   // ---- stage 2: normalize -------------------------------------------------------------
   // The far sum is normalized by one bit at most; the near difference by a coarse and a fine left
   // shift. The near result is that difference, or zero, infinity or NaN.
-  wire               s2_carry = s2_sum[MAN_W+4];
-  wire               s2_top = s2_sum[MAN_W+3];
-  wire               s2_next = s2_sum[MAN_W+2];
+  wire               s2_carry = s2_sum[MAN_W+4];                // the sum is 2 or more
+  wire               s2_top = s2_sum[MAN_W+3];                  // the sum is 1 or more
+  wire               s2_next = s2_sum[MAN_W+2];                 // the sum is 1/2 or more
+  // fraction of the far result, before rounding
   wire [MAN_W-1:0]   s2_frac = s2_carry ? s2_sum[MAN_W+3:4]
       : (s2_top ? s2_sum[MAN_W+2:3] : s2_sum[MAN_W+1:2]);
+  // exponent of the far result
   wire [EXP_W-1:0]   s2_exp = s2_carry ? s2_exp_up : (s2_top ? s2_large_exp : s2_exp_down);
+  // the far result is rounded away from zero
   wire               s2_round_up = s2_carry ? (s2_sum[3] & (s2_sum[4] | s2_sum[2] | (|s2_sum[1:0])))
       : (s2_top ? (s2_sum[2] & (s2_sum[3] | (|s2_sum[1:0])))
       : (s2_sum[1] & (s2_sum[2] | s2_sum[0])));
+  // near, shifted by the top bits of the count
   wire [NearW-1:0]   s2_near_coarse = s2_near << {s2_lz_count[LzcW-1:FineW], {FineW{1'b0}}};
-  wire [FineW-1:0]   s2_lzc_fine = s2_lz_count[FineW-1:0];
+  wire [FineW-1:0]   s2_lzc_fine = s2_lz_count[FineW-1:0];      // the rest of the count [bits]
+  // exponent of the near result, with its sign
   wire [ExpSumW-1:0] s2_exp_less_lzc =
-      {{(ExpSumW - EXP_W){1'b0}}, s2_large_exp} - {{(ExpSumW - $clog2(MAN_W + 3)){1'b0}},
-      s2_lz_count};
-  wire [EXP_W-1:0]   s2_near_exp = s2_exp_less_lzc[EXP_W-1:0];
+      {{(ExpSumW - EXP_W){1'b0}}, s2_large_exp} - {{(ExpSumW - LzcW){1'b0}}, s2_lz_count};
+  wire [EXP_W-1:0]   s2_near_exp = s2_exp_less_lzc[EXP_W-1:0];  // exponent of the near result
+  // the result is infinity or NaN
   wire               s2_give_inf = s2_any_exp_max | (s2_near_max & ~s2_subtract);
+  // the result is the near one, or a special one
   wire               s2_use_near_result = s2_any_exp_max | s2_both_zero | (s2_carry & s2_near_max) |
       ~(s2_carry | s2_top | (s2_next & ~s2_bottom));
+  // the result is +0 or NaN
   wire               s2_no_sign = s2_is_nan |
       (s2_subtract & ~s2_any_exp_max &
       (s2_both_zero | (s2_near_zero & ~(s2_carry | s2_top | s2_next))));
@@ -193,19 +222,21 @@ module relief_fp_add #(
   // ---- stage 2: round -----------------------------------------------------------------
   // The rounding increment may carry into the exponent, and from the largest number to infinity:
   // both give the right encoding.
-  wire [EXP_W+MAN_W-1:0] s2_unrounded = {s2_exp, s2_frac};
+  wire [EXP_W+MAN_W-1:0] s2_unrounded = {s2_exp, s2_frac};  // far result, exponent and fraction
+  // the same, rounded
   wire [EXP_W+MAN_W-1:0] s2_rounded = s2_unrounded + {{(EXP_W + MAN_W - 1){1'b0}}, s2_round_up};
-  wire [NearW-1:0]       s2_near_norm = s2_near_coarse << s2_lzc_fine;
-  wire [MAN_W-1:0]       s2_near_frac = s2_near_norm[MAN_W:1];
+  wire [NearW-1:0]       s2_near_norm = s2_near_coarse << s2_lzc_fine;  // near, normalized
+  wire [MAN_W-1:0]       s2_near_frac = s2_near_norm[MAN_W:1];  // fraction of the near result
 
   // ---- stage 2: select ----------------------------------------------------------------
-  wire                   s2_keep = ~(s2_flush | s2_give_inf);
+  wire                   s2_keep = ~(s2_flush | s2_give_inf);    // the near result is a number
+  // exponent and fraction of the result
   wire [EXP_W+MAN_W-1:0] s2_body =
       s2_use_near_result ?
       {(s2_near_exp & {EXP_W{s2_keep}}) | {EXP_W{s2_give_inf}}, (s2_near_frac & {MAN_W{s2_keep}}) |
       {s2_is_nan, {(MAN_W - 1){1'b0}}}} : s2_rounded;
-  wire                   s2_sign = s2_large_sign & ~s2_no_sign;
-  wire [FloatW-1:0]      s2_value = {s2_sign, s2_body};
+  wire                   s2_sign = s2_large_sign & ~s2_no_sign;  // sign of the result
+  wire [FloatW-1:0]      s2_value = {s2_sign, s2_body};          // the result
 
   // ---- stage 3: registers -------------------------------------------------------------
   reg [FloatW-1:0] s3_value;

@@ -27,7 +27,7 @@ module relief_spill_register #(
     end
   endgenerate
 
-  // ---- loop registers, written at the end of the module, and handshake nets
+  // ---- state registers, written at the end of the module
   reg         first_valid;    // the slot holds a word
   reg         second_valid;   // the slot holds a word
   reg         valid_q;        // either slot holds a word
@@ -67,7 +67,7 @@ module relief_spill_register #(
   wire load_first_next = ~first_valid_next;
   wire load_second_next = ~second_valid_next;
 
-  // ---- back to stage 0
+  // ---- state registers
   always @(posedge clk) begin
     first  <= first_next;
     second <= second_next;

@@ -19,7 +19,7 @@ module relief_traverse #(
   parameter integer FRAC_W     = 12,     // fraction bits of the hit position
   parameter integer TAG_W      = 8,      // bits of a ray's tag
   parameter integer STEP_LIMIT = 65535,  // iterations after which a ray is given up
-  parameter integer VARIANT    = 32'h40543a21,  // digest of all else it was generated for; checked
+  parameter integer VARIANT    = 32'h1af63cc2,  // digest of all else it was generated for; checked
   // file for $readmemh with the words of the pyramid, level 0 first; "": none
   parameter MEM_INIT = ""
 ) (
@@ -70,7 +70,7 @@ module relief_traverse #(
   generate
     if (EXP_W < 2) begin : gen_illegal_0 EXP_W_must_be_at_least_2 u_illegal (); end
     if (EXP_W > 11) begin : gen_illegal_1 EXP_W_must_be_at_most_11 u_illegal (); end
-    if (MAN_W < 7) begin : gen_illegal_2 MAN_W_must_be_at_least_7 u_illegal (); end
+    if (MAN_W < 16) begin : gen_illegal_2 MAN_W_must_be_at_least_16 u_illegal (); end
     if (MAN_W > 28) begin : gen_illegal_3 MAN_W_must_be_at_most_28 u_illegal (); end
     if (LEVELS < 2) begin : gen_illegal_4 LEVELS_must_be_at_least_2 u_illegal (); end
     if (LEVELS > 12) begin : gen_illegal_5 LEVELS_must_be_at_most_12 u_illegal (); end
@@ -104,12 +104,12 @@ module relief_traverse #(
     if (FRAC_W + LEVELS + MAN_W + TILE_W + 2 > 60) begin : gen_illegal_21
       FRAC_W_plus_LEVELS_plus_MAN_W_plus_TILE_W_plus_2_must_be_at_most_60 u_illegal ();
     end
-    if (VARIANT != 32'h40543a21) begin : gen_other_variant
-      relief_traverse_has_VARIANT_40543a21_watertight_selective_not_the_one_asked_for u_illegal ();
+    if (VARIANT != 32'h1af63cc2) begin : gen_other_variant
+      relief_traverse_has_VARIANT_1af63cc2_watertight_selective_not_the_one_asked_for u_illegal ();
     end
   endgenerate
 
-  // ---- loop registers, written at the end of the module, and handshake nets
+  // ---- state registers, written at the end of the module
   reg              s0_loop_valid_q;      // the slot holds a ray
   reg [TAG_W-1:0]  s0_loop_tag_q;        // tag of the ray [bits]
   reg [FloatW-1:0] s0_loop_p_x_q;        // entry point along x [float, texels]
@@ -143,6 +143,8 @@ module relief_traverse #(
   reg              s0_out_transfer_q;    // output transfer in the previous clock
   reg [6:0]        s0_in_flight;         // rays in flight, counted one clock late [rays]
   reg              s0_any_in_flight;     // in_flight is not 0
+
+  // ---- nets that are driven further below
   wire hit_valid;    // the last stage of the hit pipeline holds a word
   wire hit_ready;    // the hit pipeline can take a word
   wire setup_valid;  // the last stage of the setup pipeline holds a word
@@ -156,78 +158,73 @@ module relief_traverse #(
   // ---- stage 0: setup -----------------------------------------------------------------
   // The setup pipeline stalls while its last stage holds a ray and the slot in stage 0 is not free.
   // the ray can be traced: finite, entry in the tile, direction below 2^TILE_W
-  wire              s0_set_ok;
-  wire [LevelW-1:0] s0_set_level;    // level of the first iteration [levels]
-  wire [FloatW-1:0] s0_set_p_x;      // entry point along x [float, texels]
-  // entry point along x, biased against the direction [float, texels]
-  wire [FloatW-1:0] s0_set_pb_x;
-  wire [FloatW-1:0] s0_set_d_x;      // direction along x [float, texels per height code]
-  // reciprocal of the direction along x [float, height codes per texel]
-  wire [FloatW-1:0] s0_set_r_x;
-  wire              s0_set_never_x;  // the ray does not move along x
-  wire              s0_set_neg_x;    // the ray runs toward smaller x coordinates
-  wire [IdxW-1:0]   s0_set_first_x;  // x coordinate of the texel of the entry point [texels]
-  wire [FloatW-1:0] s0_set_p_y;      // entry point along y [float, texels]
-  // entry point along y, biased against the direction [float, texels]
-  wire [FloatW-1:0] s0_set_pb_y;
-  wire [FloatW-1:0] s0_set_d_y;      // direction along y [float, texels per height code]
-  // reciprocal of the direction along y [float, height codes per texel]
-  wire [FloatW-1:0] s0_set_r_y;
-  wire              s0_set_never_y;  // the ray does not move along y
-  wire              s0_set_neg_y;    // the ray runs toward smaller y coordinates
-  wire [IdxW-1:0]   s0_set_first_y;  // y coordinate of the texel of the entry point [texels]
+  wire              set_ok;
+  wire [LevelW-1:0] set_level;    // level of the first iteration [levels]
+  wire [FloatW-1:0] set_p_x;      // entry point along x [float, texels]
+  wire [FloatW-1:0] set_pb_x;  // entry point along x, biased against the direction [float, texels]
+  wire [FloatW-1:0] set_d_x;      // direction along x [float, texels per height code]
+  wire [FloatW-1:0] set_r_x;  // reciprocal of the direction along x [float, height codes per texel]
+  wire              set_never_x;  // the ray does not move along x
+  wire              set_neg_x;    // the ray runs toward smaller x coordinates
+  wire [IdxW-1:0]   set_first_x;  // x coordinate of the texel of the entry point [texels]
+  wire [FloatW-1:0] set_p_y;      // entry point along y [float, texels]
+  wire [FloatW-1:0] set_pb_y;  // entry point along y, biased against the direction [float, texels]
+  wire [FloatW-1:0] set_d_y;      // direction along y [float, texels per height code]
+  wire [FloatW-1:0] set_r_y;  // reciprocal of the direction along y [float, height codes per texel]
+  wire              set_never_y;  // the ray does not move along y
+  wire              set_neg_y;    // the ray runs toward smaller y coordinates
+  wire [IdxW-1:0]   set_first_y;  // y coordinate of the texel of the entry point [texels]
   relief_ray_setup #(
     .EXP_W(EXP_W), .MAN_W(MAN_W), .LEVELS(LEVELS), .HEIGHT_W(HEIGHT_W), .TILE_W(TILE_W),
     .LATENCY(21), .VARIANT(32'h726afe08)
   ) u_setup (
     .clk(clk), .ce(setup_ready), .u(in_u), .v(in_v), .du(in_du), .dv(in_dv),
-    .ok(s0_set_ok), .level(s0_set_level), .p_x(s0_set_p_x), .pb_x(s0_set_pb_x), .d_x(s0_set_d_x),
-    .r_x(s0_set_r_x), .never_x(s0_set_never_x), .neg_x(s0_set_neg_x), .first_x(s0_set_first_x),
-    .p_y(s0_set_p_y), .pb_y(s0_set_pb_y), .d_y(s0_set_d_y), .r_y(s0_set_r_y),
-    .never_y(s0_set_never_y), .neg_y(s0_set_neg_y), .first_y(s0_set_first_y)
+    .ok(set_ok), .level(set_level), .p_x(set_p_x), .pb_x(set_pb_x), .d_x(set_d_x), .r_x(set_r_x),
+    .never_x(set_never_x), .neg_x(set_neg_x), .first_x(set_first_x), .p_y(set_p_y), .pb_y(set_pb_y),
+    .d_y(set_d_y), .r_y(set_r_y), .never_y(set_never_y), .neg_y(set_neg_y), .first_y(set_first_y)
   );
-  wire             s0_setup_last_valid;  // the delayed word is valid
-  wire [TAG_W-1:0] s0_set_tag;           // tag, delayed to the end of the setup pipeline
+  wire             setup_last_valid;  // the delayed word is valid
+  wire [TAG_W-1:0] set_tag;           // tag, delayed to the end of the setup pipeline
   relief_setup_delay #(.W(TAG_W), .LATENCY(21), .VARIANT(32'h306304c2)) u_setup_delay (
     .clk(clk), .ce(setup_ready), .rst(rst), .in_valid(in_valid), .in_data(in_tag),
-    .out_valid(s0_setup_last_valid), .out_data(s0_set_tag)
+    .out_valid(setup_last_valid), .out_data(set_tag)
   );
-  wire              s0_new_ok;       // set_ok after the buffer
-  wire [LevelW-1:0] s0_new_level;    // set_level after the buffer
-  wire [FloatW-1:0] s0_new_p_x;      // set_p_x after the buffer
-  wire [FloatW-1:0] s0_new_pb_x;     // set_pb_x after the buffer
-  wire [FloatW-1:0] s0_new_d_x;      // set_d_x after the buffer
-  wire [FloatW-1:0] s0_new_r_x;      // set_r_x after the buffer
-  wire              s0_new_never_x;  // set_never_x after the buffer
-  wire              s0_new_neg_x;    // set_neg_x after the buffer
-  wire [IdxW-1:0]   s0_new_first_x;  // set_first_x after the buffer
-  wire [FloatW-1:0] s0_new_p_y;      // set_p_y after the buffer
-  wire [FloatW-1:0] s0_new_pb_y;     // set_pb_y after the buffer
-  wire [FloatW-1:0] s0_new_d_y;      // set_d_y after the buffer
-  wire [FloatW-1:0] s0_new_r_y;      // set_r_y after the buffer
-  wire              s0_new_never_y;  // set_never_y after the buffer
-  wire              s0_new_neg_y;    // set_neg_y after the buffer
-  wire [IdxW-1:0]   s0_new_first_y;  // set_first_y after the buffer
-  wire [TAG_W-1:0]  s0_new_tag;      // set_tag after the buffer
+  wire              new_ok;       // set_ok, when setup_valid
+  wire [LevelW-1:0] new_level;    // set_level, when setup_valid
+  wire [FloatW-1:0] new_p_x;      // set_p_x, when setup_valid
+  wire [FloatW-1:0] new_pb_x;     // set_pb_x, when setup_valid
+  wire [FloatW-1:0] new_d_x;      // set_d_x, when setup_valid
+  wire [FloatW-1:0] new_r_x;      // set_r_x, when setup_valid
+  wire              new_never_x;  // set_never_x, when setup_valid
+  wire              new_neg_x;    // set_neg_x, when setup_valid
+  wire [IdxW-1:0]   new_first_x;  // set_first_x, when setup_valid
+  wire [FloatW-1:0] new_p_y;      // set_p_y, when setup_valid
+  wire [FloatW-1:0] new_pb_y;     // set_pb_y, when setup_valid
+  wire [FloatW-1:0] new_d_y;      // set_d_y, when setup_valid
+  wire [FloatW-1:0] new_r_y;      // set_r_y, when setup_valid
+  wire              new_never_y;  // set_never_y, when setup_valid
+  wire              new_neg_y;    // set_neg_y, when setup_valid
+  wire [IdxW-1:0]   new_first_y;  // set_first_y, when setup_valid
+  wire [TAG_W-1:0]  new_tag;      // set_tag, when setup_valid
   relief_spill_register #(
-    .W(8 * EXP_W + 2 * LEVELS + 8 * MAN_W + TAG_W + 2 * TILE_W + $clog2(LEVELS + 1) + 17),
-    .VARIANT(32'h4b082ec9)
+    .W(TAG_W + 8 * FloatW + 2 * IdxW + LevelW + 5), .VARIANT(32'h4b082ec9)
   ) u_setup_buffer (
-    .clk(clk), .rst(rst), .in_valid(s0_setup_last_valid),
-    .in_data({s0_set_ok, s0_set_level, s0_set_p_x, s0_set_pb_x, s0_set_d_x, s0_set_r_x,
-        s0_set_never_x, s0_set_neg_x, s0_set_first_x, s0_set_p_y, s0_set_pb_y, s0_set_d_y,
-        s0_set_r_y, s0_set_never_y, s0_set_neg_y, s0_set_first_y, s0_set_tag}),
+    .clk(clk), .rst(rst), .in_valid(setup_last_valid),
+    .in_data({set_ok, set_level, set_p_x, set_pb_x, set_d_x, set_r_x, set_never_x, set_neg_x,
+        set_first_x, set_p_y, set_pb_y, set_d_y, set_r_y, set_never_y, set_neg_y, set_first_y,
+        set_tag}),
     .out_ready(s0_slot_free),
     .in_ready(setup_ready), .out_valid(setup_valid),
-    .out_data({s0_new_ok, s0_new_level, s0_new_p_x, s0_new_pb_x, s0_new_d_x, s0_new_r_x,
-        s0_new_never_x, s0_new_neg_x, s0_new_first_x, s0_new_p_y, s0_new_pb_y, s0_new_d_y,
-        s0_new_r_y, s0_new_never_y, s0_new_neg_y, s0_new_first_y, s0_new_tag})
+    .out_data({new_ok, new_level, new_p_x, new_pb_x, new_d_x, new_r_x, new_never_x, new_neg_x,
+        new_first_x, new_p_y, new_pb_y, new_d_y, new_r_y, new_never_y, new_neg_y, new_first_y,
+        new_tag})
   );
   wire s0_accept = setup_valid & s0_slot_free;
 
   // ---- stage 0: slot ------------------------------------------------------------------
-  // A slot holds the new ray, or the one that recirculates.
-  wire s0_new_refused = ~s0_new_ok;
+  // A slot holds the new ray, or the one that recirculates. Both are registered before the choice:
+  // its select reaches every bit of a ray.
+  wire s0_new_refused = ~new_ok;
   wire s0_slot_busy = (s0_loop_valid_q & ~s0_retire) | s0_accept;
 
   // ---- stage 0: idle ------------------------------------------------------------------
@@ -242,63 +239,63 @@ module relief_traverse #(
 
   // ---- stage 0: result ----------------------------------------------------------------
   // The ray that retires, from the loop registers.
-  wire [FRAC_W-1:0] s0_hit_fu;  // position inside the texel [1/2^FRAC_W texel]
+  wire [FRAC_W-1:0] hit_fu;  // position inside the texel [1/2^FRAC_W texel]
   relief_hit_position #(
     .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .FRAC_W(FRAC_W), .LATENCY(7), .VARIANT(32'h7d672a2a)
   ) u_hit_u (
     .clk(clk), .ce(hit_ready), .p(s0_loop_p_x_q), .d(s0_loop_d_x_q), .t(s0_loop_t_q),
     .x(s0_loop_x_q),
-    .fraction(s0_hit_fu)
+    .fraction(hit_fu)
   );
-  wire [FRAC_W-1:0] s0_hit_fv;  // position inside the texel [1/2^FRAC_W texel]
+  wire [FRAC_W-1:0] hit_fv;  // position inside the texel [1/2^FRAC_W texel]
   relief_hit_position #(
     .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .FRAC_W(FRAC_W), .LATENCY(7), .VARIANT(32'h7d672a2a)
   ) u_hit_v (
     .clk(clk), .ce(hit_ready), .p(s0_loop_p_y_q), .d(s0_loop_d_y_q), .t(s0_loop_t_q),
     .x(s0_loop_y_q),
-    .fraction(s0_hit_fv)
+    .fraction(hit_fv)
   );
-  wire              s0_hit_last_valid;  // the delayed word is valid
-  wire [LEVELS-1:0] s0_hit_i;           // i, delayed to the end of the hit pipeline
-  wire [LEVELS-1:0] s0_hit_j;           // j, delayed to the end of the hit pipeline
-  wire [FloatW-1:0] s0_hit_t;           // t, delayed to the end of the hit pipeline
-  wire              s0_hit_wall;        // wall, delayed to the end of the hit pipeline
-  wire              s0_hit_limit;       // limit, delayed to the end of the hit pipeline
-  wire [15:0]       s0_hit_steps;       // steps, delayed to the end of the hit pipeline
-  wire [15:0]       s0_hit_crossings;   // crossings, delayed to the end of the hit pipeline
-  wire [15:0]       s0_hit_ups;         // ups, delayed to the end of the hit pipeline
-  wire [TAG_W-1:0]  s0_hit_tag;         // tag, delayed to the end of the hit pipeline
+  wire              hit_last_valid;  // the delayed word is valid
+  wire [LEVELS-1:0] hit_i;           // i, delayed to the end of the hit pipeline
+  wire [LEVELS-1:0] hit_j;           // j, delayed to the end of the hit pipeline
+  wire [FloatW-1:0] hit_t;           // t, delayed to the end of the hit pipeline
+  wire              hit_wall;        // wall, delayed to the end of the hit pipeline
+  wire              hit_limit;       // limit, delayed to the end of the hit pipeline
+  wire [15:0]       hit_steps;       // steps, delayed to the end of the hit pipeline
+  wire [15:0]       hit_crossings;   // crossings, delayed to the end of the hit pipeline
+  wire [15:0]       hit_ups;         // ups, delayed to the end of the hit pipeline
+  wire [TAG_W-1:0]  hit_tag;         // tag, delayed to the end of the hit pipeline
   relief_hit_delay #(
     .W(2 * LEVELS + TAG_W + FloatW + 50), .LATENCY(7), .VARIANT(32'h0069384e)
   ) u_hit_delay (
     .clk(clk), .ce(hit_ready), .rst(rst), .in_valid(s0_retire),
     .in_data({s0_loop_x_q[LEVELS-1:0], s0_loop_y_q[LEVELS-1:0], s0_loop_t_q, s0_loop_wall_q,
         s0_loop_limit_q, s0_loop_steps_q, s0_loop_crossings_q, s0_loop_ups_q, s0_loop_tag_q}),
-    .out_valid(s0_hit_last_valid),
-    .out_data({s0_hit_i, s0_hit_j, s0_hit_t, s0_hit_wall, s0_hit_limit, s0_hit_steps,
-        s0_hit_crossings, s0_hit_ups, s0_hit_tag})
+    .out_valid(hit_last_valid),
+    .out_data({hit_i, hit_j, hit_t, hit_wall, hit_limit, hit_steps, hit_crossings, hit_ups,
+        hit_tag})
   );
-  wire [FRAC_W-1:0] s0_result_fu;         // hit_fu after the buffer
-  wire [FRAC_W-1:0] s0_result_fv;         // hit_fv after the buffer
-  wire [LEVELS-1:0] s0_result_i;          // hit_i after the buffer
-  wire [LEVELS-1:0] s0_result_j;          // hit_j after the buffer
-  wire [FloatW-1:0] s0_result_t;          // hit_t after the buffer
-  wire              s0_result_wall;       // hit_wall after the buffer
-  wire              s0_result_limit;      // hit_limit after the buffer
-  wire [15:0]       s0_result_steps;      // hit_steps after the buffer
-  wire [15:0]       s0_result_crossings;  // hit_crossings after the buffer
-  wire [15:0]       s0_result_ups;        // hit_ups after the buffer
-  wire [TAG_W-1:0]  s0_result_tag;        // hit_tag after the buffer
+  wire [FRAC_W-1:0] result_fu;         // hit_fu, when hit_valid
+  wire [FRAC_W-1:0] result_fv;         // hit_fv, when hit_valid
+  wire [LEVELS-1:0] result_i;          // hit_i, when hit_valid
+  wire [LEVELS-1:0] result_j;          // hit_j, when hit_valid
+  wire [FloatW-1:0] result_t;          // hit_t, when hit_valid
+  wire              result_wall;       // hit_wall, when hit_valid
+  wire              result_limit;      // hit_limit, when hit_valid
+  wire [15:0]       result_steps;      // hit_steps, when hit_valid
+  wire [15:0]       result_crossings;  // hit_crossings, when hit_valid
+  wire [15:0]       result_ups;        // hit_ups, when hit_valid
+  wire [TAG_W-1:0]  result_tag;        // hit_tag, when hit_valid
   relief_spill_register #(
     .W(2 * FRAC_W + 2 * LEVELS + TAG_W + FloatW + 50), .VARIANT(32'h4b082ec9)
   ) u_hit_buffer (
-    .clk(clk), .rst(rst), .in_valid(s0_hit_last_valid),
-    .in_data({s0_hit_fu, s0_hit_fv, s0_hit_i, s0_hit_j, s0_hit_t, s0_hit_wall, s0_hit_limit,
-        s0_hit_steps, s0_hit_crossings, s0_hit_ups, s0_hit_tag}),
+    .clk(clk), .rst(rst), .in_valid(hit_last_valid),
+    .in_data({hit_fu, hit_fv, hit_i, hit_j, hit_t, hit_wall, hit_limit, hit_steps, hit_crossings,
+        hit_ups, hit_tag}),
     .out_ready(out_ready),
     .in_ready(hit_ready), .out_valid(hit_valid),
-    .out_data({s0_result_fu, s0_result_fv, s0_result_i, s0_result_j, s0_result_t, s0_result_wall,
-        s0_result_limit, s0_result_steps, s0_result_crossings, s0_result_ups, s0_result_tag})
+    .out_data({result_fu, result_fv, result_i, result_j, result_t, result_wall, result_limit,
+        result_steps, result_crossings, result_ups, result_tag})
   );
 
   // ---- stage 1: registers -------------------------------------------------------------
@@ -370,27 +367,28 @@ module relief_traverse #(
     s1_loop_ups_q       <= s0_loop_ups_q;
     s1_loop_crossed_q   <= s0_loop_crossed_q;
     s1_accept           <= s0_accept;
-    s1_new_tag          <= s0_new_tag;
-    s1_new_p_x          <= s0_new_p_x;
-    s1_new_pb_x         <= s0_new_pb_x;
-    s1_new_d_x          <= s0_new_d_x;
-    s1_new_r_x          <= s0_new_r_x;
-    s1_new_never_x      <= s0_new_never_x;
-    s1_new_neg_x        <= s0_new_neg_x;
-    s1_new_p_y          <= s0_new_p_y;
-    s1_new_pb_y         <= s0_new_pb_y;
-    s1_new_d_y          <= s0_new_d_y;
-    s1_new_r_y          <= s0_new_r_y;
-    s1_new_never_y      <= s0_new_never_y;
-    s1_new_neg_y        <= s0_new_neg_y;
-    s1_new_level        <= s0_new_level;
-    s1_new_first_x      <= s0_new_first_x;
-    s1_new_first_y      <= s0_new_first_y;
+    s1_new_tag          <= new_tag;
+    s1_new_p_x          <= new_p_x;
+    s1_new_pb_x         <= new_pb_x;
+    s1_new_d_x          <= new_d_x;
+    s1_new_r_x          <= new_r_x;
+    s1_new_never_x      <= new_never_x;
+    s1_new_neg_x        <= new_neg_x;
+    s1_new_p_y          <= new_p_y;
+    s1_new_pb_y         <= new_pb_y;
+    s1_new_d_y          <= new_d_y;
+    s1_new_r_y          <= new_r_y;
+    s1_new_never_y      <= new_never_y;
+    s1_new_neg_y        <= new_neg_y;
+    s1_new_level        <= new_level;
+    s1_new_first_x      <= new_first_x;
+    s1_new_first_y      <= new_first_y;
     s1_new_refused      <= s0_new_refused;
   end
 
   // ---- stage 1: slot ------------------------------------------------------------------
-  // A slot holds the new ray, or the one that recirculates.
+  // A slot holds the new ray, or the one that recirculates. Both are registered before the choice:
+  // its select reaches every bit of a ray.
   wire [TAG_W-1:0]  s1_tag = s1_accept ? s1_new_tag : s1_loop_tag_q;
   wire [FloatW-1:0] s1_p_x = s1_accept ? s1_new_p_x : s1_loop_p_x_q;
   wire [FloatW-1:0] s1_pb_x = s1_accept ? s1_new_pb_x : s1_loop_pb_x_q;
@@ -827,7 +825,7 @@ module relief_traverse #(
   wire s18_crossed_now = s18_crosses & s18_moves;
   wire s18_up_now = s18_up & s18_crossed_now;
 
-  // ---- back to stage 0
+  // ---- state registers
   always @(posedge clk) begin
     s0_loop_tag_q       <= s18_tag;
     s0_loop_p_x_q       <= s18_p_x;
@@ -888,17 +886,17 @@ module relief_traverse #(
   assign slot_busy = s0_slot_busy;
   assign idle = s0_is_idle;
   assign out_valid = hit_valid;
-  assign out_tag = s0_result_tag;
-  assign out_i = s0_result_i;
-  assign out_j = s0_result_j;
-  assign out_fu = s0_result_fu;
-  assign out_fv = s0_result_fv;
-  assign out_t = s0_result_t;
-  assign out_wall = s0_result_wall;
-  assign out_limit = s0_result_limit;
-  assign out_steps = s0_result_steps;
-  assign out_crossings = s0_result_crossings;
-  assign out_ups = s0_result_ups;
+  assign out_tag = result_tag;
+  assign out_i = result_i;
+  assign out_j = result_j;
+  assign out_fu = result_fu;
+  assign out_fv = result_fv;
+  assign out_t = result_t;
+  assign out_wall = result_wall;
+  assign out_limit = result_limit;
+  assign out_steps = result_steps;
+  assign out_crossings = result_crossings;
+  assign out_ups = result_ups;
 endmodule
 `ifndef YOSYS
 `default_nettype wire

@@ -16,11 +16,11 @@ module relief_tb_axis_ends #(
   localparam integer Latency = 5;
   // Bits of a row, as the files announce them.
   localparam integer InW =
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1);
+    EXP_W + MAN_W + 1 +  // p
+    EXP_W + MAN_W + 1;  // dn
   localparam integer OutW =
-    (IDX_W) +
-    (IDX_W);
+    IDX_W +  // first
+    IDX_W;  // last
 
   reg [8*1000-1:0] dir;
   integer stim_fd;
@@ -153,10 +153,10 @@ module relief_tb_axis_ends #(
       end
       if (stim_left > 0) begin
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_p <= word[EXP_W+MAN_W:0];
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_dn <= word[EXP_W+MAN_W:0];
         in_valid <= 1'b1;
         stim_left <= stim_left - 1;

@@ -17,12 +17,12 @@ module relief_tb_axis_scale #(
   localparam integer Latency = 0;
   // Bits of a row, as the files announce them.
   localparam integer InW =
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1);
+    EXP_W + MAN_W + 1 +  // p
+    EXP_W + MAN_W + 1;  // d
   localparam integer OutW =
-    (1) +
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1);
+    1 +  // ok
+    EXP_W + MAN_W + 1 +  // p_texels
+    EXP_W + MAN_W + 1;  // d_texels
 
   reg [8*1000-1:0] dir;
   integer stim_fd;
@@ -140,7 +140,7 @@ module relief_tb_axis_scale #(
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_out = 1'b1;
         if (out_p_texels !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, p_texels: expected %h, got %h",
@@ -151,7 +151,7 @@ module relief_tb_axis_scale #(
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_out = 1'b1;
         if (out_d_texels !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, d_texels: expected %h, got %h",
@@ -167,10 +167,10 @@ module relief_tb_axis_scale #(
       end
       if (stim_left > 0) begin
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_p <= word[EXP_W+MAN_W:0];
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_d <= word[EXP_W+MAN_W:0];
         in_valid <= 1'b1;
         stim_left <= stim_left - 1;

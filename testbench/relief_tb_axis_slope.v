@@ -17,13 +17,13 @@ module relief_tb_axis_slope #(
   localparam integer Latency = 20;
   // Bits of a row, as the files announce them.
   localparam integer InW =
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1);
+    EXP_W + MAN_W + 1 +  // p
+    EXP_W + MAN_W + 1;  // dn
   localparam integer OutW =
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1) +
-    (1);
+    EXP_W + MAN_W + 1 +  // p_back
+    EXP_W + MAN_W + 1 +  // d
+    EXP_W + MAN_W + 1 +  // r
+    1;  // never
 
   reg [8*1000-1:0] dir;
   integer stim_fd;
@@ -134,7 +134,7 @@ module relief_tb_axis_slope #(
       travel <= (travel << 1) | (in_valid ? 2 : 0);
       if (out_valid && exp_left != 0) begin
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_out = 1'b1;
         if (out_p_back !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, p_back: expected %h, got %h",
@@ -145,7 +145,7 @@ module relief_tb_axis_slope #(
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_out = 1'b1;
         if (out_d !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, d: expected %h, got %h",
@@ -156,7 +156,7 @@ module relief_tb_axis_slope #(
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_out = 1'b1;
         if (out_r !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, r: expected %h, got %h",
@@ -183,10 +183,10 @@ module relief_tb_axis_slope #(
       end
       if (stim_left > 0) begin
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_p <= word[EXP_W+MAN_W:0];
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_dn <= word[EXP_W+MAN_W:0];
         in_valid <= 1'b1;
         stim_left <= stim_left - 1;

@@ -15,11 +15,11 @@ module relief_tb_div_rows #(
   localparam integer Latency = 0;
   // Bits of a row, as the files announce them.
   localparam integer InW =
-    (W+1) +
-    (W);
+    W + 1 +  // rem_in
+    W;  // div
   localparam integer OutW =
-    (W+1) +
-    (ROWS);
+    W + 1 +  // rem_out
+    ROWS;  // quot
 
   reg [8*1000-1:0] dir;
   integer stim_fd;
@@ -120,7 +120,7 @@ module relief_tb_div_rows #(
       travel <= (travel << 1) | (in_valid ? 1'b1 : 0);
       if (out_valid && exp_left != 0) begin
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> (W+1)) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> (W + 1)) != 0) bad_out = 1'b1;
         if (out_rem_out !== word[W:0]) begin
           if (wrong < 10)
             $display("vector %0d, rem_out: expected %h, got %h",
@@ -147,7 +147,7 @@ module relief_tb_div_rows #(
       end
       if (stim_left > 0) begin
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (W + 1)) != 0) bad_in = 1'b1;
         in_rem_in <= word[W:0];
         got = $fscanf(stim_fd, "%h", word);
         if (got != 1 || (word >> (W)) != 0) bad_in = 1'b1;

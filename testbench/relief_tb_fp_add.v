@@ -15,10 +15,10 @@ module relief_tb_fp_add #(
   localparam integer Latency = 3;
   // Bits of a row, as the files announce them.
   localparam integer InW =
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1);
+    EXP_W + MAN_W + 1 +  // a
+    EXP_W + MAN_W + 1;  // b
   localparam integer OutW =
-    (EXP_W+MAN_W+1);
+    EXP_W + MAN_W + 1;  // result
 
   reg [8*1000-1:0] dir;
   integer stim_fd;
@@ -121,7 +121,7 @@ module relief_tb_fp_add #(
       travel <= (travel << 1) | (in_valid ? 2 : 0);
       if (out_valid && exp_left != 0) begin
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_out = 1'b1;
         if (out_result !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, result: expected %h, got %h",
@@ -137,10 +137,10 @@ module relief_tb_fp_add #(
       end
       if (stim_left > 0) begin
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_a <= word[EXP_W+MAN_W:0];
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_b <= word[EXP_W+MAN_W:0];
         in_valid <= 1'b1;
         stim_left <= stim_left - 1;

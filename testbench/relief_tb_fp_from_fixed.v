@@ -17,9 +17,9 @@ module relief_tb_fp_from_fixed #(
   localparam integer Latency = 2;
   // Bits of a row, as the files announce them.
   localparam integer InW =
-    (INT_W);
+    INT_W;  // a
   localparam integer OutW =
-    (EXP_W+MAN_W+1);
+    EXP_W + MAN_W + 1;  // result
 
   reg [8*1000-1:0] dir;
   integer stim_fd;
@@ -121,7 +121,7 @@ module relief_tb_fp_from_fixed #(
       travel <= (travel << 1) | (in_valid ? 2 : 0);
       if (out_valid && exp_left != 0) begin
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_out = 1'b1;
         if (out_result !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, result: expected %h, got %h",

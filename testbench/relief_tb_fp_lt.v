@@ -15,10 +15,10 @@ module relief_tb_fp_lt #(
   localparam integer Latency = 1;
   // Bits of a row, as the files announce them.
   localparam integer InW =
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1);
+    EXP_W + MAN_W + 1 +  // a
+    EXP_W + MAN_W + 1;  // b
   localparam integer OutW =
-    (1);
+    1;  // result
 
   reg [8*1000-1:0] dir;
   integer stim_fd;
@@ -137,10 +137,10 @@ module relief_tb_fp_lt #(
       end
       if (stim_left > 0) begin
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_a <= word[EXP_W+MAN_W:0];
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_b <= word[EXP_W+MAN_W:0];
         in_valid <= 1'b1;
         stim_left <= stim_left - 1;

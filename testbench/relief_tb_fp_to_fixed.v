@@ -17,9 +17,9 @@ module relief_tb_fp_to_fixed #(
   localparam integer Latency = 2;
   // Bits of a row, as the files announce them.
   localparam integer InW =
-    (EXP_W+MAN_W+1);
+    EXP_W + MAN_W + 1;  // a
   localparam integer OutW =
-    (INT_W);
+    INT_W;  // result
 
   reg [8*1000-1:0] dir;
   integer stim_fd;
@@ -137,7 +137,7 @@ module relief_tb_fp_to_fixed #(
       end
       if (stim_left > 0) begin
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_a <= word[EXP_W+MAN_W:0];
         in_valid <= 1'b1;
         stim_left <= stim_left - 1;

@@ -14,11 +14,11 @@ module relief_tb_height_address #(
   localparam integer Latency = 0;
   // Bits of a row, as the files announce them.
   localparam integer InW =
-    ($clog2(LEVELS+1)) +
-    (LEVELS) +
-    (LEVELS);
+    $clog2(LEVELS + 1) +  // level
+    LEVELS +  // i
+    LEVELS;  // j
   localparam integer OutW =
-    (2*LEVELS+1);
+    2 * LEVELS + 1;  // address
 
   reg [8*1000-1:0] dir;
   integer stim_fd;
@@ -121,7 +121,7 @@ module relief_tb_height_address #(
       travel <= (travel << 1) | (in_valid ? 1'b1 : 0);
       if (out_valid && exp_left != 0) begin
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> (2*LEVELS+1)) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> (2 * LEVELS + 1)) != 0) bad_out = 1'b1;
         if (out_address !== word[2*LEVELS:0]) begin
           if (wrong < 10)
             $display("vector %0d, address: expected %h, got %h",
@@ -137,7 +137,7 @@ module relief_tb_height_address #(
       end
       if (stim_left > 0) begin
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> ($clog2(LEVELS+1))) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> ($clog2(LEVELS + 1))) != 0) bad_in = 1'b1;
         in_level <= word[$clog2(LEVELS+1)-1:0];
         got = $fscanf(stim_fd, "%h", word);
         if (got != 1 || (word >> (LEVELS)) != 0) bad_in = 1'b1;

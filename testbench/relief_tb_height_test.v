@@ -16,11 +16,11 @@ module relief_tb_height_test #(
   localparam integer Latency = 4;
   // Bits of a row, as the files announce them.
   localparam integer InW =
-    (HEIGHT_W) +
-    (EXP_W+MAN_W+1);
+    HEIGHT_W +  // height
+    EXP_W + MAN_W + 1;  // t
   localparam integer OutW =
-    (EXP_W+MAN_W+1) +
-    (1);
+    EXP_W + MAN_W + 1 +  // m
+    1;  // below
 
   reg [8*1000-1:0] dir;
   integer stim_fd;
@@ -126,7 +126,7 @@ module relief_tb_height_test #(
       travel <= (travel << 1) | (in_valid ? 2 : 0);
       if (out_valid && exp_left != 0) begin
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_out = 1'b1;
         if (out_m !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, m: expected %h, got %h",
@@ -156,7 +156,7 @@ module relief_tb_height_test #(
         if (got != 1 || (word >> (HEIGHT_W)) != 0) bad_in = 1'b1;
         in_height <= word[HEIGHT_W-1:0];
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_t <= word[EXP_W+MAN_W:0];
         in_valid <= 1'b1;
         stim_left <= stim_left - 1;

@@ -17,12 +17,12 @@ module relief_tb_hit_position #(
   localparam integer Latency = 7;
   // Bits of a row, as the files announce them.
   localparam integer InW =
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1) +
-    (IDX_W);
+    EXP_W + MAN_W + 1 +  // p
+    EXP_W + MAN_W + 1 +  // d
+    EXP_W + MAN_W + 1 +  // t
+    IDX_W;  // x
   localparam integer OutW =
-    (FRAC_W);
+    FRAC_W;  // fraction
 
   reg [8*1000-1:0] dir;
   integer stim_fd;
@@ -149,13 +149,13 @@ module relief_tb_hit_position #(
       end
       if (stim_left > 0) begin
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_p <= word[EXP_W+MAN_W:0];
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_d <= word[EXP_W+MAN_W:0];
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_t <= word[EXP_W+MAN_W:0];
         got = $fscanf(stim_fd, "%h", word);
         if (got != 1 || (word >> (IDX_W)) != 0) bad_in = 1'b1;

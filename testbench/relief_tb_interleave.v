@@ -14,10 +14,10 @@ module relief_tb_interleave #(
   localparam integer Latency = 0;
   // Bits of a row, as the files announce them.
   localparam integer InW =
-    (W) +
-    (W);
+    W +  // a
+    W;  // b
   localparam integer OutW =
-    (2*W);
+    2 * W;  // result
 
   reg [8*1000-1:0] dir;
   integer stim_fd;
@@ -115,7 +115,7 @@ module relief_tb_interleave #(
       travel <= (travel << 1) | (in_valid ? 1'b1 : 0);
       if (out_valid && exp_left != 0) begin
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> (2*W)) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> (2 * W)) != 0) bad_out = 1'b1;
         if (out_result !== word[2*W-1:0]) begin
           if (wrong < 10)
             $display("vector %0d, result: expected %h, got %h",

@@ -17,26 +17,26 @@ module relief_tb_level_decision #(
   localparam integer Latency = 0;
   // Bits of a row, as the files announce them.
   localparam integer InW =
-    (1) +
-    (1) +
-    (1) +
-    ($clog2(LEVELS+1)) +
-    ($clog2(LEVELS+1)) +
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1) +
-    (IDX_W) +
-    (IDX_W) +
-    (IDX_W) +
-    (IDX_W) +
-    (IDX_W) +
-    (IDX_W);
+    1 +  // is_inside
+    1 +  // x_first
+    1 +  // up
+    $clog2(LEVELS + 1) +  // level
+    $clog2(LEVELS + 1) +  // level_down
+    EXP_W + MAN_W + 1 +  // m
+    EXP_W + MAN_W + 1 +  // t_next
+    IDX_W +  // x_at
+    IDX_W +  // x_down
+    IDX_W +  // x_beyond
+    IDX_W +  // y_at
+    IDX_W +  // y_down
+    IDX_W;  // y_beyond
   localparam integer OutW =
-    (1) +
-    (1) +
-    ($clog2(LEVELS+1)) +
-    (IDX_W) +
-    (IDX_W) +
-    (EXP_W+MAN_W+1);
+    1 +  // hit
+    1 +  // crosses
+    $clog2(LEVELS + 1) +  // level_next
+    IDX_W +  // x_next
+    IDX_W +  // y_next
+    EXP_W + MAN_W + 1;  // t_out
 
   reg [8*1000-1:0] dir;
   integer stim_fd;
@@ -204,7 +204,7 @@ module relief_tb_level_decision #(
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> ($clog2(LEVELS+1))) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> ($clog2(LEVELS + 1))) != 0) bad_out = 1'b1;
         if (out_level_next !== word[$clog2(LEVELS+1)-1:0]) begin
           if (wrong < 10)
             $display("vector %0d, level_next: expected %h, got %h",
@@ -237,7 +237,7 @@ module relief_tb_level_decision #(
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_out = 1'b1;
         if (out_t_out !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, t_out: expected %h, got %h",
@@ -262,16 +262,16 @@ module relief_tb_level_decision #(
         if (got != 1 || (word >> (1)) != 0) bad_in = 1'b1;
         in_up <= word[0];
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> ($clog2(LEVELS+1))) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> ($clog2(LEVELS + 1))) != 0) bad_in = 1'b1;
         in_level <= word[$clog2(LEVELS+1)-1:0];
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> ($clog2(LEVELS+1))) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> ($clog2(LEVELS + 1))) != 0) bad_in = 1'b1;
         in_level_down <= word[$clog2(LEVELS+1)-1:0];
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_m <= word[EXP_W+MAN_W:0];
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_t_next <= word[EXP_W+MAN_W:0];
         got = $fscanf(stim_fd, "%h", word);
         if (got != 1 || (word >> (IDX_W)) != 0) bad_in = 1'b1;

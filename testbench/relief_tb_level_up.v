@@ -15,14 +15,14 @@ module relief_tb_level_up #(
   localparam integer Latency = 0;
   // Bits of a row, as the files announce them.
   localparam integer InW =
-    ($clog2(LEVELS+1)) +
-    (1) +
-    (IDX_W) +
-    (IDX_W) +
-    (IDX_W) +
-    (IDX_W);
+    $clog2(LEVELS + 1) +  // level
+    1 +  // even
+    IDX_W +  // x_at
+    IDX_W +  // x_hit
+    IDX_W +  // y_at
+    IDX_W;  // y_hit
   localparam integer OutW =
-    (1);
+    1;  // up
 
   reg [8*1000-1:0] dir;
   integer stim_fd;
@@ -151,7 +151,7 @@ module relief_tb_level_up #(
       end
       if (stim_left > 0) begin
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> ($clog2(LEVELS+1))) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> ($clog2(LEVELS + 1))) != 0) bad_in = 1'b1;
         in_level <= word[$clog2(LEVELS+1)-1:0];
         got = $fscanf(stim_fd, "%h", word);
         if (got != 1 || (word >> (1)) != 0) bad_in = 1'b1;

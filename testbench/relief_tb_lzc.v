@@ -14,9 +14,9 @@ module relief_tb_lzc #(
   localparam integer Latency = 0;
   // Bits of a row, as the files announce them.
   localparam integer InW =
-    (W);
+    W;  // bits
   localparam integer OutW =
-    ($clog2(W+1));
+    $clog2(W + 1);  // count
 
   reg [8*1000-1:0] dir;
   integer stim_fd;
@@ -111,7 +111,7 @@ module relief_tb_lzc #(
       travel <= (travel << 1) | (in_valid ? 1'b1 : 0);
       if (out_valid && exp_left != 0) begin
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> ($clog2(W+1))) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> ($clog2(W + 1))) != 0) bad_out = 1'b1;
         if (out_count !== word[$clog2(W+1)-1:0]) begin
           if (wrong < 10)
             $display("vector %0d, count: expected %h, got %h",

@@ -15,18 +15,18 @@ module relief_tb_multi_level_down #(
   localparam integer Latency = 0;
   // Bits of a row, as the files announce them.
   localparam integer InW =
-    ($clog2(LEVELS+1)) +
-    (1) +
-    (IDX_W) +
-    (IDX_W) +
-    (IDX_W) +
-    (IDX_W) +
-    (IDX_W) +
-    (IDX_W);
+    $clog2(LEVELS + 1) +  // level
+    1 +  // crossed
+    IDX_W +  // x_low
+    IDX_W +  // x_high
+    IDX_W +  // x_hit
+    IDX_W +  // y_low
+    IDX_W +  // y_high
+    IDX_W;  // y_hit
   localparam integer OutW =
-    ($clog2(LEVELS+1)) +
-    (IDX_W) +
-    (IDX_W);
+    $clog2(LEVELS + 1) +  // level_down
+    IDX_W +  // x_down
+    IDX_W;  // y_down
 
   reg [8*1000-1:0] dir;
   integer stim_fd;
@@ -149,7 +149,7 @@ module relief_tb_multi_level_down #(
       travel <= (travel << 1) | (in_valid ? 1'b1 : 0);
       if (out_valid && exp_left != 0) begin
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> ($clog2(LEVELS+1))) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> ($clog2(LEVELS + 1))) != 0) bad_out = 1'b1;
         if (out_level_down !== word[$clog2(LEVELS+1)-1:0]) begin
           if (wrong < 10)
             $display("vector %0d, level_down: expected %h, got %h",
@@ -187,7 +187,7 @@ module relief_tb_multi_level_down #(
       end
       if (stim_left > 0) begin
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> ($clog2(LEVELS+1))) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> ($clog2(LEVELS + 1))) != 0) bad_in = 1'b1;
         in_level <= word[$clog2(LEVELS+1)-1:0];
         got = $fscanf(stim_fd, "%h", word);
         if (got != 1 || (word >> (1)) != 0) bad_in = 1'b1;

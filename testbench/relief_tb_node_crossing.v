@@ -15,14 +15,14 @@ module relief_tb_node_crossing #(
   localparam integer Latency = 2;
   // Bits of a row, as the files announce them.
   localparam integer InW =
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1);
+    EXP_W + MAN_W + 1 +  // t
+    EXP_W + MAN_W + 1 +  // m
+    EXP_W + MAN_W + 1 +  // t_x
+    EXP_W + MAN_W + 1;  // t_y
   localparam integer OutW =
-    (1) +
-    (1) +
-    (EXP_W+MAN_W+1);
+    1 +  // is_inside
+    1 +  // x_first
+    EXP_W + MAN_W + 1;  // t_next
 
   reg [8*1000-1:0] dir;
   integer stim_fd;
@@ -157,7 +157,7 @@ module relief_tb_node_crossing #(
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_out = 1'b1;
         if (out_t_next !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, t_next: expected %h, got %h",
@@ -173,16 +173,16 @@ module relief_tb_node_crossing #(
       end
       if (stim_left > 0) begin
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_t <= word[EXP_W+MAN_W:0];
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_m <= word[EXP_W+MAN_W:0];
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_t_x <= word[EXP_W+MAN_W:0];
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_t_y <= word[EXP_W+MAN_W:0];
         in_valid <= 1'b1;
         stim_left <= stim_left - 1;

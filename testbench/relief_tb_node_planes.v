@@ -15,15 +15,15 @@ module relief_tb_node_planes #(
   localparam integer Latency = 0;
   // Bits of a row, as the files announce them.
   localparam integer InW =
-    ($clog2(LEVELS+1)) +
-    (IDX_W) +
-    (1);
+    $clog2(LEVELS + 1) +  // level
+    IDX_W +  // x
+    1;  // neg
   localparam integer OutW =
-    (IDX_W) +
-    (IDX_W) +
-    (IDX_W) +
-    (IDX_W) +
-    (1);
+    IDX_W +  // low
+    IDX_W +  // high
+    IDX_W +  // plane
+    IDX_W +  // beyond
+    1;  // even
 
   reg [8*1000-1:0] dir;
   integer stim_fd;
@@ -195,7 +195,7 @@ module relief_tb_node_planes #(
       end
       if (stim_left > 0) begin
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> ($clog2(LEVELS+1))) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> ($clog2(LEVELS + 1))) != 0) bad_in = 1'b1;
         in_level <= word[$clog2(LEVELS+1)-1:0];
         got = $fscanf(stim_fd, "%h", word);
         if (got != 1 || (word >> (IDX_W)) != 0) bad_in = 1'b1;

@@ -16,12 +16,12 @@ module relief_tb_plane_time #(
   localparam integer Latency = 8;
   // Bits of a row, as the files announce them.
   localparam integer InW =
-    (IDX_W) +
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1) +
-    (1);
+    IDX_W +  // plane
+    EXP_W + MAN_W + 1 +  // p
+    EXP_W + MAN_W + 1 +  // r
+    1;  // never
   localparam integer OutW =
-    (EXP_W+MAN_W+1);
+    EXP_W + MAN_W + 1;  // t
 
   reg [8*1000-1:0] dir;
   integer stim_fd;
@@ -131,7 +131,7 @@ module relief_tb_plane_time #(
       travel <= (travel << 1) | (in_valid ? 2 : 0);
       if (out_valid && exp_left != 0) begin
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_out = 1'b1;
         if (out_t !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, t: expected %h, got %h",
@@ -150,10 +150,10 @@ module relief_tb_plane_time #(
         if (got != 1 || (word >> (IDX_W)) != 0) bad_in = 1'b1;
         in_plane <= word[IDX_W-1:0];
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_p <= word[EXP_W+MAN_W:0];
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_r <= word[EXP_W+MAN_W:0];
         got = $fscanf(stim_fd, "%h", word);
         if (got != 1 || (word >> (1)) != 0) bad_in = 1'b1;

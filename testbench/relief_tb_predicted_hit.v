@@ -16,11 +16,11 @@ module relief_tb_predicted_hit #(
   localparam integer Latency = 7;
   // Bits of a row, as the files announce them.
   localparam integer InW =
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1);
+    EXP_W + MAN_W + 1 +  // p_back
+    EXP_W + MAN_W + 1 +  // d
+    EXP_W + MAN_W + 1;  // m
   localparam integer OutW =
-    (IDX_W);
+    IDX_W;  // e
 
   reg [8*1000-1:0] dir;
   integer stim_fd;
@@ -143,13 +143,13 @@ module relief_tb_predicted_hit #(
       end
       if (stim_left > 0) begin
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_p_back <= word[EXP_W+MAN_W:0];
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_d <= word[EXP_W+MAN_W:0];
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_m <= word[EXP_W+MAN_W:0];
         in_valid <= 1'b1;
         stim_left <= stim_left - 1;

@@ -18,27 +18,27 @@ module relief_tb_ray_setup #(
   localparam integer Latency = 21;
   // Bits of a row, as the files announce them.
   localparam integer InW =
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1);
+    EXP_W + MAN_W + 1 +  // u
+    EXP_W + MAN_W + 1 +  // v
+    EXP_W + MAN_W + 1 +  // du
+    EXP_W + MAN_W + 1;  // dv
   localparam integer OutW =
-    (1) +
-    ($clog2(LEVELS+1)) +
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1) +
-    (1) +
-    (1) +
-    (LEVELS+TILE_W+2) +
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1) +
-    (EXP_W+MAN_W+1) +
-    (1) +
-    (1) +
-    (LEVELS+TILE_W+2);
+    1 +  // ok
+    $clog2(LEVELS + 1) +  // level
+    EXP_W + MAN_W + 1 +  // p_x
+    EXP_W + MAN_W + 1 +  // pb_x
+    EXP_W + MAN_W + 1 +  // d_x
+    EXP_W + MAN_W + 1 +  // r_x
+    1 +  // never_x
+    1 +  // neg_x
+    LEVELS + TILE_W + 2 +  // first_x
+    EXP_W + MAN_W + 1 +  // p_y
+    EXP_W + MAN_W + 1 +  // pb_y
+    EXP_W + MAN_W + 1 +  // d_y
+    EXP_W + MAN_W + 1 +  // r_y
+    1 +  // never_y
+    1 +  // neg_y
+    LEVELS + TILE_W + 2;  // first_y
 
   reg [8*1000-1:0] dir;
   integer stim_fd;
@@ -191,7 +191,7 @@ module relief_tb_ray_setup #(
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> ($clog2(LEVELS+1))) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> ($clog2(LEVELS + 1))) != 0) bad_out = 1'b1;
         if (out_level !== word[$clog2(LEVELS+1)-1:0]) begin
           if (wrong < 10)
             $display("vector %0d, level: expected %h, got %h",
@@ -202,7 +202,7 @@ module relief_tb_ray_setup #(
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_out = 1'b1;
         if (out_p_x !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, p_x: expected %h, got %h",
@@ -213,7 +213,7 @@ module relief_tb_ray_setup #(
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_out = 1'b1;
         if (out_pb_x !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, pb_x: expected %h, got %h",
@@ -224,7 +224,7 @@ module relief_tb_ray_setup #(
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_out = 1'b1;
         if (out_d_x !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, d_x: expected %h, got %h",
@@ -235,7 +235,7 @@ module relief_tb_ray_setup #(
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_out = 1'b1;
         if (out_r_x !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, r_x: expected %h, got %h",
@@ -268,7 +268,7 @@ module relief_tb_ray_setup #(
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> (LEVELS+TILE_W+2)) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> (LEVELS + TILE_W + 2)) != 0) bad_out = 1'b1;
         if (out_first_x !== word[LEVELS+TILE_W+1:0]) begin
           if (wrong < 10)
             $display("vector %0d, first_x: expected %h, got %h",
@@ -279,7 +279,7 @@ module relief_tb_ray_setup #(
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_out = 1'b1;
         if (out_p_y !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, p_y: expected %h, got %h",
@@ -290,7 +290,7 @@ module relief_tb_ray_setup #(
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_out = 1'b1;
         if (out_pb_y !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, pb_y: expected %h, got %h",
@@ -301,7 +301,7 @@ module relief_tb_ray_setup #(
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_out = 1'b1;
         if (out_d_y !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, d_y: expected %h, got %h",
@@ -312,7 +312,7 @@ module relief_tb_ray_setup #(
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_out = 1'b1;
         if (out_r_y !== word[EXP_W+MAN_W:0]) begin
           if (wrong < 10)
             $display("vector %0d, r_y: expected %h, got %h",
@@ -345,7 +345,7 @@ module relief_tb_ray_setup #(
           row_wrong = 1'b1;
         end
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> (LEVELS+TILE_W+2)) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> (LEVELS + TILE_W + 2)) != 0) bad_out = 1'b1;
         if (out_first_y !== word[LEVELS+TILE_W+1:0]) begin
           if (wrong < 10)
             $display("vector %0d, first_y: expected %h, got %h",
@@ -361,16 +361,16 @@ module relief_tb_ray_setup #(
       end
       if (stim_left > 0) begin
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_u <= word[EXP_W+MAN_W:0];
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_v <= word[EXP_W+MAN_W:0];
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_du <= word[EXP_W+MAN_W:0];
         got = $fscanf(stim_fd, "%h", word);
-        if (got != 1 || (word >> (EXP_W+MAN_W+1)) != 0) bad_in = 1'b1;
+        if (got != 1 || (word >> (EXP_W + MAN_W + 1)) != 0) bad_in = 1'b1;
         in_dv <= word[EXP_W+MAN_W:0];
         in_valid <= 1'b1;
         stim_left <= stim_left - 1;

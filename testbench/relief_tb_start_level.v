@@ -15,12 +15,12 @@ module relief_tb_start_level #(
   localparam integer Latency = 0;
   // Bits of a row, as the files announce them.
   localparam integer InW =
-    (IDX_W) +
-    (IDX_W) +
-    (IDX_W) +
-    (IDX_W);
+    IDX_W +  // x
+    IDX_W +  // y
+    IDX_W +  // x_end
+    IDX_W;  // y_end
   localparam integer OutW =
-    ($clog2(LEVELS+1));
+    $clog2(LEVELS + 1);  // level
 
   reg [8*1000-1:0] dir;
   integer stim_fd;
@@ -127,7 +127,7 @@ module relief_tb_start_level #(
       travel <= (travel << 1) | (in_valid ? 1'b1 : 0);
       if (out_valid && exp_left != 0) begin
         got = $fscanf(exp_fd, "%h", word);
-        if (got != 1 || (word >> ($clog2(LEVELS+1))) != 0) bad_out = 1'b1;
+        if (got != 1 || (word >> ($clog2(LEVELS + 1))) != 0) bad_out = 1'b1;
         if (out_level !== word[$clog2(LEVELS+1)-1:0]) begin
           if (wrong < 10)
             $display("vector %0d, level: expected %h, got %h",
