@@ -108,9 +108,21 @@ if [ "${1:-}" = --program ]; then
     exit "$code"
 fi
 
-step "Debian packages" apt_packages
-step "Python packages" python_packages
-[ "${1:-}" != --tools ] || exit 0
+# Both kinds of packages.
+tools() {
+    step "Debian packages" apt_packages
+    step "Python packages" python_packages
+}
+
+if [ "${1:-}" = --tools ]; then
+    tools
+    exit 0
+fi
+step "cargo fmt" cargo fmt --all --check
+# They are downloaded and unpacked while cargo compiles; what that said stands in the output before the tests.
+mkdir -p target/tmp
+tools >target/tmp/said-tools.txt 2>&1 &
+installing=$!
 
 RELIEFRTL_TOOLS=$PWD/$TOOLS
 export RELIEFRTL_TOOLS
@@ -120,7 +132,6 @@ export RELIEFRTL_BUILDS
 rm -rf "$RELIEFRTL_BUILDS"
 # Each Verilator finds its own files, unless somebody says where another one's are.
 unset VERILATOR_ROOT
-step "cargo fmt" cargo fmt --all --check
 # Clippy reads each crate of ours while it is compiled, as `cargo clippy` has it do, so that nothing is compiled for it alone.
 RUSTC_WORKSPACE_WRAPPER=$(rustup which clippy-driver 2>/dev/null || command -v clippy-driver) || {
     echo "tools/test.sh: clippy is not installed: rustup component add clippy" >&2
@@ -129,6 +140,10 @@ RUSTC_WORKSPACE_WRAPPER=$(rustup which clippy-driver 2>/dev/null || command -v c
 CLIPPY_ARGS="-D__CLIPPY_HACKERY__warnings__CLIPPY_HACKERY__"
 export RUSTC_WORKSPACE_WRAPPER CLIPPY_ARGS
 step "cargo clippy and build" cargo test --release --workspace --no-run --all-targets
+code=0
+wait "$installing" || code=$?
+cat target/tmp/said-tools.txt
+[ "$code" -eq 0 ] || exit "$code"
 if [ "${1:-}" = --full ]; then
     # Each can be set to something else before.
     export RELIEFRTL_PAIRS="${RELIEFRTL_PAIRS:-10000000}"         # random operands of an operation against both oracles

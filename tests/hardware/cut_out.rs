@@ -57,7 +57,7 @@ type Cut = (&'static str, fn(&Path, u32));
 const CUTS: &[Cut] = &[
     ("nothing", |_, _| ()),
     ("refusal of what is no ray", |dir, _| {
-        edit(dir, "rtl/relief_traverse.v", "s0_new_refused =", "~s0_new_ok", "1'b0");
+        edit(dir, "rtl/relief_traverse.v", "s0_new_refused =", "~new_ok", "1'b0");
     }),
     ("step limit", |dir, _| edit(dir, "rtl/relief_traverse.v", "_ends_now =", "_last_step;", "_last_step & 1'b0;")),
     ("back-pressure", |dir, handshake| match handshake {
