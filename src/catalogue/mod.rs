@@ -28,7 +28,7 @@ pub use row::{Context, Row};
 pub use table::{UNITS, entry, proofs, unit_entries};
 pub use unit::{Counted, Legal, Model, Stimulus, Unit};
 
-use crate::config::{Config, Design, datapaths};
+use crate::config::{Config, Design, searches};
 use crate::error::{Error, Result};
 use crate::ir::{Binding, Module, Port};
 use crate::units;
@@ -85,9 +85,8 @@ pub const SETTINGS: [&str; 11] = [
 /// The first of [`SETTINGS`], or another datapath, with which there is a module of this name.
 fn setting_of(d: &Design, name: &str) -> Option<String> {
     unit_entries().find(|u| u.name == name)?;
-    let kinds = datapaths().map(|kind| format!("datapath.kind={}", kind.word()));
-    // A search by windows is a datapath of its own, chosen by two keys.
-    let kinds = kinds.chain(["datapath.kind=fixed --set datapath.search=windows".to_string()]);
+    let setting = |(key, word): &(&str, &str)| format!("{key}={word}");
+    let kinds = searches().map(|kind| kind.facts().chosen_by.iter().map(setting).collect::<Vec<_>>().join(" --set "));
     SETTINGS.map(String::from).into_iter().filter(|s| s.contains('=')).chain(kinds).find(|set| {
         let mut c = Config::default();
         (c.mode, c.latency, c.datapath) = (d.mode, d.latency, d.datapath);
@@ -114,11 +113,7 @@ pub fn find(d: &Design, name: &str) -> Result<Arc<Module>> {
 
 /// The design that a module's parameter values describe.
 pub fn design_at(d: &Design, b: &Binding) -> Design {
-    let mut d = *d;
-    if d.datapath.kind.facts().windows {
-        // The emitted text has one set, whatever its parameters are.
-        d.windows.set = Some(d.window_set());
-    }
+    let mut d = d.settled();
     let set = |name: &str, slot: &mut u32| {
         if let Some(v) = b.get(name) {
             *slot = *v as u32;

@@ -2,7 +2,7 @@
 use super::design_at;
 use crate::config::{Design, Trim};
 use crate::error::Result;
-use crate::golden::{Iteration, Pyramid, RayHit, RayInput, WindowMap, prepare};
+use crate::golden::{Iteration, Pyramid, RayHit, RayInput, images, prepare};
 use crate::ir::{Binding, Module};
 use crate::trace::{hit_row, inputs, outputs, row};
 use crate::units::traversal::traverse;
@@ -14,9 +14,9 @@ use std::fmt::Write;
 pub struct RaySet {
     /// Rays and expected hits.
     pub set: VectorSet,
-    /// The pyramid, `$readmemh` text: a word a line; empty where windows are searched.
+    /// The pyramid, `$readmemh` text: a word a line; empty where the map has several memories.
     pub memory: String,
-    /// Where hits are refined, the words of the four memories of the map; of a search by windows those of each size; as `$readmemh` text each.
+    /// Where hits are refined, the words of the four memories of the map; of a map in several memories those of each; as `$readmemh` text.
     pub banks: Vec<String>,
     /// Every iteration of every ray, CSV.
     pub trace: String,
@@ -103,12 +103,12 @@ pub fn ray_set_at(
             text
         })
     };
-    if d.datapath.kind.facts().windows {
-        let maps = pyramid.windows(&d.window_set());
-        let one = |map: &WindowMap| image(&format!("windows {}, row by row", map.window()), &mut map.memory().iter());
-        return Ok(RaySet { set, memory: String::new(), banks: maps.maps().iter().map(one).collect(), trace });
+    let mut images: Vec<String> =
+        images(d, pyramid).iter().map(|one| image(&one.about, &mut one.words.iter())).collect();
+    if images.len() > 1 {
+        return Ok(RaySet { set, memory: String::new(), banks: images, trace });
     }
-    let memory = image("height pyramid: level 0 first, the root last", &mut pyramid.memory().iter());
+    let memory = images.pop().unwrap_or_default();
     let texels = 1usize << (2 * d.traverse.levels);
     let bank = |k: usize| {
         let head = format!("texels of the map: every fourth word of level 0, from word {k} on");

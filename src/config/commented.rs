@@ -1,6 +1,6 @@
 //! The configuration as a TOML file that explains itself.
+use super::Config;
 use super::keys::{KEYS, Legal, SECTIONS};
-use super::{Config, windows};
 use std::fmt::Write;
 
 impl Config {
@@ -26,7 +26,7 @@ impl Config {
                     legal => writeln!(text, "# {}: {legal}.", key.about.replace(':', ",")),
                 };
                 // What the datapath has no use for must not be given to it.
-                let unread = self.datapath.kind.facts().windows && windows::is_ignored(key.path);
+                let unread = self.datapath.kind.facts().ignores(key.path);
                 let value = table.get(*section).and_then(|entries| entries.get(name)).filter(|_| !unread);
                 let _ = match value {
                     Some(value) => writeln!(text, "{name} = {value}"),

@@ -339,3 +339,8 @@ pub fn nearest(path: &str) -> &'static str {
     // The first of equals, so that the answer does not depend on the search's direction.
     KEYS.iter().rev().max_by(|a, b| score(a).total_cmp(&score(b))).map_or("", |key| key.path)
 }
+
+/// Whether a key is `what`, or stands in that section, which is written with a point at its end.
+pub(super) fn stands_in(path: &str, what: &str) -> bool {
+    path == what || what.ends_with('.') && path.starts_with(what)
+}

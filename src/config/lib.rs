@@ -23,7 +23,7 @@ pub mod validate;
 mod windows;
 
 pub use clock::{Choice, Scope, for_clock, latency_key};
-pub use datapath::{DatapathConfig, DatapathFacts, DatapathKind, Reads, Search, datapaths};
+pub use datapath::{DatapathConfig, DatapathFacts, DatapathKind, Reads, Search, datapaths, searches};
 pub use design::{ConvertConfig, Design, Divider, LatencyConfig, LevelUp, ModeConfig, TraverseConfig, Trim};
 pub use extra::{ExtraUnit, ExtraUnits};
 pub use given::Given;
@@ -92,11 +92,7 @@ impl Config {
     pub fn choose_datapath(&mut self, kind: DatapathKind) {
         (self.datapath.kind, self.datapath.search) = (kind, Search::default());
         self.given = Given::default();
-        if kind.facts().windows {
-            self.mode = ModeConfig { bilinear: self.mode.bilinear, ..ModeConfig::default() };
-        } else {
-            self.windows = WindowsConfig::default();
-        }
+        (kind.facts().forget)(self);
     }
 
     /// Twelve hex digits that name this configuration: blake3 of its canonical JSON.

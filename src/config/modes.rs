@@ -1,5 +1,5 @@
 //! The modes that are compared, and the label of a mode: the one list of them, and the one place where a mode is put into words.
-use super::{Design, LevelUp, ModeConfig, Trim, WindowSet, WindowsConfig};
+use super::{LevelUp, ModeConfig, Trim};
 
 const fn published(start_level: bool, levels_down: u32, level_up: LevelUp) -> ModeConfig {
     ModeConfig { start_level, levels_down, level_up, trim: Trim::None, lod: false, bilinear: false }
@@ -50,24 +50,6 @@ pub fn combinations(base: ModeConfig, trims: &[Trim]) -> Vec<ModeConfig> {
         }
     }
     out
-}
-
-/// Other designs of the same datapath and widths that must find the same hits: the modes that [`combinations`] lists; of a search by windows every
-/// set that has a name, and the pyramid's own search.
-pub fn ways(d: &Design, trims: &[Trim]) -> Vec<Design> {
-    if !d.datapath.kind.facts().windows {
-        return combinations(d.mode, trims).into_iter().map(|mode| Design { mode, ..*d }).collect();
-    }
-    let sets = WindowSet::named().into_iter().filter(|set| set.misfit(d.traverse.levels).is_none());
-    let sets = sets.map(|set| Design { windows: WindowsConfig { set: Some(set) }, ..*d });
-    [*d, d.by_pyramid()].into_iter().chain(sets).collect()
-}
-
-impl Design {
-    /// How hits are found, in a few words: the mode, or the windows.
-    pub fn way(&self) -> String {
-        if self.datapath.kind.facts().windows { format!("windows {}", self.window_set()) } else { self.mode.label() }
-    }
 }
 
 impl ModeConfig {

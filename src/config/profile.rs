@@ -29,7 +29,7 @@ impl Profile {
     /// Its latencies for the published format.
     pub const fn latency(self, kind: DatapathKind) -> LatencyConfig {
         let latency = self.with_dividers(kind.facts().divides_in_loop);
-        if kind.facts().windows && !matches!(self, Self::Published) {
+        if kind.facts().short_loop && !matches!(self, Self::Published) {
             // The loop is faster than two rows of a divider in series, and than a difference and a clamp.
             return LatencyConfig {
                 div: Self::SINGLE_ROWS,

@@ -88,24 +88,17 @@ impl Config {
                 "datapath.search = \"windows\" and datapath.kind = \"{}\" exclude each other: a search by windows needs datapath.kind = \"fixed\"",
                 path.word
             ));
-        } else if let (false, Some(set)) = (path.windows, self.windows.set) {
-            problems.push(format!(
-                "windows.set = \"{set}\" is given, but the pyramid has no windows: set datapath.kind = \"fixed\" and datapath.search = \"windows\", or leave it out"
-            ));
         }
     }
 
     /// What the datapath does not have.
     fn mode_problems(&self, problems: &mut Vec<String>) {
         let path = self.datapath.kind.facts();
-        if path.windows {
-            // Each was refused by name.
-            return;
-        }
         for (key, set, has) in
-            [("mode.trim", self.mode.trim != Trim::None, path.trim), ("mode.lod", self.mode.lod, path.lod)]
+            [("mode.trim", self.mode.trim != Trim::None, path.has_trim), ("mode.lod", self.mode.lod, path.has_lod)]
         {
-            if set && !has {
+            // What it ignores was refused by name.
+            if set && !has && !path.ignores(key) {
                 problems.push(format!("{key} is set, but datapath.kind = \"{}\" does not have it", path.word));
             }
         }
@@ -117,9 +110,9 @@ impl Config {
             return;
         }
         let path = self.datapath.kind.facts();
-        if !path.bilinear {
+        if !path.has_bilinear {
             let (key, word) = self.datapath.kind.chosen_by();
-            let having = datapaths().filter(|k| k.facts().bilinear).map(|k| format!("\"{}\"", k.word()));
+            let having = datapaths().filter(|k| k.facts().has_bilinear).map(|k| format!("\"{}\"", k.word()));
             problems.push(format!(
                 "mode.bilinear = true and {key} = \"{word}\" exclude each other: the refinement needs datapath.kind = {}",
                 having.collect::<Vec<_>>().join(" or ")

@@ -4,7 +4,7 @@ use super::stored::{memory, pyramid_of, ray_of};
 use crate::catalogue::{CheckReport, check_interp, compare, design_at, takes_rays};
 use crate::config::Config;
 use crate::error::{Error, Result};
-use crate::golden::{Pyramid, RayInput};
+use crate::golden::{Pyramid, RayInput, datapath};
 use crate::interp::Traffic;
 use crate::trace::{Pipeline, diagnose, images, trace_interp};
 use std::time::{Duration, Instant};
@@ -52,12 +52,13 @@ fn rays(replay: &Replay<'_>) -> Result<Checked> {
     let image = memory(place)?;
     let p = Pipeline::new(design, over)?;
     let d = &design_at(design, &set.params);
-    let (what, words) = match p.set {
-        None => ("the pyramid has", p.net.mems[0].depth),
-        Some(_) => ("the windows have", p.net.mems.iter().filter(|m| !m.own).map(|m| m.depth).sum()),
-    };
+    let words = (datapath(d.datapath.kind).image_words)(d);
     if image.len() != words {
-        return Err(Error::input(format!("{}/memory.hex has {} words, {what} {words}", place.display(), image.len(),)));
+        return Err(Error::input(format!(
+            "{}/memory.hex has {} words, the map has {words}",
+            place.display(),
+            image.len()
+        )));
     }
     let images = images(&p.net, &image);
     let stream = p.stream();

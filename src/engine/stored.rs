@@ -2,7 +2,7 @@
 use crate::config::{Design, WindowSet};
 use crate::error::{Error, Result};
 use crate::files::read_text_of_tree;
-use crate::golden::{Pyramid, RayInput, address};
+use crate::golden::{Pyramid, RayInput, datapath};
 use std::path::Path;
 
 /// The pyramid of a memory image.
@@ -12,10 +12,9 @@ use std::path::Path;
 pub fn pyramid_of(d: &Design, image: &[u64]) -> Result<Pyramid> {
     let n = d.traverse.levels;
     let side = 1u32 << n;
-    let windows = d.datapath.kind.facts().windows;
+    let place = datapath(d.datapath.kind).texel_word;
     let texel = |k: u32| {
-        let place = if windows { k as usize } else { address(n, 0, k % side, k / side) };
-        let word = image.get(place).and_then(|word| u32::try_from(*word).ok());
+        let word = image.get(place(d, k % side, k / side)).and_then(|word| u32::try_from(*word).ok());
         word.ok_or_else(|| Error::input(format!("memory.hex holds no pyramid of {side} x {side} texels")))
     };
     Pyramid::build(n, d.traverse.height_bits, &(0..side * side).map(texel).collect::<Result<Vec<u32>>>()?)

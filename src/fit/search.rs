@@ -1,7 +1,7 @@
 //! The search: one dimension after the other, each to the least that keeps the budget.
 use super::trial::{Budget, Trial, Truth};
-use crate::config::modes::{PLAIN, combinations};
-use crate::config::{Design, ModeConfig, Trim, WindowSet, WindowsConfig, datapaths};
+use crate::config::modes::PLAIN;
+use crate::config::{Design, Trim, WindowsConfig, datapaths};
 use crate::error::{Error, Result};
 use crate::golden::prepare;
 use serde::Serialize;
@@ -210,12 +210,8 @@ impl Search<'_> {
         let against =
             plain.map_or(String::new(), |p| format!("; without any {:.2} steps, {} bits", p.steps.mean, p.cost.bits()));
         self.reasons.push(format!(
-            "{}: {:.2} steps a ray (max {} at ray {}), {} bits{against}",
-            if chosen.design.datapath.kind.facts().windows {
-                chosen.design.way()
-            } else {
-                format!("modes {}", chosen.design.way())
-            },
+            "modes {}: {:.2} steps a ray (max {} at ray {}), {} bits{against}",
+            chosen.design.way(),
             chosen.steps.mean,
             chosen.steps.max,
             chosen.steps.witness,
@@ -249,12 +245,8 @@ impl Search<'_> {
     }
 }
 
-/// The modes that are tried; four levels down take more steps than three (PIDM-HW table 3). A search by windows has sets instead.
-fn ways(d: &Design) -> Vec<Design> {
-    if d.datapath.kind.facts().windows {
-        let set = |set| Design { windows: WindowsConfig { set }, mode: ModeConfig::default(), ..*d };
-        return [None].into_iter().chain(WindowSet::named().map(Some)).map(set).collect();
-    }
-    let modes = combinations(PLAIN, &Trim::ALL).into_iter().filter(|mode| mode.levels_down < 4);
-    modes.map(|mode| Design { mode, ..*d }).collect()
+/// The modes that are tried; four levels down take more steps than three (PIDM-HW table 3).
+fn ways(d: &Design) -> impl Iterator<Item = Design> {
+    let all = Design { mode: PLAIN, ..*d }.ways(&Trim::ALL);
+    all.into_iter().filter(|way| way.mode.levels_down < 4)
 }

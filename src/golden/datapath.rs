@@ -1,5 +1,6 @@
 //! What the model of every datapath can do.
-use super::pyramid::Pyramid;
+use super::image::Image;
+use super::pyramid::{Pyramid, address};
 use super::record::{Iteration, RayHit, RayInput};
 use reliefrtl_base::error::Result;
 use reliefrtl_config::Design;
@@ -27,6 +28,33 @@ pub trait Datapath: std::fmt::Debug + Send + Sync {
     fn decode(design: &Design, t: u64) -> f64
     where
         Self: Sized;
+
+    /// The memories of a map, in the order in which their words pass the load ports.
+    ///
+    /// # Panics
+    /// If the map is too small for the design.
+    fn images(_: &Design, map: &Pyramid) -> Vec<Image>
+    where
+        Self: Sized,
+    {
+        Image::of_pyramid(map)
+    }
+
+    /// Words of all of [`Datapath::images`] of a map of the design's size.
+    fn image_words(design: &Design) -> usize
+    where
+        Self: Sized,
+    {
+        address(design.traverse.levels, design.traverse.levels, 0, 0) + 1
+    }
+
+    /// Where among these words the height code of texel (i, j) stands.
+    fn texel_word(design: &Design, i: u32, j: u32) -> usize
+    where
+        Self: Sized,
+    {
+        address(design.traverse.levels, 0, i, j)
+    }
 
     /// The design.
     fn design(&self) -> &Design;

@@ -5,6 +5,7 @@
 mod datapath;
 pub mod fixed;
 pub mod float;
+mod image;
 mod level;
 mod planes;
 mod published;
@@ -18,12 +19,13 @@ mod window_maps;
 mod windows;
 
 pub use datapath::Datapath;
+pub use image::Image;
 pub use level::{Crossing, descend_levels, level_up, start_level, trim_return};
 pub use planes::Setup;
 pub use published::{Exit, Published, Route, Travel};
 pub use pyramid::{Pyramid, address};
 pub use record::{BilinearHit, Chord, Decision, Iteration, Patch, RayHit, RayInput};
-pub use registry::{Model, datapath, decode_time, encode_ray, prepare};
+pub use registry::{Model, datapath, decode_time, encode_ray, images, prepare};
 pub use watertight::bilinear::{self, Refined};
 pub use watertight::{Axis, Watertight};
 pub use window_maps::{WindowMap, WindowMaps};

@@ -1,7 +1,9 @@
 //! The table of the models, by datapath.
 use super::datapath::Datapath;
 use super::fixed::Fixed;
+use super::image::Image;
 use super::published::Published;
+use super::pyramid::Pyramid;
 use super::record::RayInput;
 use super::watertight::Watertight;
 use super::windows::Windows;
@@ -17,11 +19,24 @@ pub struct Model {
     pub encode: fn(&Design, [f64; 4]) -> RayInput,
     /// [`Datapath::decode`].
     pub decode: fn(&Design, u64) -> f64,
+    /// [`Datapath::images`].
+    pub images: fn(&Design, &Pyramid) -> Vec<Image>,
+    /// [`Datapath::image_words`].
+    pub image_words: fn(&Design) -> usize,
+    /// [`Datapath::texel_word`].
+    pub texel_word: fn(&Design, u32, u32) -> usize,
 }
 
 impl Model {
     const fn of<D: Datapath + 'static>() -> Self {
-        Self { prepare: boxed::<D>, encode: D::encode, decode: D::decode }
+        Self {
+            prepare: boxed::<D>,
+            encode: D::encode,
+            decode: D::decode,
+            images: D::images,
+            image_words: D::image_words,
+            texel_word: D::texel_word,
+        }
     }
 }
 
@@ -55,4 +70,9 @@ pub fn encode_ray(design: &Design, ray: [f64; 4]) -> RayInput {
 /// A ray parameter of the design in height codes: [`Datapath::decode`].
 pub fn decode_time(design: &Design, t: u64) -> f64 {
     (datapath(design.datapath.kind).decode)(design, t)
+}
+
+/// The memories of a map in the hardware of a design: [`Datapath::images`].
+pub fn images(design: &Design, map: &Pyramid) -> Vec<Image> {
+    (datapath(design.datapath.kind).images)(design, map)
 }

@@ -1,6 +1,5 @@
 //! Whether every ray ends: a hard case's rays in all modes in turn, counted, and nothing else asked.
 use crate::config::Design;
-use crate::config::modes::ways;
 use crate::error::Result;
 use crate::golden::{Datapath, Pyramid, RayInput, encode_ray, prepare};
 use crate::scene::hard::HardScene;
@@ -84,5 +83,5 @@ pub fn endure(scene: &HardScene) -> Result<Endured> {
 
 /// Every mode that the design's datapath and format have: 40, or 120 with the chord trims. A search by windows: other sets, and the pyramid.
 pub fn modes(design: &Design) -> Vec<Design> {
-    ways(design, design.trims())
+    design.ways(design.trims())
 }

@@ -1,6 +1,5 @@
 //! A design on a hard case: wrong texels, rays given up, and whether every mode finds the same.
 use super::accuracy::{Accuracy, accuracy, exact_ray};
-use crate::config::modes::ways;
 use crate::config::{Design, Trim};
 use crate::error::Result;
 use crate::golden::{Datapath, Pyramid, RayHit, RayInput, decode_time, encode_ray, prepare};
@@ -100,7 +99,7 @@ impl HardFigures {
 /// pyramid.
 pub fn modes(base: &Design) -> Vec<Design> {
     let both = [Trim::None, base.mode.trim];
-    ways(base, if base.mode.trim == Trim::None { &both[..1] } else { &both })
+    base.ways(if base.mode.trim == Trim::None { &both[..1] } else { &both })
 }
 
 /// The parts of the travels after which rays end, 0 to 1.

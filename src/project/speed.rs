@@ -183,7 +183,7 @@ fn measure(c: &Config, task: &SpeedTask, turns: usize, tell: &dyn Fn(&str)) -> R
     let hardware = hardware(c)?;
     let top = format!("{}traverse", c.emit.prefix);
     let (images, items) = p.words(&task.scene.pyramid, &task.rays);
-    let memory = image(p.set.as_ref(), &task.scene.pyramid);
+    let memory = image(&p.design, &task.scene.pyramid);
     let load = Load { memory: &memory, rays: &items, expected: &task.expected };
     for compiler in COMPILERS.into_iter().filter(|compiler| process::starts(compiler)) {
         tell(&format!("building the harness in Verilator with {compiler}"));

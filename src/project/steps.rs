@@ -1,7 +1,7 @@
 //! Iterations of a scene's views in every mode of the published table.
 use super::{Scene, encode};
 use crate::config::modes::{published_rows, trimmed};
-use crate::config::{Config, ModeConfig, View};
+use crate::config::{Config, Design, ModeConfig, View};
 use crate::error::Result;
 use crate::golden::RayInput;
 use crate::measure::steps;
@@ -9,13 +9,11 @@ use crate::scene::{RaySet, ViewRay};
 use crate::trace::trace_golden;
 use serde::Serialize;
 
-/// The published rows, then those with fewer iterations, where the datapath has them; of a search by windows its one row.
+/// The published rows, then those with fewer iterations, as far as the datapath has them.
 pub fn step_rows(c: &Config) -> Vec<(String, ModeConfig)> {
-    let facts = c.datapath.kind.facts();
-    if facts.windows {
-        return vec![(c.design().way(), c.mode)];
-    }
-    published_rows().chain(trimmed().filter(move |_| facts.trim)).map(|mode| (mode.label(), mode)).collect()
+    let has_mode = c.datapath.kind.facts().has_mode;
+    let row = |mode: ModeConfig| (Design { mode, ..c.design() }.way(), mode);
+    published_rows().chain(trimmed()).filter(has_mode).map(row).collect()
 }
 
 /// Iterations of one view in one mode.

@@ -39,13 +39,16 @@ pub(super) enum Shown {
     Time,
 }
 
-/// Signals that are compared, in the order in which they are computed, with the model's value if it has one; a design without a trim has no
-/// chord.
+/// A signal that is compared: its net, how it is shown, and the model's value if it has one.
 type Probe = (&'static str, Shown, fn(&Iteration) -> Option<u64>);
-const PLANES: [Probe; 15] = [
+
+/// What the nets of all datapaths mean; which of them one has, and in which order, its facts say ([`crate::config::DatapathFacts::nets`]).
+const PROBES: [Probe; 21] = [
     ("level", Shown::Integer, |i| Some(u64::from(i.level))),
     ("x", Shown::Integer, |i| Some(i.x as u64)),
     ("y", Shown::Integer, |i| Some(i.y as u64)),
+    ("texel_x", Shown::Integer, |i| Some(i.x as u64)),
+    ("texel_y", Shown::Integer, |i| Some(i.y as u64)),
     ("t", Shown::Time, |i| Some(i.t)),
     ("x_plane", Shown::Integer, |i| Some(i.b_x as u64)),
     ("y_plane", Shown::Integer, |i| Some(i.b_y as u64)),
@@ -58,36 +61,21 @@ const PLANES: [Probe; 15] = [
     ("t_y", Shown::Time, |i| Some(i.t_y)),
     ("x_hit", Shown::Integer, |i| Some(i.e_x as u64)),
     ("y_hit", Shown::Integer, |i| Some(i.e_y as u64)),
-];
-const POSITIONS: [Probe; 14] = [
-    ("level", Shown::Integer, |i| Some(u64::from(i.level))),
-    ("x", Shown::Integer, |i| Some(i.x as u64)),
-    ("y", Shown::Integer, |i| Some(i.y as u64)),
-    ("t", Shown::Time, |i| Some(i.t)),
-    ("x_plane", Shown::Integer, |i| Some(i.b_x as u64)),
-    ("y_plane", Shown::Integer, |i| Some(i.b_y as u64)),
-    ("height", Shown::Integer, |i| Some(u64::from(i.height))),
-    ("m", Shown::Time, |i| Some(i.m)),
-    ("t_x", Shown::Time, |i| Some(i.t_x)),
-    ("t_y", Shown::Time, |i| Some(i.t_y)),
     ("level_next", Shown::Integer, |i| Some(u64::from(i.next_level))),
     ("t_after", Shown::Time, |i| Some(i.next_t)),
     ("x_next", Shown::Integer, |i| Some(i.next_x as u64)),
     ("y_next", Shown::Integer, |i| Some(i.next_y as u64)),
 ];
 
-/// Of a search by windows: the texel is wrapped, as the memories see it.
-const WINDOWS: [Probe; 4] = [
-    ("t", Shown::Time, |i| Some(i.t)),
-    ("texel_x", Shown::Integer, |i| Some(i.x as u64)),
-    ("texel_y", Shown::Integer, |i| Some(i.y as u64)),
-    ("m", Shown::Time, |i| Some(i.m)),
-];
+/// The probe of a net.
+fn probe(net: &str) -> &'static Probe {
+    PROBES.iter().find(|p| p.0 == net).unwrap_or_else(|| panic!("no probe says what {net} means"))
+}
 
 /// More clocks than the registers of any handshake hold a single ray up.
 const WAITS: usize = 16;
 
-/// Probes that exist where the design trims.
+/// Nets that exist where the design trims.
 const CHORD: [&str; 3] = ["x_chord", "y_chord", "level_read"];
 
 /// Traces one ray in both and returns the first difference; `None` if pipeline and model agree all the way.
@@ -106,13 +94,8 @@ pub fn diagnose_in(p: &Pipeline, design: &Design, pyramid: &Pyramid, ray: &RayIn
     let mut iterations = Vec::new();
     prepare(design)?.trace_with(pyramid, ray, Some(&mut |i| iterations.push(*i)));
     let path = design.datapath.kind;
-    let signals: &[Probe] = match path.facts() {
-        facts if facts.windows => &WINDOWS,
-        facts if facts.steps_indices => &PLANES,
-        _ => &POSITIONS,
-    };
-    let traced = |q: &&Probe| design.mode.trim != Trim::None || !CHORD.contains(&q.0);
-    let list: Vec<&Probe> = signals.iter().filter(traced).collect();
+    let traced = |net: &&&str| design.mode.trim != Trim::None || !CHORD.contains(*net);
+    let list: Vec<&Probe> = path.facts().nets.iter().filter(traced).map(|net| probe(net)).collect();
     let probes: Vec<(u32, String, Slot)> = list.iter().map(|q| find(&p.net, q.0)).collect();
     // The trip that finds the start level comes first, and is no iteration.
     let trips = path.start_trips(&design.mode) as usize;

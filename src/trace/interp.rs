@@ -1,6 +1,6 @@
 //! The traverse unit in the interpreter, as a tracer.
 use super::memory::{image, images};
-use crate::config::{Design, WindowSet};
+use crate::config::Design;
 use crate::error::Result;
 use crate::golden::{BilinearHit, Patch, Pyramid, RayHit, RayInput};
 use crate::interp::{BLOCK, Netlist, Stream, StreamRun, Traffic, elaborate};
@@ -34,7 +34,7 @@ pub fn hit_row(design: &Design, h: &RayHit) -> Vec<u64> {
     let mut row = [h.i, h.j, h.fu, h.fv].map(u64::from).to_vec();
     row.extend([h.t, u64::from(h.wall), u64::from(h.limit)]);
     row.push(u64::from(h.steps));
-    if !design.datapath.kind.facts().windows {
+    if design.datapath.kind.facts().counts_levels {
         row.extend([h.crossings, h.ups].map(u64::from));
     }
     if design.mode.bilinear {
@@ -53,8 +53,8 @@ pub struct Pipeline {
     pub net: Netlist,
     /// Slots of the loop.
     pub slots: u32,
-    /// The windows, where it searches by windows.
-    pub set: Option<WindowSet>,
+    /// The design.
+    pub design: Design,
     /// Data inputs, in the order of a ray's row.
     pub inputs: Vec<&'static str>,
     /// Data outputs, in the order of a hit's row.
@@ -74,7 +74,7 @@ impl Pipeline {
         Ok(Self {
             net,
             slots: t.slots,
-            set: design.datapath.kind.facts().windows.then(|| design.window_set()),
+            design: design.settled(),
             inputs: inputs(&t.module),
             outputs: outputs(&t.module),
             depth: t.setup + t.slots + t.finish,
@@ -113,7 +113,7 @@ impl Pipeline {
 
     /// The memories' images.
     pub fn images(&self, pyramid: &Pyramid) -> Vec<Arc<Vec<u64>>> {
-        images(&self.net, &image(self.set.as_ref(), pyramid))
+        images(&self.net, &image(&self.design, pyramid))
     }
 
     /// The unit as a stream of rays.

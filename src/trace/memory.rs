@@ -1,23 +1,19 @@
 //! What loading a map leaves in the memories of `traverse`.
-use crate::config::WindowSet;
-use crate::golden::Pyramid;
+use crate::config::Design;
+use crate::golden::{self, Pyramid};
 use crate::interp::Netlist;
 use std::sync::Arc;
 
-/// All words that go through the load ports, in their order: the pyramid, or of a search by windows the maps of all sizes.
-pub fn image(set: Option<&WindowSet>, pyramid: &Pyramid) -> Vec<u64> {
-    let words = |list: &[u32]| list.iter().map(|w| u64::from(*w)).collect::<Vec<_>>();
-    match set {
-        None => words(pyramid.memory()),
-        Some(set) => pyramid.windows(set).maps().iter().flat_map(|map| words(map.memory())).collect(),
-    }
+/// All words that go through the load ports of a design, in their order.
+pub fn image(d: &Design, pyramid: &Pyramid) -> Vec<u64> {
+    golden::images(d, pyramid).into_iter().flat_map(|image| image.words).map(u64::from).collect()
 }
 
 /// Banks of a copy of the map.
 const BANKS: usize = 4;
 
-/// The words of each memory of `net` that all copies of it share, after the words of the image went through the load ports: the pyramid itself, then the banks of each copy of
-/// the map, which hold every fourth word of level 0; or the windows of one size after the other.
+/// The words of each memory of `net` that all copies of it share, after the words of the image went through the load ports: one memory's after the
+/// other's where that is the whole image; else the image itself, then the banks of each copy of the map, which hold every fourth word of its begin.
 ///
 /// # Panics
 /// If a memory is neither.

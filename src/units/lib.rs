@@ -21,7 +21,7 @@ pub fn arithmetic(d: &Design) -> Vec<Arc<Module>> {
 
 fn arithmetic_in_registers(d: &Design) -> Vec<Arc<Module>> {
     let mut list = vec![lzc::lzc_module(8)];
-    list.extend((!d.datapath.kind.facts().windows).then(|| interleave::interleave_module(d.traverse.levels + 1)));
+    list.extend(d.datapath.kind.facts().reads_nodes.then(|| interleave::interleave_module(d.traverse.levels + 1)));
     list.extend((traversal::Datapath::of(d).arithmetic)(d));
     list.extend(chosen(d, d.extra));
     list
@@ -43,7 +43,7 @@ pub fn all(d: &Design) -> Vec<Arc<Module>> {
     let parity = traversal::reads_parity(d);
     let mut list = arithmetic_in_registers(d);
     let trims = d.mode.trim != reliefrtl_config::Trim::None;
-    let nodes = !d.datapath.kind.facts().windows;
+    let nodes = d.datapath.kind.facts().reads_nodes;
     list.extend((nodes && (d.mode.start_level || trims)).then(|| traversal::start_level(t)));
     if d.mode.lod {
         list.extend([traversal::finest_level(t), traversal::node_hit(t)]);

@@ -1,6 +1,6 @@
 //! `datapath.kind = "fixed"` (`docs/fixed.md`).
 use super::facts::{DatapathFacts, Reads};
-use super::float;
+use super::{float, pyramid};
 use crate::{Config, DatapathConfig, Design};
 use reliefrtl_base::format::Words;
 
@@ -9,28 +9,40 @@ const LEAST: u32 = 8;
 
 pub(super) const FACTS: DatapathFacts = DatapathFacts {
     word: "fixed",
-    reads: Reads { format: false, nudge_bits: false, fraction_bits: true },
+    chosen_by: &[("datapath.kind", "fixed")],
+    reads: Reads { format: false, nudge_bits: false, fraction_bits: true, window_set: false },
     words: |d| Words::Fixed {
         fraction_bits: d.datapath.fraction_bits,
         travel_bits: d.datapath.fraction_bits + d.traverse.tile_bits + 1,
     },
-    steps_indices: true,
     divides_in_loop: false,
     start_trip: false,
     modes_agree: true,
-    windows: false,
-    trim: true,
+    reads_nodes: true,
+    counts_levels: true,
+    short_loop: false,
+    has_trim: true,
     trim_fits: |_| true,
-    lod: true,
-    bilinear: false,
+    has_lod: true,
+    has_bilinear: false,
     clock_by_units: false,
     from_fixed: float::hit_word,
-    limits: &[widths],
-    label: |path, _| {
+    limits: &[widths, pyramid::no_windows],
+    ignores: &[],
+    forget: pyramid::forget,
+    arithmetic: |path, _| {
         let (f, r) = (path.fraction_bits, path.reciprocal_bits);
         // Usually the reciprocal is as wide.
         if f.max(LEAST) == r { format!("fixed Q.{f}") } else { format!("fixed Q.{f}, reciprocal {r}") }
     },
+    label: pyramid::label,
+    way: pyramid::way,
+    sentence: pyramid::sentence,
+    has_mode: |_| true,
+    ways: pyramid::ways,
+    reference: |d| *d,
+    settled: |d| *d,
+    nets: pyramid::PLANE_NETS,
     ladder,
     narrower: |d| {
         let bits = d.datapath.reciprocal_bits;

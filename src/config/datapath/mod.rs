@@ -4,6 +4,7 @@ mod fixed;
 mod float;
 mod kind;
 mod published;
+mod pyramid;
 mod table;
 mod watertight;
 mod windows;
@@ -11,4 +12,4 @@ mod written;
 
 pub use facts::{DatapathFacts, Reads};
 pub use kind::{DatapathConfig, DatapathKind, Search};
-pub use table::datapaths;
+pub use table::{datapaths, searches};

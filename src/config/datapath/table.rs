@@ -2,12 +2,14 @@
 use super::facts::DatapathFacts;
 use super::kind::{DatapathConfig, DatapathKind};
 use super::{fixed, published, watertight, windows};
-use crate::{Design, ModeConfig, Trim, WindowSet};
+use crate::{Design, ModeConfig, Trim, WindowSet, WindowsConfig};
 use reliefrtl_base::format::{FloatFormat, Words};
 
 impl DatapathKind {
-    /// All.
+    /// Those of different arithmetic.
     pub const ALL: [Self; 3] = [Self::Watertight, Self::Published, Self::Fixed];
+    /// The same with every search that one of them has.
+    pub const WITH_SEARCHES: [Self; 4] = [Self::Watertight, Self::Published, Self::Fixed, Self::Windows];
 
     /// What is known of it.
     pub const fn facts(self) -> &'static DatapathFacts {
@@ -26,8 +28,8 @@ impl DatapathKind {
 
     /// The key that chooses it, and the word there.
     pub const fn chosen_by(self) -> (&'static str, &'static str) {
-        let facts = self.facts();
-        (if facts.windows { "datapath.search" } else { "datapath.kind" }, facts.word)
+        let keys = self.facts().chosen_by;
+        keys[keys.len() - 1]
     }
 
     /// Trips of a ray through the loop that are no iterations.
@@ -51,10 +53,15 @@ pub fn datapaths() -> impl Iterator<Item = DatapathKind> {
     agree(true).chain(agree(false))
 }
 
+/// Every datapath with each search that it has.
+pub fn searches() -> impl Iterator<Item = DatapathKind> {
+    DatapathKind::WITH_SEARCHES.into_iter()
+}
+
 impl DatapathConfig {
-    /// Datapath and widths in a few words; `format` is that of a floating-point one.
-    pub fn label(&self, format: FloatFormat) -> String {
-        (self.kind.facts().label)(self, format)
+    /// Arithmetic and widths in a few words; `format` is that of a floating-point one.
+    pub fn arithmetic(&self, format: FloatFormat) -> String {
+        (self.kind.facts().arithmetic)(self, format)
     }
 }
 
@@ -64,10 +71,21 @@ impl Design {
         (self.datapath.kind.facts().words)(self)
     }
 
-    /// Datapath and widths in a few words; of a search by windows its set, too.
+    /// Datapath and widths in a few words.
     pub fn label(&self) -> String {
-        let label = self.datapath.label(self.format);
-        if self.datapath.kind.facts().windows { format!("{label}, {}", self.window_set()) } else { label }
+        (self.datapath.kind.facts().label)(self)
+    }
+
+    /// How hits are found, in a few words: the mode, or the windows.
+    pub fn way(&self) -> String {
+        let windows = WindowsConfig { set: Some(self.window_set()) };
+        (self.datapath.kind.facts().way)(&self.mode, &windows)
+    }
+
+    /// Other designs of the same datapath and widths that must find the same hits: every mode with one of `trims`, or every set of windows that has a
+    /// name and the pyramid's own search.
+    pub fn ways(&self, trims: &[Trim]) -> Vec<Self> {
+        (self.datapath.kind.facts().ways)(self, trims)
     }
 
     /// The windows of a search by windows.
@@ -75,17 +93,19 @@ impl Design {
         self.windows.at(self.traverse.levels)
     }
 
-    /// The same with a search in the pyramid, if it searches by windows.
-    pub fn by_pyramid(&self) -> Self {
-        if !self.datapath.kind.facts().windows {
-            return *self;
-        }
-        Self { datapath: DatapathConfig { kind: DatapathKind::Fixed, ..self.datapath }, ..*self }
+    /// The design whose hits it must equal: of a search by windows, that of the pyramid.
+    pub fn reference(&self) -> Self {
+        (self.datapath.kind.facts().reference)(self)
+    }
+
+    /// The same with all written out that the emitted text holds fast, whatever its parameters are.
+    pub fn settled(&self) -> Self {
+        (self.datapath.kind.facts().settled)(self)
     }
 
     /// The chord trims that datapath and number format have.
     pub fn trims(&self) -> &'static [Trim] {
         let facts = self.datapath.kind.facts();
-        if facts.trim && (facts.trim_fits)(self.format) { &Trim::ALL } else { &[Trim::None] }
+        if facts.has_trim && (facts.trim_fits)(self.format) { &Trim::ALL } else { &[Trim::None] }
     }
 }

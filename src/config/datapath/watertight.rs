@@ -1,26 +1,38 @@
 //! `datapath.kind = "watertight"` (`docs/datapath.md`).
 use super::facts::{DatapathFacts, Reads};
-use super::float;
+use super::{float, pyramid};
 use crate::{Config, Trim};
 use reliefrtl_base::format::FloatFormat;
 
 pub(super) const FACTS: DatapathFacts = DatapathFacts {
     word: "watertight",
-    reads: Reads { format: true, nudge_bits: false, fraction_bits: false },
+    chosen_by: &[("datapath.kind", "watertight")],
+    reads: Reads { format: true, nudge_bits: false, fraction_bits: false, window_set: false },
     words: float::words,
-    steps_indices: true,
     divides_in_loop: false,
     start_trip: false,
     modes_agree: true,
-    windows: false,
-    trim: true,
+    reads_nodes: true,
+    counts_levels: true,
+    short_loop: false,
+    has_trim: true,
     trim_fits,
-    lod: true,
-    bilinear: true,
+    has_lod: true,
+    has_bilinear: true,
     clock_by_units: true,
     from_fixed: float::hit_word,
-    limits: &[float::widths, trim_exponents],
-    label: |_, f| format!("watertight {}/{}", f.exp, f.man),
+    limits: &[float::widths, trim_exponents, pyramid::no_windows],
+    ignores: &[],
+    forget: pyramid::forget,
+    arithmetic: |_, f| format!("watertight {}/{}", f.exp, f.man),
+    label: pyramid::label,
+    way: pyramid::way,
+    sentence: pyramid::sentence,
+    has_mode: |_| true,
+    ways: pyramid::ways,
+    reference: |d| *d,
+    settled: |d| *d,
+    nets: pyramid::PLANE_NETS,
     ladder: float::ladder,
     narrower: |_| None,
 };

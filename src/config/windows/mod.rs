@@ -3,7 +3,7 @@ mod given;
 mod set;
 mod widths;
 
-pub(super) use given::{ignored, is_ignored};
+pub(super) use given::ignored;
 pub use set::{Window, WindowSet};
 pub use widths::WindowWidths;
 

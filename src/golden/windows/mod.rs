@@ -8,10 +8,12 @@ pub use setup::WindowAxis;
 
 use super::datapath::Datapath;
 use super::fixed::Fixed;
+use super::image::Image;
 use super::pyramid::Pyramid;
 use super::record::{Iteration, RayHit, RayInput};
+use super::window_maps::WindowMap;
 use reliefrtl_base::error::{Error, Result};
-use reliefrtl_config::{Design, WindowSet, WindowWidths};
+use reliefrtl_config::{Design, Window, WindowSet, WindowWidths};
 
 /// The model of one design, with the design's constants at hand.
 #[derive(Clone, Debug)]
@@ -47,6 +49,25 @@ impl Datapath for Windows {
 
     fn decode(design: &Design, t: u64) -> f64 {
         Fixed::decode(design, t)
+    }
+
+    fn images(design: &Design, map: &Pyramid) -> Vec<Image> {
+        let maps = map.windows(&design.window_set());
+        let image = |map: &WindowMap| Image {
+            about: format!("windows {}, row by row", map.window()),
+            words: map.memory().to_vec(),
+        };
+        maps.maps().iter().map(image).collect()
+    }
+
+    fn image_words(design: &Design) -> usize {
+        let words = |w: &Window| 1 << (2 * (design.traverse.levels - w.grid_bits()));
+        design.window_set().sizes().iter().map(words).sum()
+    }
+
+    /// In the map of single texels, which is the first.
+    fn texel_word(design: &Design, i: u32, j: u32) -> usize {
+        (j << design.traverse.levels | i) as usize
     }
 
     fn design(&self) -> &Design {

@@ -1,6 +1,8 @@
 //! A design as the report names it.
 use crate::config::modes::BEST;
-use crate::config::{Config, DatapathConfig, DatapathKind, Design, MapConfig, ModeConfig, TraverseConfig, WindowSet};
+use crate::config::{
+    Config, DatapathConfig, DatapathKind, Design, MapConfig, ModeConfig, TraverseConfig, WindowSet, WindowsConfig,
+};
 use crate::error::Result;
 use crate::format::FloatFormat;
 use crate::golden::prepare;
@@ -40,7 +42,7 @@ const STUCK_LIMIT: u32 = 511;
 impl DesignSpec {
     /// The configuration's design, with its own tile bits, fraction bits and step limit.
     pub fn new(c: &Config, datapath: DatapathConfig, exp: u32, man: u32, mode: ModeConfig) -> Self {
-        let windows = datapath.kind.facts().windows.then_some(c.windows.set).flatten();
+        let windows = datapath.kind.facts().reads.window_set.then_some(c.windows.set).flatten();
         Self { windows, ..Self::sized(&c.traverse, datapath, exp, man, mode) }
     }
 
@@ -123,27 +125,17 @@ impl DesignSpec {
             fraction_bits: self.fraction_bits.unwrap_or(0),
             reciprocal_bits: self.reciprocal_bits.unwrap_or(0),
         };
-        datapath.label(FloatFormat::new(self.exp.unwrap_or(0), self.man.unwrap_or(0)))
+        datapath.arithmetic(FloatFormat::new(self.exp.unwrap_or(0), self.man.unwrap_or(0)))
     }
 
     /// How hits are found, in a few words: the mode, or the windows.
     pub fn way(&self) -> String {
-        match (self.kind.facts().windows, self.windows) {
-            (false, _) => self.mode.label(),
-            (true, None) => "windows".to_owned(),
-            (true, Some(set)) => format!("windows {set}"),
-        }
+        (self.kind.facts().way)(&self.mode, &WindowsConfig { set: self.windows })
     }
 
     /// The same in a sentence.
     pub fn sentence(&self) -> String {
-        if !self.kind.facts().windows {
-            return self.mode.sentence();
-        }
-        let of = self.windows.map_or_else(String::new, |set| format!(" ({set})"));
-        format!(
-            "reads all windows ahead of the ray{of} in one iteration, and goes on to the farthest place that one of them proves empty"
-        )
+        (self.kind.facts().sentence)(&self.mode, &WindowsConfig { set: self.windows })
     }
 
     /// Bits of a word of a ray's entry point.

@@ -123,9 +123,7 @@ impl Selection {
             }
         }
         for kind in datapaths().filter(chosen) {
-            let facts = kind.facts();
-            let known = |m: &ModeConfig| if facts.windows { *m == BEST } else { facts.trim || m.trim == Trim::None };
-            self.modes().into_iter().filter(known).for_each(|mode| add(at(kind, bits), one, mode));
+            self.modes().into_iter().filter(kind.facts().has_mode).for_each(|mode| add(at(kind, bits), one, mode));
         }
         let configured = configured(c);
         if self.extent != Extent::Tiny && !out.contains(&configured) {

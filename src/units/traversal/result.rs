@@ -25,7 +25,7 @@ pub(super) fn result_fields<'a>(b: &Builder, s: &Sizes, d: &Design) -> Vec<(&'a 
         ("wall", one(), "bit", "the hit is on the side of a texel"),
         ("limit", one(), "bit", "given up: STEP_LIMIT reached, or not a ray (steps 0)"),
     ];
-    let windows = d.datapath.kind.facts().windows;
+    let windows = !d.datapath.kind.facts().counts_levels;
     let visited = if windows { "iterations, each over all windows" } else { "nodes visited" };
     list.push(("steps", 16.into(), "iterations", visited));
     if !windows {

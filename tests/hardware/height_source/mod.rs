@@ -43,10 +43,10 @@ fn scene(d: &Design, count: usize, seed: u64) -> (Pyramid, Vec<RayInput>) {
     (Pyramid::build(n, 8, &texels).unwrap(), rays)
 }
 
-fn pipeline(t: &Traverse) -> Pipeline {
+fn pipeline(d: &Design, t: &Traverse) -> Pipeline {
     let net = elaborate(&t.module, &Binding::new()).unwrap();
     let (inputs, outputs) = (inputs(&t.module), outputs(&t.module));
-    Pipeline { net, slots: t.slots, set: None, inputs, outputs, depth: t.setup + t.slots + t.finish }
+    Pipeline { net, slots: t.slots, design: *d, inputs, outputs, depth: t.setup + t.slots + t.finish }
 }
 
 /// Clocks of `rays` through `traverse` with that source; every result is the golden model's.
@@ -56,7 +56,7 @@ fn run(
     (map, rays): &(Pyramid, Vec<RayInput>),
     ports: Ports,
 ) -> Result<u64, String> {
-    let p = pipeline(&traverse_from(d, source));
+    let p = pipeline(d, &traverse_from(d, source));
     let (image, items) = p.words(map, rays);
     let (results, clocks) = drive(&p, &image, &items, ports)?;
     let golden = prepare(d).unwrap();

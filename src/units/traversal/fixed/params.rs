@@ -73,7 +73,7 @@ impl Params<'_> {
 pub fn chunks(d: &Design) -> u32 {
     let rows = |bits: u32| bits + 2;
     let most =
-        if d.datapath.kind.facts().windows { d.datapath.reciprocal_bits } else { d.datapath.reciprocal_bits.min(8) };
+        if d.datapath.kind.facts().short_loop { d.datapath.reciprocal_bits } else { d.datapath.reciprocal_bits.min(8) };
     d.latency.div.clamp(1, rows(most))
 }
 

@@ -16,7 +16,7 @@ pub fn latency(d: &Design) -> u32 {
 
 /// Clocks of the travel's magnitude: a search by windows has one, as its loop is faster than a sum and a count of zeros in series.
 fn magnitude(d: &Design) -> u32 {
-    u32::from(d.datapath.kind.facts().windows && d.latency.div > 1)
+    u32::from(d.datapath.kind.facts().short_loop && d.latency.div > 1)
 }
 
 /// What setup computes for one axis.
@@ -62,7 +62,7 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let lod = d.mode.lod.then(|| b.input("lod", &level_w, "levels", "finest level; above LEVELS it is LEVELS"));
     let o_ok = b.output("ok", 1, "bit", "the ray can be traced: no travel is the most negative word");
     // A search by windows knows no level, and takes the first texel from the entry point.
-    let nodes = !d.datapath.kind.facts().windows;
+    let nodes = d.datapath.kind.facts().reads_nodes;
     let o_level = nodes.then(|| b.output("level", &level_w, "levels", "level of the first iteration"));
     let outs = ["x", "y"].map(|a| {
         let of = |n: &str, w: &Expr, unit: &str, doc: &str| b.output(&format!("{n}_{a}"), w, unit, doc);
@@ -149,7 +149,7 @@ fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &str, p: Sig<'b>, trave
 
     b.section(&n("texels"), "");
     let below = &s.f - &s.n;
-    let nodes = !d.datapath.kind.facts().windows;
+    let nodes = d.datapath.kind.facts().reads_nodes;
     let first = nodes.then(|| p.slice(below.clone(), s.n.clone()).zext(idx).named(&n("first")));
     let last = (nodes && d.mode.start_level).then(|| {
         let wide = reach + 2;
