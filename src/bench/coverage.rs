@@ -6,6 +6,7 @@ use crate::error::{Error, Result};
 use crate::files::{Scratch, read_text_of_tree};
 use crate::ir::Binding;
 use crate::process;
+use crate::units::traversal::TRAVERSE;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
@@ -48,8 +49,8 @@ pub struct Further {
 pub fn cover(dir: &Path, units: &[String], further: &[Further]) -> Result<BTreeMap<Point, u64>> {
     let dir = dir.canonicalize().map_err(|e| Error::file("find", dir, e))?;
     let bench = |unit: &str| emitted_name(&dir, "testbench", &format!("tb_{unit}"), ".v");
-    let whole = bench("traverse")?;
-    let prefix = whole.strip_suffix("tb_traverse").unwrap_or_default();
+    let whole = bench(TRAVERSE)?;
+    let prefix = whole.strip_suffix(&format!("tb_{TRAVERSE}")).unwrap_or_default();
     let mut alone = Program::default();
     for unit in units {
         alone.benches.push((bench(unit)?, Binding::new()));
@@ -62,7 +63,7 @@ pub fn cover(dir: &Path, units: &[String], further: &[Further]) -> Result<BTreeM
     for (k, f) in further.iter().enumerate() {
         let name = format!("{whole}_{k}");
         let text = text.replace(&format!("module {whole} "), &format!("module {name} "));
-        let text = text.replace("\"golden/traverse\"", &format!("\"{}\"", f.place));
+        let text = text.replace(&format!("\"golden/{TRAVERSE}\""), &format!("\"{}\"", f.place));
         traversals.sources.push((format!("{name}.v"), text));
         traversals.benches.push((name, f.over.clone()));
     }

@@ -1,6 +1,7 @@
 //! Text of the emitted benches, one pair of files a unit, from templates.
 use crate::emit::{Files, file_list};
 use crate::ir::{Body, Expr, Module, Prim};
+use crate::units::traversal::TRAVERSE;
 use crate::verilog::{Style, delayed_net};
 use minijinja::{Environment, context};
 use serde::Serialize;
@@ -50,7 +51,7 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Arc<Module>, u32)>,
     let templates = [
         ("unit", include_str!("templates/unit.v")),
         ("top", include_str!("templates/top.v")),
-        ("traverse", include_str!("templates/traverse.v")),
+        ("rays", include_str!("templates/traverse.v")),
     ];
     for (name, text) in templates {
         env.add_template(name, text).expect("templates are well formed");
@@ -83,15 +84,15 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Arc<Module>, u32)>,
     let valid = delayed_net(traverse, &traverse.default_binding(), "valid", enters, (0, 1));
     let value = context! {
         enters, valid => valid.unwrap_or_else(|| format!("s{enters}_valid")),
-        prefix, unit => "traverse", dut => format!("{prefix}traverse"), params => params(traverse), terms => terms(traverse),
+        prefix, unit => traverse.name, dut => format!("{prefix}{TRAVERSE}"), params => params(traverse), terms => terms(traverse),
         files => files_of(traverse), warm_up, sizes => sizes(traverse),
         // The published datapath has rays that never end by themselves.
         lingers => traverse.params.iter().any(|p| p.name == "NUDGE_W"),
         inputs => named(&crate::trace::inputs(traverse)), outputs => named(&crate::trace::outputs(traverse)),
     };
-    files.insert(format!("testbench/{prefix}tb_traverse.v"), render("traverse", value.clone()));
-    files.insert(format!("testbench/{prefix}tb_traverse_top.v"), render("top", value));
-    files.insert(format!("testbench/{prefix}tb_traverse.f"), list(traverse, prefix));
+    files.insert(format!("testbench/{prefix}tb_{TRAVERSE}.v"), render("rays", value.clone()));
+    files.insert(format!("testbench/{prefix}tb_{TRAVERSE}_top.v"), render("top", value));
+    files.insert(format!("testbench/{prefix}tb_{TRAVERSE}.f"), list(traverse, prefix));
     files
 }
 

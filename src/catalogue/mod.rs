@@ -25,7 +25,7 @@ pub use ray_plan::planned_rays;
 pub use ray_stimulus::RaySample;
 pub use rays::{RaySet, ray_columns, ray_set, ray_set_at};
 pub use row::{Context, Row};
-pub use table::{UNITS, entry, proofs, unit_entries};
+pub use table::{UNITS, entry, proofs, timed, unit_entries};
 pub use unit::{Counted, Legal, Model, Stimulus, Unit};
 
 use crate::config::{Config, Design, searches};

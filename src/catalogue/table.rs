@@ -1,7 +1,7 @@
 //! The table of units: every entry, and the entries of a design.
 use super::entries;
 use super::unit::Unit;
-use crate::config::Design;
+use crate::config::{Design, Timed};
 use crate::ir::Module;
 use crate::proofs::Proof;
 use std::sync::Arc;
@@ -22,6 +22,11 @@ pub static UNITS: [&[&Unit]; 9] = [
 /// Every entry, in the order of [`UNITS`].
 pub fn unit_entries() -> impl Iterator<Item = &'static Unit> {
     UNITS.iter().flat_map(|area| area.iter().copied())
+}
+
+/// Every unit of arithmetic with the latency that is its own.
+pub fn timed() -> Vec<Timed> {
+    unit_entries().filter_map(|u| u.clock.map(|(key, part)| Timed { unit: u.name, key, part })).collect()
 }
 
 /// The entry of the unit `name` of a design.

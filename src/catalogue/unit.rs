@@ -2,7 +2,7 @@
 use super::clocked::Clocked;
 use super::ray_stimulus::sample::RaySample;
 use super::row::{Context, Row};
-use crate::config::DatapathKind;
+use crate::config::{DatapathKind, Part};
 use crate::proofs::Proof;
 
 /// Writes the expected word of every output for a row of inputs.
@@ -35,6 +35,8 @@ pub struct Unit {
     pub name: &'static str,
     /// The datapath whose unit it is, where units of one name differ or the other datapaths have none; `None`: of any.
     pub datapath: Option<DatapathKind>,
+    /// Of a unit of arithmetic its key in the table `latency`, and what its clock counts for.
+    pub clock: Option<(&'static str, Part)>,
     /// The golden model; `None`: rays through `traverse` are the unit's vectors, or it has a proof alone.
     pub model: Option<Model>,
     /// The golden model of a unit with a state: its rows are clocks.
@@ -55,6 +57,7 @@ pub struct Unit {
 pub(super) const UNIT: Unit = Unit {
     name: "",
     datapath: None,
+    clock: None,
     model: None,
     clocked: None,
     legal: None,

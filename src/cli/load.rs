@@ -1,5 +1,6 @@
 //! The configuration of a call: defaults, file, options.
 use super::args::Cli;
+use crate::catalogue::timed;
 use crate::config::{Choice, Config, Design, Scope, for_clock};
 use crate::error::{Error, Result};
 use crate::ir::Module;
@@ -49,7 +50,8 @@ pub(super) fn load_ranges(cli: &Cli, units: &[String]) -> Result<Config> {
     let named = Config { convert: Default::default(), ..c.clone() };
     let alone = !units.is_empty() && units.iter().all(|name| crate::project::alone(&named, name).is_some());
     let scope = if alone { Scope::Alone(units) } else { Scope::Traversal };
-    let clock = cli.clock.map(|mhz| Ok::<(u32, Choice), Error>((mhz, for_clock(mhz, &asked, scope)?))).transpose()?;
+    let clock =
+        cli.clock.map(|mhz| Ok::<(u32, Choice), Error>((mhz, for_clock(mhz, &asked, scope, &timed())?))).transpose()?;
     if let Some((mhz, choice)) = &clock {
         (c.latency, c.emit.clock_mhz) = (choice.latency, *mhz);
     }

@@ -9,6 +9,7 @@ use crate::project::{self, Lost, Scene, without_border_hits};
 use crate::scene::border::enter_border;
 use crate::scene::{RaySet, RaySource, evenly};
 use crate::trace::{hits_csv, record};
+use crate::units::traversal::TRAVERSE;
 
 /// Runs `trace`.
 pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
@@ -54,7 +55,7 @@ pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
     };
     // Each is written, even if the other can't be: nobody may be left at the end of a pipe.
     let written = out.write(hits_csv(&c.design(), c.map.border, &hits).as_bytes());
-    let waved = recorded.map_or(Ok(()), |(wave, sink, format)| wave.write(sink, format, "traverse"));
+    let waved = recorded.map_or(Ok(()), |(wave, sink, format)| wave.write(sink, format, TRAVERSE));
     written.and(waved)?;
     let lost = Lost { beyond, ..Lost::of(&hits) };
     if cli.json {

@@ -121,6 +121,9 @@ const fn key(path: &'static str, about: &'static str, legal: Legal) -> Key {
     Key { path, about, legal }
 }
 
+/// The sections that shape the hardware.
+pub const HARDWARE: [&str; 6] = ["format", "traverse", "mode", "datapath", "latency", "convert"];
+
 /// The sections in the order of the file, with their headings.
 pub const SECTIONS: &[(&str, &str)] = &[
     ("format", "Number format of the datapath: 1 sign bit, exp exponent bits, man fraction bits."),

@@ -22,7 +22,7 @@ mod source;
 pub mod validate;
 mod windows;
 
-pub use clock::{Choice, Scope, for_clock, latency_key};
+pub use clock::{Choice, Part, Scope, Timed, for_clock};
 pub use datapath::{DatapathConfig, DatapathFacts, DatapathKind, Reads, Search, datapaths, searches};
 pub use design::{ConvertConfig, Design, Divider, LatencyConfig, LevelUp, ModeConfig, TraverseConfig, Trim};
 pub use extra::{ExtraUnit, ExtraUnits};

@@ -1,14 +1,12 @@
 //! Whether a tree is the one that the configuration emits, before it is checked.
 use crate::config::Config;
+use crate::config::keys::HARDWARE;
 use crate::emit::Files;
 use crate::error::{Error, Result};
 use crate::files::{read_of_tree, read_text_of_tree};
 use crate::vectors::{Column, Rows, VectorSet, read_csv, read_json};
 use serde_json::Value;
 use std::path::Path;
-
-/// Sections of the configuration that shape the hardware.
-const HARDWARE: [&str; 6] = ["format", "traverse", "mode", "datapath", "latency", "convert"];
 
 /// The interpreter runs the datapath that the configuration emits, not the text in `dir`: refuses a tree where the two differ.
 ///

@@ -3,6 +3,7 @@ mod bench;
 mod bounds;
 mod build;
 mod check;
+mod clocks;
 mod config;
 mod emit;
 mod files;

@@ -1,6 +1,7 @@
 //! Floating-point arithmetic, on which more than one datapath stands.
 use super::super::unit::{Counted, UNIT, Unit};
 use crate::bits::{mask, signed};
+use crate::config::Part;
 use crate::golden::float as gf;
 use crate::proofs::{BIT_LEVEL, PROOF, Proof};
 use std::cmp::Ordering;
@@ -29,6 +30,7 @@ const ROUNDED_SUM: Counted = Counted::Rounding { sum: true };
 
 static FP_LT: Unit = Unit {
     name: "fp_lt",
+    clock: Some(("compare", Part::Traversal)),
     model: Some(|c, row, out| out["result"] = u64::from(gf::lt(c.design.format, row["a"], row["b"]))),
     counted: Counted::Answers,
     proofs: &[Proof {
@@ -43,6 +45,7 @@ static FP_LT: Unit = Unit {
 
 static FP_ADD: Unit = Unit {
     name: "fp_add",
+    clock: Some(("add", Part::Traversal)),
     model: Some(|c, row, out| out["result"] = gf::add(c.design.format, row["a"], row["b"])),
     counted: ROUNDED_SUM,
     proofs: &[Proof {
@@ -60,6 +63,7 @@ static FP_ADD: Unit = Unit {
 /// The product; other units' proofs are about what it gives them.
 pub(super) static FP_MUL: Unit = Unit {
     name: "fp_mul",
+    clock: Some(("mul", Part::Traversal)),
     model: Some(|c, row, out| out["result"] = gf::mul(c.design.format, row["a"], row["b"])),
     counted: ROUNDED,
     proofs: &[Proof {
@@ -76,6 +80,7 @@ pub(super) static FP_MUL: Unit = Unit {
 
 static FP_DIV: Unit = Unit {
     name: "fp_div",
+    clock: Some(("div", Part::Traversal)),
     model: Some(|c, row, out| out["result"] = gf::div(c.design.format, row["a"], row["b"])),
     counted: ROUNDED,
     ..UNIT
@@ -83,6 +88,7 @@ static FP_DIV: Unit = Unit {
 
 static FP_FROM_INT: Unit = Unit {
     name: "fp_from_int",
+    clock: Some(("from_int", Part::Traversal)),
     model: Some(|c, row, out| out["result"] = gf::from_int(c.design.format, signed(row["a"], c.param("INT_W")))),
     counted: ROUNDED,
     ..UNIT
@@ -90,6 +96,7 @@ static FP_FROM_INT: Unit = Unit {
 
 static FP_TO_INT: Unit = Unit {
     name: "fp_to_int",
+    clock: Some(("to_int", Part::Traversal)),
     model: Some(|c, row, out| {
         let w = c.param("INT_W");
         out["result"] = gf::to_int(c.design.format, row["a"], w) as u64 & mask(w);
@@ -100,6 +107,7 @@ static FP_TO_INT: Unit = Unit {
 
 static FP_FROM_FIXED: Unit = Unit {
     name: "fp_from_fixed",
+    clock: Some(("from_int", Part::Alone)),
     model: Some(|c, row, out| {
         let a = signed(row["a"], c.param("INT_W"));
         out["result"] = gf::from_fixed(c.design.format, a, c.param("FRAC_W"));
@@ -110,6 +118,7 @@ static FP_FROM_FIXED: Unit = Unit {
 
 static FP_TO_FIXED: Unit = Unit {
     name: "fp_to_fixed",
+    clock: Some(("to_int", Part::Traversal)),
     model: Some(|c, row, out| {
         let w = c.param("INT_W");
         out["result"] = gf::to_fixed(c.design.format, row["a"], w, c.param("FRAC_W")) as u64 & mask(w);
@@ -120,6 +129,7 @@ static FP_TO_FIXED: Unit = Unit {
 
 static FP_SQRT: Unit = Unit {
     name: "fp_sqrt",
+    clock: Some(("sqrt", Part::Beside)),
     model: Some(|c, row, out| out["result"] = gf::sqrt(c.design.format, row["a"])),
     counted: ROUNDED,
     ..UNIT
@@ -127,6 +137,7 @@ static FP_SQRT: Unit = Unit {
 
 static FP_RECIP: Unit = Unit {
     name: "fp_recip",
+    clock: Some(("div", Part::Alone)),
     model: Some(|c, row, out| out["result"] = gf::recip(c.design.format, row["a"])),
     counted: ROUNDED,
     ..UNIT
@@ -134,6 +145,7 @@ static FP_RECIP: Unit = Unit {
 
 static FP_COMPARE: Unit = Unit {
     name: "fp_compare",
+    clock: Some(("compare", Part::Alone)),
     model: Some(|c, row, out| {
         let order = gf::compare(c.design.format, row["a"], row["b"]);
         let is = |o: Option<Ordering>| u64::from(order == o);
@@ -149,6 +161,7 @@ static FP_COMPARE: Unit = Unit {
 
 static FP_ADD3: Unit = Unit {
     name: "fp_add3",
+    clock: Some(("add3", Part::Beside)),
     model: Some(|c, row, out| out["result"] = gf::add3(c.design.format, [row["a"], row["b"], row["c"]])),
     counted: ROUNDED_SUM,
     ..UNIT

@@ -1,12 +1,13 @@
 //! What a call of `synth` measures, and what is kept of it.
-use crate::catalogue;
+use crate::catalogue::{self, timed};
 use crate::cli::args::{Cli, SynthArgs, SynthTarget};
 use crate::cli::shell::word;
-use crate::config::{Config, Design, latency_key};
+use crate::config::{Config, DatapathConfig, Design, LatencyConfig, ModeConfig, TraverseConfig};
 use crate::error::{Error, Result};
 use crate::ir::Module;
 use crate::synth::{Figures, Placing, Target, asked, digest, foreign, measure, measure_files, versions};
-use serde_json::{Value, json};
+use serde::Serialize;
+use serde_json::Value;
 use std::sync::Arc;
 
 /// A unit to measure.
@@ -36,7 +37,7 @@ pub(super) fn prepare(cli: &Cli, a: &SynthArgs) -> Result<Work> {
     let all: Vec<String> = catalogue::units(&d).into_iter().map(|m| m.name.clone()).collect();
     let mut names = if a.unit == ["all"] { all } else { a.unit.clone() };
     if a.unit == ["all"] && !a.latency.is_empty() {
-        names.retain(|name| latency_key(name).is_some());
+        names.retain(|name| timed().iter().any(|u| u.unit == name));
     }
     let target = target(a)?;
     let placing = Placing { seeds: a.seeds.clone(), freq: a.freq, timing_weight: a.timing_weight, copies: a.copies };
@@ -115,7 +116,7 @@ fn command(cli: &Cli, a: &SynthArgs, (unit, clocks): (&str, Option<u32>), beside
 
 /// The design with the latency of a unit of arithmetic.
 fn at_latency(c: &Config, name: &str, clocks: u32) -> Result<Design> {
-    let Some(key) = latency_key(name) else {
+    let Some(key) = timed().iter().find(|u| u.unit == name).map(|u| u.key) else {
         return Err(Error::input(format!(
             "--latency {clocks} is for units of arithmetic, and {name} is none: its own clocks come from --profile, --clock or --set latency.*"
         )));
@@ -127,8 +128,20 @@ fn at_latency(c: &Config, name: &str, clocks: u32) -> Result<Design> {
 }
 
 /// What was measured, so that `report` knows it again.
+#[derive(Serialize)]
+struct Measured {
+    exp: u32,
+    man: u32,
+    traverse: TraverseConfig,
+    mode: ModeConfig,
+    datapath: DatapathConfig,
+    latency: LatencyConfig,
+}
+
 fn design(d: &Design) -> Value {
-    json!({"exp": d.format.exp, "man": d.format.man, "traverse": d.traverse, "mode": d.mode, "datapath": d.datapath, "latency": d.latency})
+    let Design { format, traverse, mode, datapath, latency, .. } = *d;
+    let measured = Measured { exp: format.exp, man: format.man, traverse, mode, datapath, latency };
+    serde_json::to_value(measured).expect("plain data")
 }
 
 fn target(a: &SynthArgs) -> Result<Target> {

@@ -3,11 +3,31 @@ use super::super::{DatapathConfig, DatapathKind, Divider, LatencyConfig, Profile
 use reliefrtl_base::measured::{Entry, all};
 use std::sync::LazyLock;
 
+/// What the clock of a unit of arithmetic counts for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// A watertight traversal, whose clock depends on this one.
+    Traversal,
+    /// No traversal has it, but it is emitted beside one and follows the same clock.
+    Beside,
+    /// Itself.
+    Alone,
+}
+
+/// A unit of arithmetic, as the table of units has it: which latency is its own, and what depends on it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Timed {
+    /// Its name, under which it was measured.
+    pub unit: &'static str,
+    /// Its key in the table `latency`.
+    pub key: &'static str,
+    /// What its clock counts for.
+    pub part: Part,
+}
+
 /// Clocks of one unit.
 pub(super) struct Curve {
-    pub(super) unit: &'static str,
-    /// Its key in the table `latency`.
-    pub(super) key: &'static str,
+    pub(super) of: Timed,
     /// The fewest clocks first.
     pub(super) points: Vec<Point>,
 }
@@ -21,47 +41,28 @@ pub(super) struct Point {
     pub(super) entry: &'static Entry,
 }
 
-/// What all entries of units alone have in common.
-fn curve(unit: &'static str, key: &'static str, more: &[&str]) -> Curve {
+/// What all entries of a unit alone have in common.
+fn curve(of: Timed, more: &[&str]) -> Curve {
     let point = |entry: &'static Entry| {
-        let clock = entry.clock.as_ref().filter(|_| entry.target == "ecp5" && entry.is_alone(unit, more))?;
+        let clock = entry.clock.as_ref().filter(|_| entry.target == "ecp5" && entry.is_alone(of.unit, more))?;
         Some(Point { clocks: entry.latency?, mhz: clock.median as u32, entry })
     };
     let mut points: Vec<Point> = all().iter().filter_map(point).collect();
     points.sort_by_key(|p| p.clocks);
-    Curve { unit, key, points }
+    Curve { of, points }
 }
 
-/// Every unit of arithmetic and its key in the table `latency`.
-pub(super) const UNITS: [(&str, &str); 12] = [
-    ("fp_add", "add"),
-    ("fp_mul", "mul"),
-    ("fp_div", "div"),
-    ("fp_lt", "compare"),
-    ("fp_from_int", "from_int"),
-    ("fp_to_int", "to_int"),
-    ("fp_to_fixed", "to_int"),
-    ("fp_from_fixed", "from_int"),
-    ("fp_recip", "div"),
-    ("fp_compare", "compare"),
-    ("fp_sqrt", "sqrt"),
-    ("fp_add3", "add3"),
-];
-
-/// Every unit of arithmetic, at the latencies that were measured.
-pub(super) static CURVES: LazyLock<Vec<Curve>> =
-    LazyLock::new(|| UNITS.iter().map(|(u, key)| curve(u, key, &[])).collect());
-
-/// `fp_div` by table.
-pub(super) static BY_TABLE: LazyLock<Curve> =
-    LazyLock::new(|| curve("fp_div", "div", &["--set", "latency.divider=table"]));
-
-/// Units of a watertight traversal whose clock its own depends on.
-pub(super) const TRAVERSAL: [&str; 7] =
-    ["fp_add", "fp_mul", "fp_div", "fp_lt", "fp_from_int", "fp_to_int", "fp_to_fixed"];
-
-/// Units that no traversal has: emitted beside it only where they are named.
-pub(super) const BESIDE: [&str; 2] = ["fp_sqrt", "fp_add3"];
+/// The curve of each of these units, as it is built at these latencies.
+pub(super) fn curves(units: &[Timed], latency: &LatencyConfig) -> Vec<Curve> {
+    let table = Divider::Table;
+    let one = |of: &Timed| {
+        // One divider was measured by table, too; what has no such figures is built in rows.
+        let set = format!("latency.divider={}", table.word());
+        let by_table = (of.key == "div" && latency.divider == table).then(|| curve(*of, &["--set", &set]));
+        by_table.filter(|c| !c.points.is_empty()).unwrap_or_else(|| curve(*of, &[]))
+    };
+    units.iter().map(one).collect()
+}
 
 /// A whole traversal of the default design, placed and routed at a profile's latencies.
 pub(super) struct Placed {
@@ -74,10 +75,11 @@ pub(super) struct Placed {
 /// Profiles that were placed as they stand (`docs/clocks.md`, "The whole traversal"), slowest first.
 pub(super) static PLACED: LazyLock<Vec<Placed>> = LazyLock::new(|| {
     let mut placed = Vec::new();
-    for entry in all().iter().filter(|e| e.unit == "traverse" && e.target == "ecp5") {
+    for entry in all().iter().filter(|e| e.target == "ecp5") {
         let Some(clock) = &entry.clock else { continue };
         let words = entry.words();
-        let ["--unit", "traverse", "--profile", profile, rest @ ..] = words.as_slice() else { continue };
+        // Units of arithmetic are measured at latencies of their own: a profile is asked of a whole traversal alone.
+        let ["--unit", _, "--profile", profile, rest @ ..] = words.as_slice() else { continue };
         let Some(profile) = Profile::ALL.into_iter().find(|p| p.word() == *profile) else { continue };
         // Where the call says nothing of it, it is the usual one.
         let named = match rest {
@@ -93,23 +95,10 @@ pub(super) static PLACED: LazyLock<Vec<Placed>> = LazyLock::new(|| {
     placed
 });
 
-/// The curve of a unit, as it is built at these latencies.
-pub(super) fn curve_of(name: &str, latency: &LatencyConfig) -> Option<&'static Curve> {
-    if name == BY_TABLE.unit && latency.divider == Divider::Table {
-        return Some(&BY_TABLE);
-    }
-    CURVES.iter().find(|c| c.unit == name)
-}
-
 /// Keys of the table `latency` that are units of arithmetic.
 pub(super) const LATENCY_KEYS: [&str; 8] = ["add", "mul", "div", "compare", "from_int", "to_int", "sqrt", "add3"];
 
-/// The key of the table `latency` of a unit of arithmetic.
-pub fn latency_key(unit: &str) -> Option<&'static str> {
-    UNITS.iter().find(|u| u.0 == unit).map(|u| u.1)
-}
-
-/// The latency of a key of [`UNITS`].
+/// The latency of one of [`LATENCY_KEYS`].
 pub(super) fn field<'a>(l: &'a mut LatencyConfig, key: &str) -> &'a mut u32 {
     match key {
         "add" => &mut l.add,

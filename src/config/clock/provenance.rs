@@ -1,6 +1,6 @@
 //! What latencies that were chosen for a clock are good for, in one sentence.
 use super::super::{DatapathConfig, Design, LatencyConfig};
-use super::curves::{LATENCY_KEYS, Point, TRAVERSAL, curve_of, field};
+use super::curves::{Curve, LATENCY_KEYS, Point, curves, field};
 use super::{Choice, Scope};
 use reliefrtl_base::format::FloatFormat;
 use reliefrtl_base::measured::Entry;
@@ -24,16 +24,11 @@ impl Choice {
                 seeds(entry)
             ),
             None => {
-                let names: Vec<&str> = match scope {
-                    Scope::Traversal => TRAVERSAL.to_vec(),
-                    Scope::Alone(units) => units.iter().map(String::as_str).collect(),
+                let alone = |c: Curve| {
+                    let clocks = *field(&mut d.latency.clone(), c.of.key);
+                    (c.of.unit, clocks, c.points.into_iter().find(|p| p.clocks == clocks))
                 };
-                let alone = |name: &&str| {
-                    let c = curve_of(name, &d.latency)?;
-                    let clocks = *field(&mut d.latency.clone(), c.key);
-                    Some((c.unit, clocks, c.points.iter().find(|p| p.clocks == clocks)))
-                };
-                let all: Vec<_> = names.iter().filter_map(alone).collect();
+                let all: Vec<_> = curves(&self.timed, &d.latency).into_iter().map(alone).collect();
                 match all.iter().min_by_key(|u| u.2.map(|p| p.mhz)) {
                     None => format!("latencies for {mhz} MHz: nothing of this was measured, so nothing is promised"),
                     Some((unit, clocks, None)) => format!(
@@ -64,8 +59,8 @@ impl Choice {
         let default = Design::default();
         let other = match scope {
             // The widths of a conversion come from the traversal's.
-            Scope::Alone(units) => {
-                let converts = units.iter().any(|name| name.ends_with("int") || name.ends_with("fixed"));
+            Scope::Alone(_) => {
+                let converts = self.timed.iter().any(|u| ["from_int", "to_int"].contains(&u.key));
                 d.format != FloatFormat::FP24 || (converts && d.traverse != default.traverse)
             }
             Scope::Traversal => {
