@@ -116,7 +116,7 @@ impl Harness {
     /// Sends all rays once.
     ///
     /// # Errors
-    /// A result that is not the expected one, one that never came, one that nobody waits for.
+    /// A result that is not the expected one, one that never came, one that is not waited for.
     pub fn run(&self) -> Result<HarnessRun> {
         let program = self.work.path().join("obj/Vdut");
         let mut command = process::command_in(self.work.path(), program);
@@ -133,7 +133,7 @@ impl Harness {
                 run.wrong, run.compared, run.first_wrong
             ))),
             Some(6) => Err(Error::Dropped(format!("Verilator: a ray never came back, after {} results", run.compared))),
-            Some(7) => Err(Error::Extra("Verilator: a result that nobody waits for".into())),
+            Some(7) => Err(Error::Extra("Verilator: a result that is not waited for".into())),
             _ => Err(Error::ToolFailed(format!("the harness in Verilator failed: {}", first_lines(&text)))),
         }
     }

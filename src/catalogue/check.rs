@@ -120,7 +120,7 @@ pub fn compare(set: &VectorSet, engine: &str, results: &[Vec<u64>]) -> Result<Ch
         () if k > n => {
             let more = if k - n == 1 { "1 result".into() } else { format!("{} results", k - n) };
             return Err(Error::Extra(format!(
-                "{unit}: {more} came that nobody expected ({k} for {n} vectors in {engine})"
+                "{unit}: {more} came that were not expected ({k} for {n} vectors in {engine})"
             )));
         }
         () => {}

@@ -12,7 +12,7 @@ use std::ops::{Index, IndexMut};
 pub struct Row<'a> {
     ports: &'a [&'a str],
     words: Vec<u64>,
-    /// Bit k: somebody wrote port k.
+    /// Bit k: port k was written.
     written: u64,
 }
 
@@ -26,7 +26,7 @@ impl<'a> Row<'a> {
         Self { ports, words, written: 0 }
     }
 
-    /// A row of zeros that nobody has written.
+    /// A row of zeros, not yet written.
     pub fn blank(ports: &'a [&'a str]) -> Self {
         Self::new(ports, vec![0; ports.len()])
     }
@@ -68,7 +68,7 @@ impl<'a> Row<'a> {
         self.ports.iter().for_each(|p| self[*p] = word);
     }
 
-    /// Ports that nobody has written yet.
+    /// Ports that are not yet written.
     pub fn unwritten(&self) -> impl Iterator<Item = &'a str> {
         self.ports.iter().enumerate().filter(|(k, _)| self.written >> k & 1 == 0).map(|(_, p)| *p)
     }

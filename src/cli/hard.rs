@@ -7,9 +7,9 @@ use crate::engine::EngineName;
 use crate::error::{Error, Result};
 use crate::files::{OutDir, Part};
 use crate::golden::RayHit;
-use crate::measure::endure::modes;
-use crate::measure::hard::ends;
+use crate::measure::corner_cases::ends;
 use crate::measure::hex_words;
+use crate::measure::soak::modes;
 use crate::project::{
     EnduredCase, HardCase, HardGround, HardOutcome, HardSum, HardTask, HardWatch, Scene, endure_cases, hard_cases,
 };

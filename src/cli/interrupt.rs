@@ -2,7 +2,7 @@
 use std::sync::mpsc::channel;
 use std::time::Duration;
 
-/// From here on an interrupted run leaves nothing behind: no program that it started, no unfinished file. It ends with 128 and the signal's number.
+/// From here on an interrupted run leaves nothing: no program that it started, no unfinished file. It ends with 128 and the signal's number.
 #[cfg(unix)]
 pub fn watch() {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
@@ -28,14 +28,14 @@ fn is_ignored(signal: i32) -> bool {
     mask >> (signal - 1) & 1 == 1
 }
 
-/// From here on an interrupted run leaves no unfinished file behind.
+/// From here on an interrupted run leaves no unfinished file.
 #[cfg(not(unix))]
 pub fn watch() {
     let _ = ctrlc::set_handler(|| interrupted(130));
 }
 
 fn interrupted(code: i32) -> ! {
-    // Standard error may be a pipe that nobody reads: nothing here waits for it.
+    // Standard error may be a pipe without a reader: nothing here waits for it.
     let (said, hears) = channel();
     std::thread::spawn(move || {
         super::output::interrupted();

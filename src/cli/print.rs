@@ -1,4 +1,4 @@
-//! What is said to the user. The macros stand for the standard library's, which end in a panic when nobody listens any more or the disk is full.
+//! What is said to the user. The macros stand for the standard library's, which end in a panic when the reader is gone or the disk is full.
 use crate::error::{Error, exit};
 use crate::files::standard_failed;
 use std::fmt::Arguments;
@@ -31,7 +31,7 @@ pub fn flush() {
     attempt(|| io::stdout().flush());
 }
 
-/// Whether nobody hears what is said on standard output.
+/// Whether standard output has lost its reader.
 pub fn unheard() -> bool {
     FAILED.lock().unwrap_or_else(PoisonError::into_inner).is_some()
 }
@@ -43,7 +43,7 @@ fn attempt(write: impl FnOnce() -> io::Result<()>) {
     }
 }
 
-/// Says something on standard error; if nobody hears it, it is not said.
+/// Says something on standard error; without a reader it is not said.
 pub fn tell(text: Arguments<'_>) {
     let _ = io::stderr().write_fmt(text);
 }

@@ -19,7 +19,7 @@ struct Drawn {
     /// Rays traced.
     rays: usize,
     lost: Lost,
-    /// Rays that go on behind what was prepared beyond the border.
+    /// Rays that go on beyond what was prepared beyond the border.
     beyond: usize,
 }
 
@@ -51,7 +51,7 @@ pub fn run(cli: &Cli, a: &RenderArgs) -> Result<()> {
         return Err(Error::input(format!("--out {}: the picture is a PNG, so its name ends in .png", a.out.display())));
     }
     let scene = Scene::new(&c, a.scene.map.map.as_deref(), a.scene.map.resample)?;
-    // All pictures are there before the first is written: a view without a hit leaves none of them behind.
+    // All pictures are there before the first is written: a view without a hit leaves none of them.
     let drawn =
         sets.iter().zip(outs).map(|(set, out)| draw(cli, &c, a, &scene, set, out)).collect::<Result<Vec<_>>>()?;
     let pictures = drawn.iter().map(|d| d.picture.to_png()).collect::<Result<Vec<_>>>()?;
@@ -84,7 +84,7 @@ fn is_picture(path: &Path) -> bool {
     path.extension().is_some_and(|e| e.eq_ignore_ascii_case("png"))
 }
 
-/// The file of a view's picture: that of `--out`; of several views, with the view's name behind it.
+/// The file of a view's picture: that of `--out`; of several views, with the view's name after it.
 fn out_of(a: &RenderArgs, set: &RaySet, views: usize) -> PathBuf {
     if views == 1 {
         return a.out.clone();

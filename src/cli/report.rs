@@ -3,7 +3,7 @@ use super::args::{Cli, RaysArg, ReportArgs};
 use super::shell::quoted;
 use crate::config::{Config, MapKind, View};
 use crate::error::{Error, Result};
-use crate::report::{Extent, Plan, Selection, cells, files, write};
+use crate::report::{Extent, Plan, Selection, files, measurements, write};
 use clap::ValueEnum;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
@@ -14,11 +14,11 @@ pub fn run(cli: &Cli, a: &ReportArgs) -> Result<()> {
     let mut c = super::load::load(cli)?;
     c.map.resample |= a.scene.map.resample;
     let plan = Plan::new(&c, &selection(&c, a)?)?;
-    if plan.cells.is_empty() {
+    if plan.jobs.is_empty() {
         let why = plan.not_legal.first().map_or("no design was chosen", |r| r.reason.as_str());
         return Err(Error::NothingRan(format!("nothing to measure: {why}")));
     }
-    let bar = ProgressBar::new(plan.cells.len() as u64);
+    let bar = ProgressBar::new(plan.jobs.len() as u64);
     if cli.json || !std::io::stderr().is_terminal() {
         bar.set_draw_target(ProgressDrawTarget::hidden());
     }
@@ -26,21 +26,21 @@ pub fn run(cli: &Cli, a: &ReportArgs) -> Result<()> {
     bar.set_style(ProgressStyle::with_template(style).expect("template is well formed"));
     let resumed = format!("interrupted; the same command goes on from the measurements in {}", a.out.display());
     super::output::if_interrupted(Some(resumed));
-    let (cells, work) = cells(&plan, &a.out, &|done, _| bar.set_position(done as u64))?;
+    let (measurements, work) = measurements(&plan, &a.out, &|done, _| bar.set_position(done as u64))?;
     bar.finish_and_clear();
     let bar = super::output::spinner(cli, "pictures and bilinear refinement");
-    write(&a.out, &files(&plan, &cells, &again(cli, a))?)?;
+    write(&a.out, &files(&plan, &measurements, &again(cli, a))?)?;
     bar.finish_and_clear();
     let page = a.out.join("report.html");
     if cli.json {
         println!(
             "{}",
-            serde_json::json!({"cells": cells.len(), "measured": work.measured, "taken": work.taken, "altered": work.altered, "not_legal": plan.not_legal.len(), "page": page})
+            serde_json::json!({"cells": measurements.len(), "measured": work.measured, "taken": work.taken, "altered": work.altered, "not_legal": plan.not_legal.len(), "page": page})
         );
     } else {
         println!(
             "{} measurements ({} from an earlier run), {} combinations not legal",
-            cells.len(),
+            measurements.len(),
             work.taken,
             plan.not_legal.len()
         );

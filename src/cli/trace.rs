@@ -53,7 +53,7 @@ pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
             Some((record(&c.design(), &scene.pyramid, ray)?.1, sink, *format))
         }
     };
-    // Each is written, even if the other can't be: nobody may be left at the end of a pipe.
+    // Each is written, even if the other can't be: no reader may be left waiting at a pipe.
     let written = out.write(hits_csv(&c.design(), c.map.border, &hits).as_bytes());
     let waved = recorded.map_or(Ok(()), |(wave, sink, format)| wave.write(sink, format, TRAVERSE));
     written.and(waved)?;
@@ -71,7 +71,7 @@ pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
     lost.verdict(hits.len())
 }
 
-/// A set's rays in tiles of the design, and their levels of detail. A table's rays stay all, whatever lies behind the border, for each has
+/// A set's rays in tiles of the design, and their levels of detail. A table's rays stay all, whatever lies beyond the border, for each has
 /// its line of hits.
 fn numbers(c: &Config, scene: &Scene, set: &RaySet, most: Option<usize>) -> Result<(Vec<[f64; 4]>, Vec<u32>)> {
     let RaySource::Table(table) = &set.source else {

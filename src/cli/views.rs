@@ -132,7 +132,7 @@ fn viewed(c: &Config, scene: &Scene, set: RaySet, pixels: Pixels, most: Option<u
     Ok(Viewed { set, rays })
 }
 
-/// Refuses levels of detail: who judges compares with the texels.
+/// Refuses levels of detail: a judgement compares with the texels.
 ///
 /// # Errors
 /// One sentence.

@@ -156,7 +156,7 @@ fn is_timescale(text: &str) -> bool {
     text.is_empty() || times().is_some_and(|(unit, precision)| precision <= unit)
 }
 
-/// A number in at most some twenty characters: a power of ten stands behind a very small or very large one.
+/// A number in at most some twenty characters: a power of ten stands after a very small or very large one.
 pub fn plain(number: f64) -> String {
     if number == 0.0 || !number.is_finite() || (1e-6..1e16).contains(&number.abs()) {
         number.to_string()

@@ -84,7 +84,7 @@ fn of(c: &Config, top: &Arc<Module>, rtl: &Files, place: &str) -> Files {
     out
 }
 
-/// The text with the licence as its first comment, behind the line that names an interpreter.
+/// The text with the licence as its first comment, after the line that names an interpreter.
 fn licensed(text: &str) -> String {
     let head = if text.starts_with("#!") { text.find('\n').map_or(0, |at| at + 1) } else { 0 };
     format!("{}# {SPDX}\n{}", &text[..head], &text[head..])

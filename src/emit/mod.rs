@@ -64,7 +64,7 @@ pub fn rtl(c: &Config, modules: &[Arc<Module>]) -> Files {
     files
 }
 
-/// A line for the file of each module, behind `folder`.
+/// A line for the file of each module, after `folder`.
 pub fn file_list(folder: &str, prefix: &str, modules: &[Arc<Module>]) -> String {
     modules.iter().map(|m| format!("{folder}{prefix}{}.v\n", m.name)).collect()
 }

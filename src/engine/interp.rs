@@ -62,7 +62,7 @@ fn rays(replay: &Replay<'_>) -> Result<Checked> {
     }
     let images = images(&p.net, &image);
     let stream = p.stream();
-    // One copy tells how busy its slots are, as a simulator does; where nobody asks, several are done earlier.
+    // One copy tells how busy its slots are, as a simulator does; where that is not asked, several are done earlier.
     let lanes = if over.is_empty() { 1 } else { LANES };
     let run = stream.run(&set.stimulus, &images, lanes, Traffic::default())?;
     let r: CheckReport = compare(set, "interp", &run.results)?;

@@ -1,4 +1,4 @@
-//! What runs the datapath, behind one trait: the golden model, the interpreter, Icarus Verilog, Verilator. Here alone one is chosen by its name.
+//! What runs the datapath, under one trait: the golden model, the interpreter, Icarus Verilog, Verilator. Here alone one is chosen by its name.
 mod golden;
 mod interp;
 mod name;

@@ -82,8 +82,8 @@ fn walk_on<const RECORD: bool, P: PlaneArithmetic>(
 pub(super) fn leave<P: PlaneArithmetic>(planes: &P, axis: &P::Axis, x: i64, t: u64, lod: u32) -> (u32, u32) {
     let size = &planes.design().traverse;
     let mask = (1i64 << lod) - 1;
-    let (first, behind) = ((x & !mask) << size.frac_bits, ((x | mask) + 1) << size.frac_bits);
-    let kept = planes.position(axis, t).clamp(first, behind - 1);
+    let (first, beyond) = ((x & !mask) << size.frac_bits, ((x | mask) + 1) << size.frac_bits);
+    let kept = planes.position(axis, t).clamp(first, beyond - 1);
     (wrap(kept >> size.frac_bits, size.levels), (kept & ((1 << size.frac_bits) - 1)) as u32)
 }
 
@@ -182,7 +182,7 @@ fn exit(axis: &impl AxisView, k: u32, x: i64) -> i64 {
     if axis.neg() { x & !mask } else { (x | mask) + 1 }
 }
 
-/// The texel behind plane `b`, seen along the ray.
+/// The texel beyond plane `b`, seen along the ray.
 fn beyond(axis: &impl AxisView, b: i64) -> i64 {
     if axis.neg() { b - 1 } else { b }
 }

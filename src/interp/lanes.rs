@@ -2,7 +2,7 @@
 //!
 //! Lanes stand in blocks whose values fit the cache; in a block every operation is one loop over the lanes, which the
 //! compiler vectorizes. Memories are shared by all lanes, and what is written must be the same in each; but for those of which each lane has
-//! its own ([`FlatMem::own`]), whose words stand behind each other, lane by lane.
+//! its own ([`FlatMem::own`]), whose words stand one after the other, lane by lane.
 use super::kernel::BLOCK;
 use super::layout::layout;
 use super::netlist::*;

@@ -8,7 +8,7 @@ impl Netlist {
     /// what no output depends on. Names of values that are gone are dropped; equal values share a slot.
     pub fn optimized(&self) -> Netlist {
         let mut net = round(self);
-        // Each round merges the registers behind those that the round before merged.
+        // Each round merges the registers after those that the round before merged.
         loop {
             let next = round(&net);
             let done = (next.ops.len(), next.regs.len()) == (net.ops.len(), net.regs.len());

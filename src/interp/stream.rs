@@ -110,7 +110,7 @@ impl Stream {
     /// Runs `items` (rows of `ins`) through `lanes` copies; `images` are the contents of the memories, in their order.
     ///
     /// # Errors
-    /// A result that never comes, or one that nobody waits for.
+    /// A result that never comes, or one that is not waited for.
     pub fn run(
         &self,
         items: &[Vec<u64>],

@@ -1,4 +1,4 @@
-//! One copy of a design with undefined values tracked bit by bit: power-up state, memory that nobody wrote.
+//! One copy of a design with undefined values tracked bit by bit: power-up state, memory that was never written.
 //!
 //! A slot is a value and a mask of unknown bits (which read 0 in the value). What known bits compute to comes from the same
 //! `eval` as everywhere.

@@ -60,7 +60,7 @@ impl Wave {
         match format {
             WaveFormat::Vcd => to.write(self.vcd(top).as_bytes()),
             WaveFormat::Fst => {
-                // The writer wants a file of its own; nobody shall see half of it.
+                // The writer wants a file of its own; no reader shall see half of it.
                 let work = Scratch::new()?;
                 let file = work.path().join("wave.fst");
                 self.fst(&file, top).map_err(|e| Error::input(format!("cannot write a waveform: {e}")))?;

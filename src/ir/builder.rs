@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// A module under construction. Values are [`Sig`]s; using values of different stages together delays the earlier
-/// ones, so that changing a latency anywhere rebalances everything behind it.
+/// ones, so that changing a latency anywhere rebalances everything after it.
 pub struct Builder {
     pub(super) st: RefCell<State>,
 }
@@ -295,7 +295,7 @@ impl Builder {
         });
         Sig { b: self, id: NodeId(st.m.nodes.len() as u32 - 1) }
     }
-    /// `v` one register later; shared by all who ask.
+    /// `v` one register later; shared by all that ask.
     #[track_caller]
     pub(super) fn delay_once(&self, v: NodeId) -> NodeId {
         self.delay_as(v, None)
@@ -308,7 +308,7 @@ impl Builder {
             let n = st.m.node(v).clone();
             let s = n.stage.expect("only staged values are delayed");
             if let Some(d) = st.delays.get(&(v, s + 1)) {
-                assert!(unknown.is_none(), "the register behind a decision is its first");
+                assert!(unknown.is_none(), "the register after a decision is its first");
                 return *d;
             }
             (n, s)

@@ -48,22 +48,22 @@ fn waits(m: &Module, lines: &Lines) -> Vec<Wait> {
         let n = m.node(id);
         n.op == Op::Reg { reset: false, wrap: false, unknown: None } && n.width.eval(&defaults) >= LEAST_BITS
     };
-    // The register behind each register, where that one alone reads it.
-    let mut behind = vec![None; m.nodes.len()];
+    // The register after each register, where that one alone reads it.
+    let mut after = vec![None; m.nodes.len()];
     let ids = || (0..m.nodes.len() as u32).map(NodeId);
     for id in ids().filter(|id| plain(*id)) {
         let from = m.node(id).args[0];
         if plain(from) && readers[from.0 as usize] == 1 {
-            behind[from.0 as usize] = Some(id);
+            after[from.0 as usize] = Some(id);
         }
     }
     let mut list = Vec::new();
     for first in ids().filter(|id| plain(*id)) {
         let from = m.node(first).args[0];
-        if behind[from.0 as usize] == Some(first) {
+        if after[from.0 as usize] == Some(first) {
             continue;
         }
-        let row: Vec<NodeId> = std::iter::successors(Some(first), |id| behind[id.0 as usize]).collect();
+        let row: Vec<NodeId> = std::iter::successors(Some(first), |id| after[id.0 as usize]).collect();
         // In equal parts, if one line is too short for it.
         let parts = row.len().div_ceil(lines.most as usize);
         let mut from = from;

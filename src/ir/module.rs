@@ -298,7 +298,7 @@ pub struct Module {
     pub source: String,
     /// Parameters in printed order.
     pub params: Vec<Param>,
-    /// File parameters, printed behind them.
+    /// File parameters, printed after them.
     pub files: Vec<FileParam>,
     /// Conditions on the parameters.
     pub checks: Vec<Check>,
@@ -376,7 +376,7 @@ impl Module {
         walk(self, &mut out);
         out
     }
-    /// The node behind an id.
+    /// The node of an id.
     pub fn node(&self, id: NodeId) -> &Node {
         &self.nodes[id.0 as usize]
     }

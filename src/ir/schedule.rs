@@ -3,7 +3,7 @@
 /// Stage of each section: contiguous groups, at most `latency` of them, with the heaviest group as light as possible.
 ///
 /// `weights` are LUT hops on the section's longest path. With a latency of 0 or 1 everything stands in stage 0
-/// (one register behind it); more stages than sections leave registers at the end.
+/// (one register after it); more stages than sections leave registers at the end.
 pub fn plan_stages(latency: u32, weights: &[u32]) -> Vec<u32> {
     let groups = latency.clamp(1, weights.len().max(1) as u32);
     let fits = |cap: u32| {

@@ -54,7 +54,7 @@ impl<'b> Sig<'b> {
         self.b.st.borrow_mut().m.nodes[self.id.0 as usize].stage = None;
         self
     }
-    /// Register behind the value: it is used one stage later.
+    /// Register after the value: it is used one stage later.
     #[track_caller]
     pub fn reg(self) -> Self {
         match self.stage() {
@@ -62,7 +62,7 @@ impl<'b> Sig<'b> {
             None => self,
         }
     }
-    /// Register behind a decision of one bit: used one stage later, where it is known in every simulation: an unknown bit counts as `unknown`.
+    /// Register after a decision of one bit: used one stage later, where it is known in every simulation: an unknown bit counts as `unknown`.
     ///
     /// # Panics
     /// If it has no stage, or a register already.

@@ -1,11 +1,11 @@
 //! The numbers: iterations, error against the exact oracle, corner cases, what every ray ends in, cost, turns. Each with its count and its
-//! worst case, as plain data; who prints them words them.
+//! worst case, as plain data; their words are found where they are printed.
 mod accuracy;
 mod again;
 mod bilinear;
+pub mod corner_cases;
 mod cost;
-pub mod endure;
-pub mod hard;
+pub mod soak;
 pub mod spread;
 mod steps;
 pub mod turns;

@@ -3,7 +3,7 @@ use super::exact::{Dyadic, Ratio, scale, too_wide};
 use super::wide::U256;
 use reliefrtl_base::error::{Error, Result};
 
-/// Behind every parameter, and a number that differences can be taken of.
+/// Beyond every parameter, and a number that differences can be taken of.
 pub(super) const NEVER: f64 = 1e300;
 
 /// A walk along one axis.
@@ -107,7 +107,7 @@ impl Axis {
         self.at + if self.falling { -1 } else { 1 }
     }
 
-    /// Whole texels from the border behind the entry point's texel to the exit plane.
+    /// Whole texels from the border beyond the entry point's texel to the exit plane.
     const fn planes(&self, at: i64) -> u64 {
         (if self.falling { self.first - at } else { at + 1 - self.first }) as u64
     }

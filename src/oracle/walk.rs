@@ -43,7 +43,7 @@ impl ExactRay {
         Some(Self { p: [read(p[0])?, read(p[1])?], d: [read(d[0])?, read(d[1])?] })
     }
 
-    /// A ray of fixed-point words with `fraction_bits` behind the point: entry points unsigned, travels signed.
+    /// A ray of fixed-point words with `fraction_bits` after the point: entry points unsigned, travels signed.
     pub fn fixed(fraction_bits: u32, p: [u64; 2], d: [i64; 2]) -> Self {
         let read = |x: i64| Dyadic::new(x.is_negative(), u128::from(x.unsigned_abs()), -(fraction_bits as i32));
         Self { p: p.map(|x| read(x as i64)), d: d.map(read) }

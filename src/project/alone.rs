@@ -1,4 +1,4 @@
-//! A unit of arithmetic by itself, for people who need nothing else: at any format, whatever a traversal asks of its own.
+//! A unit of arithmetic by itself, for a use that needs nothing else: at any format, whatever a traversal asks of its own.
 use crate::bench::bench_files;
 use crate::catalogue::{campaign_set, count_events, vector_set};
 use crate::config::Config;

@@ -23,7 +23,7 @@ pub enum Canary {
     Flip,
     /// One input never enters, so its result never comes: exit code 6.
     Drop,
-    /// One input enters twice, so a result comes that nobody expects: exit code 7.
+    /// One input enters twice, so a result comes that is not expected: exit code 7.
     Extra,
     /// No vectors at all: exit code 5.
     Empty,

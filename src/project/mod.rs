@@ -1,37 +1,37 @@
 //! A whole project from one configuration: scene, Verilog, benches, vectors, manifest; and its check by any engine.
 mod alone;
+mod bilinear_accuracy;
 mod check;
+mod corner_cases;
 mod coverage;
 mod digests;
-mod endure;
-mod hard;
 mod judged;
 mod lost;
 mod params;
 mod picture;
-mod rates;
-mod refined;
+mod published_accuracy;
 mod same;
 mod scene;
+mod soak;
 mod speed;
 mod steps;
 
 pub use crate::emit::hardware;
 pub use alone::{alone, alone_files, alone_text, alone_vectors};
+pub use bilinear_accuracy::{REFINED_RAYS, RefinedView, Three, refined_view};
 pub use check::{Canary, check_tree, check_tree_at};
-pub use coverage::{Coverage, FileCoverage, coverage};
-pub use endure::{EnduredCase, EnduredSum, LongestRay, endure_cases};
-pub use hard::{
+pub use corner_cases::{
     HardCase, HardDiffers, HardGivenUp, HardGround, HardOutcome, HardSum, HardTask, HardWatch, HardWrong, hard_cases,
 };
+pub use coverage::{Coverage, FileCoverage, coverage};
 pub use judged::{JudgedView, Uv, Witness, Worst, judge_view};
 pub use lost::{Lost, without_border_hits};
 pub use params::{accepts, parameters, unit_vectors};
 pub use picture::{footprint_picture, surface_picture};
-pub use rates::{Found, Rate, published_rates};
-pub use refined::{REFINED_RAYS, RefinedView, Three, refined_view};
+pub use published_accuracy::{Found, Rate, published_rates};
 pub use same::same_config;
 pub use scene::{Scene, encode, ray};
+pub use soak::{EnduredCase, EnduredSum, LongestRay, endure_cases};
 pub use speed::{EngineSpeed, ICARUS_RAYS, Range, Ratio, SpeedTask, Speeds, speeds};
 pub use steps::{Beside, ModeSteps, SceneSteps, scene_steps, step_rows};
 

@@ -2,7 +2,7 @@
 use super::Scene;
 use crate::config::Config;
 use crate::golden::RayHit;
-use crate::measure::hard::ends;
+use crate::measure::corner_cases::ends;
 use crate::scene::border::tiles;
 use crate::scene::hard::{HardScene, footprints};
 use crate::scene::{Camera, Picture, RaySet, Shader, ViewRay};

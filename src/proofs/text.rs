@@ -85,7 +85,7 @@ pub fn proof_files(
     out
 }
 
-/// Wires for every port of `m`, free constants where nobody drives them, and an instance. `driven` lists inputs that the harness drives.
+/// Wires for every port of `m`, free constants where nothing drives them, and an instance. `driven` lists inputs that the harness drives.
 fn instance(m: &Module, over: &Binding, prefix: &str, mark: &str, driven: &str) -> String {
     let b = m.binding_with(over);
     let driven: Vec<&str> = driven.split(' ').collect();

@@ -21,17 +21,17 @@ const FORMATS: [(u32, u32); 3] = [(7, 16), (8, 23), (5, 10)];
 const PICTURE_LEVELS: u32 = 5;
 
 /// The refined design of a format on a site's map; `None` if there is none.
-fn config(plan: &Plan, site: &Map, (exp, man): (u32, u32)) -> Option<Config> {
-    let (mut c, s) = (plan.config.clone(), &site.spec);
+fn config(plan: &Plan, map: &Map, (exp, man): (u32, u32)) -> Option<Config> {
+    let (mut c, s) = (plan.config.clone(), &map.spec);
     (c.format.exp, c.format.man, c.traverse.levels) = (exp, man, s.levels);
     (c.datapath, c.mode) = (DatapathConfig::default(), ModeConfig { bilinear: true, ..BEST });
     (c.map.kind, c.map.scale, c.map.repeat, c.map.border) = (s.kind, s.scale, s.repeat, s.border);
-    c.map.file = site.file.clone();
+    c.map.file = map.file.clone();
     c.validate().is_ok().then_some(c)
 }
 
-fn rays(c: &Config, site: &Map, of: &Rays) -> Result<Vec<ViewRay>> {
-    Ok(evenly(&site.set(c, &of.set, of.stride)?, Some(RAYS)))
+fn rays(c: &Config, map: &Map, of: &Rays) -> Result<Vec<ViewRay>> {
+    Ok(evenly(&map.set(c, &of.set, of.stride)?, Some(RAYS)))
 }
 
 fn words(c: &Config, rays: &[ViewRay]) -> Vec<RayInput> {
@@ -70,20 +70,20 @@ pub fn table(plan: &Plan) -> Result<Table> {
     let views: Vec<&Rays> = plan.rays.iter().filter(|r| r.elevation.is_none()).collect();
     let views = &views;
     let jobs: Vec<_> = plan
-        .sites
+        .maps
         .iter()
         .filter(|s| s.spec.levels == side)
-        .flat_map(|site| FORMATS.into_iter().filter_map(move |f| config(plan, site, f).map(|c| (site, f, c))))
-        .flat_map(|(site, format, c)| views.iter().map(move |view| (site, format, c.clone(), *view)))
+        .flat_map(|map| FORMATS.into_iter().filter_map(move |f| config(plan, map, f).map(|c| (map, f, c))))
+        .flat_map(|(map, format, c)| views.iter().map(move |view| (map, format, c.clone(), *view)))
         .collect();
-    let one = |(site, format, c, view): &(&Map, (u32, u32), Config, &Rays)| -> Result<Vec<Value>> {
-        let rays = rays(c, site, view)?;
+    let one = |(map, format, c, view): &(&Map, (u32, u32), Config, &Rays)| -> Result<Vec<Value>> {
+        let rays = rays(c, map, view)?;
         let words = words(c, &rays);
-        let b = bilinear(&c.design(), &site.pyramid, &site.texels, &words)?;
+        let b = bilinear(&c.design(), &map.pyramid, &map.texels, &words)?;
         let w = words.get(b.uv.max_ray).filter(|_| b.uv.rays > 0);
         Ok(vec![
-            json!(site.spec.name),
-            json!(site.spec.levels),
+            json!(map.spec.name),
+            json!(map.spec.levels),
             json!(view.set.name),
             json!(format!("{}/{}", format.0, format.1)),
             json!(b.rays),
@@ -101,7 +101,7 @@ pub fn table(plan: &Plan) -> Result<Table> {
             real(b.uv_block.p50),
             real(b.uv_block.p99),
             json!(w.map(|w| format!("{:x} {:x} {:x} {:x}", w.u, w.v, w.du, w.dv))),
-            json!(b.command(c, site.file.as_deref(), &rays)),
+            json!(b.command(c, map.file.as_deref(), &rays)),
         ])
     };
     let rows: Vec<Vec<Value>> = jobs.par_iter().map(one).collect::<Result<_>>()?;
@@ -114,24 +114,24 @@ pub fn table(plan: &Plan) -> Result<Table> {
 /// # Errors
 /// A map or a design that is not legal.
 pub fn pictures(plan: &Plan) -> Result<Value> {
-    let first = &plan.sites[0].spec;
+    let first = &plan.maps[0].spec;
     let levels = PICTURE_LEVELS + first.border.levels();
     // A file is resampled for this: the picture shows texels, not the map.
-    let file = plan.sites[0].file.clone();
+    let file = plan.maps[0].file.clone();
     let map = plan.config.map.clone();
     let map = MapConfig { kind: first.kind, file, seed: first.seed, resample: true, crop: false, pad: false, ..map };
-    let site = Map::new(&plan.config, &map, levels, false)?;
-    let Some(c) = config(plan, &site, FORMATS[0]) else { return Ok(Value::Null) };
-    let s = &site.spec;
-    let shader = Shader::new(&site.texels, s.levels, s.height_bits, s.scale, tiles(s.border, s.repeat), s.kind);
+    let map = Map::new(&plan.config, &map, levels, false)?;
+    let Some(c) = config(plan, &map, FORMATS[0]) else { return Ok(Value::Null) };
+    let s = &map.spec;
+    let shader = Shader::new(&map.texels, s.levels, s.height_bits, s.scale, tiles(s.border, s.repeat), s.kind);
     let mut out = Vec::new();
     for (view, camera) in cameras(plan) {
-        let rays = site.rays(&c, &camera, 1)?;
+        let rays = map.rays(&c, &camera, 1)?;
         let words = words(&c, &rays);
         let picture = |bilinear: bool| -> Result<String> {
             let mut d = c.design();
             d.mode.bilinear = bilinear;
-            let hits = trace_interp(&d, &site.pyramid, &words)?;
+            let hits = trace_interp(&d, &map.pyramid, &words)?;
             let mut pixels = vec![None; (SIZE.0 * SIZE.1) as usize];
             for (r, h) in rays.iter().zip(hits.iter()).filter(|x| !x.1.limit) {
                 pixels[(r.py * SIZE.0 + r.px) as usize] = Some(shade_point(&d, h));

@@ -149,7 +149,7 @@ pub fn along(plan: &Plan, all: &[Series<'_>], by: &str, what: &str) -> String {
     let mut lines: Vec<Line> = Vec::new();
     let mut drawn: Vec<(Vec<f64>, usize)> = Vec::new();
     for (k, s) in mine.iter().enumerate() {
-        let design = s.points.first().and_then(|p| p.aggregate.cells.first()).map(|c| &c.spec.design);
+        let design = s.points.first().and_then(|p| p.aggregate.measurements.first()).map(|c| &c.spec.design);
         let ys: Vec<f64> = s.points.iter().map(|p| value(&p.aggregate).0).collect();
         // Lines on top of each other become one, with the names of all.
         let widths = design.and_then(|d| d.exp).filter(|_| by == "bits");
@@ -198,7 +198,7 @@ pub fn along(plan: &Plan, all: &[Series<'_>], by: &str, what: &str) -> String {
             (Scale::Named(7.0, [1.0, 3.0, 8.0, 22.0, 45.0, 90.0].map(tick).to_vec()), "degrees above the plane")
         }
         "size" => {
-            let all = || plan.sites.iter().map(|s| s.spec.levels);
+            let all = || plan.maps.iter().map(|s| s.spec.levels);
             let (a, b) = (all().min().unwrap_or(0), all().max().unwrap_or(0));
             (
                 Scale::Linear(f64::from(a) - 0.3, f64::from(b.max(a + 1)) + 0.3),

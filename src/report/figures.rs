@@ -10,18 +10,18 @@ use rayon::prelude::*;
 /// Cells of one design, put together.
 #[derive(Clone, Debug)]
 pub struct Aggregate<'a> {
-    /// The cells.
-    pub cells: Vec<&'a Measurement>,
+    /// The measurements.
+    pub measurements: Vec<&'a Measurement>,
 }
 
 impl<'a> Aggregate<'a> {
-    /// The cells that `take` takes.
-    pub fn new(cells: &'a [Measurement], take: impl Fn(&Measurement) -> bool) -> Self {
-        Self { cells: cells.iter().filter(|c| take(c)).collect() }
+    /// The measurements that `take` takes.
+    pub fn new(measurements: &'a [Measurement], take: impl Fn(&Measurement) -> bool) -> Self {
+        Self { measurements: measurements.iter().filter(|c| take(c)).collect() }
     }
 
     fn sum(&self, f: impl Fn(&Measurement) -> u64) -> u64 {
-        self.cells.iter().map(|c| f(c)).sum()
+        self.measurements.iter().map(|c| f(c)).sum()
     }
 
     /// Rays compared.
@@ -54,15 +54,15 @@ impl<'a> Aggregate<'a> {
         if self.rate() > 0.0 { (self.rate(), false) } else { (bound(self.rays()), true) }
     }
 
-    /// Cycles per ray: the mean over the cells, so that each view counts alike.
+    /// Cycles per ray: the mean over the measurements, so that each view counts alike.
     pub fn cycles(&self) -> f64 {
-        self.cells.iter().map(|c| c.cycles()).sum::<f64>() / self.cells.len().max(1) as f64
+        self.measurements.iter().map(|c| c.cycles()).sum::<f64>() / self.measurements.len().max(1) as f64
     }
 
-    /// The cell with the largest value.
+    /// The measurement with the largest value.
     pub fn worst(&self, f: impl Fn(&Measurement) -> f64) -> Option<&'a Measurement> {
         let mut worst: Option<&Measurement> = None;
-        for c in &self.cells {
+        for c in &self.measurements {
             if worst.is_none_or(|w| f(c) > f(w)) {
                 worst = Some(c);
             }
@@ -70,7 +70,7 @@ impl<'a> Aggregate<'a> {
         worst
     }
 
-    /// The largest value of a cell.
+    /// The largest value of a measurement.
     pub fn largest(&self, f: impl Fn(&Measurement) -> f64) -> f64 {
         self.worst(&f).map_or(0.0, f)
     }
@@ -78,7 +78,7 @@ impl<'a> Aggregate<'a> {
     /// Rays by octave of their position error: all that ended, or those with the right texel.
     pub fn bins(&self, all: bool) -> Vec<u64> {
         let mut sum = vec![0; BINS];
-        for c in &self.cells {
+        for c in &self.measurements {
             let s = if all { &c.uv_all } else { &c.uv_right };
             sum.iter_mut().zip(&s.bins).for_each(|(a, b)| *a += b);
         }
@@ -88,7 +88,7 @@ impl<'a> Aggregate<'a> {
     /// The decision matrices, added.
     pub fn matrix(&self) -> [[[u64; 2]; 2]; 3] {
         let mut sum = [[[0; 2]; 2]; 3];
-        for c in &self.cells {
+        for c in &self.measurements {
             for (at, n) in
                 sum.as_flattened_mut().as_flattened_mut().iter_mut().zip(c.matrix.as_flattened().as_flattened())
             {
@@ -104,7 +104,7 @@ impl<'a> Aggregate<'a> {
 pub struct DesignPoint<'a> {
     /// The design.
     pub design: &'a DesignSpec,
-    /// Its cells.
+    /// Its measurements.
     pub aggregate: Aggregate<'a>,
     /// Counted bits of its hardware without the memory; `None` if there is no hardware for it yet.
     pub size: Option<u64>,
@@ -139,14 +139,15 @@ impl DesignPoint<'_> {
 }
 
 /// A dot for every design that was measured, with the frontiers.
-pub fn design_points<'a>(plan: &'a Plan, cells: &'a [Measurement]) -> Vec<DesignPoint<'a>> {
+pub fn design_points<'a>(plan: &'a Plan, measurements: &'a [Measurement]) -> Vec<DesignPoint<'a>> {
     let levels = plan.config.traverse.levels;
-    let aggregate = |d: &DesignSpec| Aggregate::new(cells, |c| c.spec.design == *d && c.spec.map.levels == levels);
+    let aggregate =
+        |d: &DesignSpec| Aggregate::new(measurements, |c| c.spec.design == *d && c.spec.map.levels == levels);
     let mut out: Vec<DesignPoint<'a>> = plan
         .designs
         .par_iter()
         .map(|design| (design, aggregate(design)))
-        .filter(|(_, aggregate)| !aggregate.cells.is_empty())
+        .filter(|(_, aggregate)| !aggregate.measurements.is_empty())
         .map(|(design, aggregate)| {
             let hardware = design.design(&plan.config, levels).and_then(|d| Cost::of(&d));
             let size = hardware.ok().map(|c| c.bits());
@@ -190,23 +191,25 @@ pub struct Series<'a> {
 }
 
 /// The lines of all charts; `angles` are the measurements by elevation.
-pub fn series<'a>(plan: &'a Plan, cells: &'a [Measurement], angles: &'a [Measurement]) -> Vec<Series<'a>> {
+pub fn series<'a>(plan: &'a Plan, measurements: &'a [Measurement], angles: &'a [Measurement]) -> Vec<Series<'a>> {
     let levels = plan.config.traverse.levels;
     let mut out = Vec::new();
     for d in plan.designs.iter().filter(|d| plan.followed(d)) {
         let mine: Vec<&Measurement> = angles.iter().filter(|c| c.spec.design == *d).collect();
-        let angle =
-            |c: &&'a Measurement| At { x: c.spec.elevation.unwrap_or(0.0), aggregate: Aggregate { cells: vec![*c] } };
+        let angle = |c: &&'a Measurement| At {
+            x: c.spec.elevation.unwrap_or(0.0),
+            aggregate: Aggregate { measurements: vec![*c] },
+        };
         out.push(Series { by: "angle", name: d.label(), points: mine.iter().map(angle).collect() });
         // Only a map that is there in several sizes tells what the size does.
-        let first = &plan.sites[0].spec;
-        let same = plan.sites.iter().filter(|s| s.spec.name == first.name && s.spec.kind == first.kind);
+        let first = &plan.maps[0].spec;
+        let same = plan.maps.iter().filter(|s| s.spec.name == first.name && s.spec.kind == first.kind);
         let mut sizes: Vec<u32> = same.map(|s| s.spec.levels).collect();
         sizes.sort_unstable();
         sizes.dedup();
         let size = |n: &u32| At {
             x: f64::from(*n),
-            aggregate: Aggregate::new(cells, |c| {
+            aggregate: Aggregate::new(measurements, |c| {
                 c.spec.design == *d && c.spec.map.levels == *n && c.spec.map.name == first.name
             }),
         };
@@ -221,7 +224,7 @@ pub fn series<'a>(plan: &'a Plan, cells: &'a [Measurement], angles: &'a [Measure
             .filter(same)
             .map(|d| At {
                 x: f64::from(d.man.or(d.fraction_bits).unwrap_or(0)),
-                aggregate: Aggregate::new(cells, |c| c.spec.design == *d && c.spec.map.levels == levels),
+                aggregate: Aggregate::new(measurements, |c| c.spec.design == *d && c.spec.map.levels == levels),
             })
             .collect();
         points.sort_by(|a, b| a.x.total_cmp(&b.x));
@@ -236,7 +239,7 @@ pub fn series<'a>(plan: &'a Plan, cells: &'a [Measurement], angles: &'a [Measure
         }
     }
     for s in &mut out {
-        s.points.retain(|p| !p.aggregate.cells.is_empty());
+        s.points.retain(|p| !p.aggregate.measurements.is_empty());
     }
     out.retain(|s| !s.points.is_empty());
     out

@@ -5,8 +5,8 @@ use super::plan::{NotLegal, Plan};
 use super::table::{Table, real};
 use serde_json::{Value, json};
 
-/// Every cell, a row each.
-pub fn cells(cells: &[Measurement]) -> Table {
+/// Every measurement, a row each.
+pub fn measurements(measurements: &[Measurement]) -> Table {
     let keys = [
         "map",
         "seed",
@@ -42,7 +42,7 @@ pub fn cells(cells: &[Measurement]) -> Table {
         "unrounded_uv_max",
     ];
     let mut t = Table::new("cells", &keys.map(|k| (k, "")));
-    for c in cells {
+    for c in measurements {
         let (m, d) = (&c.spec.map, &c.spec.design);
         let (a, r, u) = (&c.uv_all, &c.uv_right, &c.uv_unrounded);
         t.push(vec![
@@ -84,7 +84,7 @@ pub fn cells(cells: &[Measurement]) -> Table {
 }
 
 /// Iterations of every design, map size and view.
-pub fn steps(plan: &Plan, cells: &[Measurement]) -> Table {
+pub fn steps(plan: &Plan, measurements: &[Measurement]) -> Table {
     let mut t = Table::new(
         "steps",
         &[
@@ -101,16 +101,18 @@ pub fn steps(plan: &Plan, cells: &[Measurement]) -> Table {
         ],
     );
     for h in plan.designs.iter().filter(|d| plan.headlines.iter().any(|h| h.design.same_arithmetic(d))) {
-        let mut levels: Vec<u32> = plan.sites.iter().map(|s| s.spec.levels).collect();
+        let mut levels: Vec<u32> = plan.maps.iter().map(|s| s.spec.levels).collect();
         levels.sort_unstable();
         levels.dedup();
         for n in levels {
             for view in plan.rays.iter().filter(|r| r.elevation.is_none()).map(|r| &r.set.name) {
-                let p =
-                    Aggregate::new(cells, |c| c.spec.design == *h && c.spec.map.levels == n && c.spec.view == *view);
+                let p = Aggregate::new(measurements, |c| {
+                    c.spec.design == *h && c.spec.map.levels == n && c.spec.view == *view
+                });
                 let Some(worst) = p.worst(|c| f64::from(c.steps_max)) else { continue };
-                let mean =
-                    |f: &dyn Fn(&Measurement) -> f64| p.cells.iter().map(|c| f(c)).sum::<f64>() / p.cells.len() as f64;
+                let mean = |f: &dyn Fn(&Measurement) -> f64| {
+                    p.measurements.iter().map(|c| f(c)).sum::<f64>() / p.measurements.len() as f64
+                };
                 t.push(vec![
                     json!(h.label()),
                     json!(h.way()),
@@ -180,11 +182,11 @@ pub fn maps(plan: &Plan) -> Table {
         ("seed", "seed"),
         ("scale", "height, world"),
         ("repeat", "repeats"),
-        ("border", "behind its border"),
+        ("border", "beyond its border"),
         ("codes", "hash of the codes"),
     ];
     let mut t = Table::new("maps", &keys);
-    for s in &plan.sites {
+    for s in &plan.maps {
         let m = &s.spec;
         let seed = if s.file.is_some() { Value::Null } else { json!(m.seed) };
         t.push(vec![

@@ -1,4 +1,4 @@
-//! One cell: a map, a view and a design, measured on the view's rays.
+//! One measurement: a map, a view and a design, measured on the view's rays.
 use super::plan::{DesignSpec, Job, Map, MapSpec, Plan};
 use crate::config::Design;
 use crate::error::{Error, Result};
@@ -11,7 +11,7 @@ use crate::trace::trace_golden;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-/// What a cell measures; its canonical JSON names the cell.
+/// What is measured; its canonical JSON names the measurement.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MeasurementSpec {
     /// Version of the crate.
@@ -62,12 +62,12 @@ pub struct Witness {
     pub margin: f64,
 }
 
-/// A measured cell.
+/// A measurement.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Measurement {
     /// What it is.
     pub spec: MeasurementSpec,
-    /// Digest of the hits of some of the rays: a stored cell whose model has changed since is not used.
+    /// Digest of the hits of some of the rays: a stored measurement whose model has changed since is not used.
     pub probe: String,
     /// Rays.
     pub rays: u64,
@@ -109,7 +109,7 @@ pub struct Measurement {
     pub first_limit: Option<Witness>,
 }
 
-/// Rays that a stored cell is probed with.
+/// Rays that a stored measurement is probed with.
 const PROBES: usize = 48;
 
 /// A view's rays and where they hit before any rounding; all designs of a map share it.
@@ -120,13 +120,13 @@ pub struct Reference {
     exact: Vec<Option<(ExactHit, [f64; 2])>>,
 }
 
-fn exact_map(site: &Map) -> ExactMap<'_> {
-    ExactMap { levels: site.spec.levels, height_bits: site.spec.height_bits, texels: &site.texels }
+fn exact_map(map: &Map) -> ExactMap<'_> {
+    ExactMap { levels: map.spec.levels, height_bits: map.spec.height_bits, texels: &map.texels }
 }
 
 /// The exact hit, and its place in texels; `None` if the walk is too wide.
-pub(super) fn walk(site: &Map, ray: &ExactRay) -> Option<(ExactHit, [f64; 2])> {
-    place(&exact_map(site), ray).ok()
+pub(super) fn walk(map: &Map, ray: &ExactRay) -> Option<(ExactHit, [f64; 2])> {
+    place(&exact_map(map), ray).ok()
 }
 
 impl Reference {
@@ -134,16 +134,16 @@ impl Reference {
     ///
     /// # Errors
     /// As [`Map::rays`].
-    pub fn new(plan: &Plan, site: &Map, job: &Job) -> Result<Self> {
+    pub fn new(plan: &Plan, map: &Map, job: &Job) -> Result<Self> {
         let of = &plan.rays[job.view];
-        let mut rays = site.set(&plan.config, &of.set, of.stride)?;
+        let mut rays = map.set(&plan.config, &of.set, of.stride)?;
         if of.set.camera(1, 1).is_some() && of.elevation.is_none() {
             rays = evenly(&rays, plan.selection.most);
         }
         if rays.is_empty() && of.set.standard().is_none() {
-            return Err(Error::NothingRan(format!("no ray of {} meets the map {}", of.set.given, site.spec.name)));
+            return Err(Error::NothingRan(format!("no ray of {} meets the map {}", of.set.given, map.spec.name)));
         }
-        let exact = |r: &ViewRay| walk(site, &given_ray([r.u, r.v, r.du, r.dv]));
+        let exact = |r: &ViewRay| walk(map, &given_ray([r.u, r.v, r.du, r.dv]));
         let exact = rays.par_iter().map(exact).collect();
         Ok(Self { rays, exact })
     }
@@ -153,26 +153,26 @@ impl Reference {
 ///
 /// # Errors
 /// A design that is not legal.
-pub fn probe(design: &Design, site: &Map, rays: &[ViewRay]) -> Result<(Vec<RayInput>, String)> {
+pub fn probe(design: &Design, map: &Map, rays: &[ViewRay]) -> Result<(Vec<RayInput>, String)> {
     let words: Vec<RayInput> = rays.par_iter().map(|r| encode_ray(design, [r.u, r.v, r.du, r.dv])).collect();
     let few: Vec<RayInput> = words.iter().step_by((words.len() / PROBES).max(1)).copied().collect();
-    let hits = trace_golden(design, &site.pyramid, &few)?;
+    let hits = trace_golden(design, &map.pyramid, &few)?;
     let digest = blake3::hash(format!("{few:?} {hits:?}").as_bytes()).to_hex()[..16].to_owned();
     Ok((words, digest))
 }
 
 impl Measurement {
-    /// Measures a cell.
+    /// Makes a measurement.
     ///
     /// # Errors
     /// A design that is not legal.
-    pub fn measure(plan: &Plan, site: &Map, spec: MeasurementSpec, reference: &Reference) -> Result<Self> {
-        let design = spec.design.design(&plan.config, site.spec.levels)?;
-        let (words, probe) = probe(&design, site, &reference.rays)?;
-        let hits = trace_golden(&design, &site.pyramid, &words)?;
+    pub fn measure(plan: &Plan, map: &Map, spec: MeasurementSpec, reference: &Reference) -> Result<Self> {
+        let design = spec.design.design(&plan.config, map.spec.levels)?;
+        let (words, probe) = probe(&design, map, &reference.rays)?;
+        let hits = trace_golden(&design, &map.pyramid, &words)?;
         let exact: Vec<Option<(ExactHit, [f64; 2])>> =
-            words.par_iter().map(|r| Ok(walk(site, &exact_ray(&design, r)?))).collect::<Result<_>>()?;
-        let bottom = f64::from((1u32 << site.spec.height_bits) - 1);
+            words.par_iter().map(|r| Ok(walk(map, &exact_ray(&design, r)?))).collect::<Result<_>>()?;
+        let bottom = f64::from((1u32 << map.spec.height_bits) - 1);
         let (mut right, mut all, mut unrounded, mut times) = (Vec::new(), Vec::new(), Vec::new(), (0.0, None));
         let (mut wrong, mut wrong_walls, mut limits, mut unjudged, mut unrounded_wrong) = (0, 0, 0, 0, 0);
         let (mut matrix, mut first_wrong, mut first_limit) = ([[[0; 2]; 2]; 3], None, None);
@@ -191,10 +191,10 @@ impl Measurement {
                 first_limit = first_limit.or(Some(ray));
                 continue;
             }
-            let error = uv_error(&design, site.spec.levels, hit, *place);
+            let error = uv_error(&design, map.spec.levels, hit, *place);
             all.push((error, ray));
             if let Some((truth, place)) = &reference.exact[ray] {
-                unrounded.push((uv_error(&design, site.spec.levels, hit, *place), ray));
+                unrounded.push((uv_error(&design, map.spec.levels, hit, *place), ray));
                 unrounded_wrong += u64::from((hit.i, hit.j) != (truth.i, truth.j));
             }
             if bad {
@@ -217,7 +217,7 @@ impl Measurement {
             Witness {
                 ray,
                 pixel: [r.px, r.py],
-                numbers: border::given(site.spec.border, [r.u, r.v, r.du, r.dv]),
+                numbers: border::given(map.spec.border, [r.u, r.v, r.du, r.dv]),
                 words,
                 got: [hits[ray].i, hits[ray].j],
                 exact: truth.map(|x| [x.i, x.j]),
@@ -266,7 +266,7 @@ impl Measurement {
     }
 }
 
-/// The canonical text of a cell or its description.
+/// The canonical text of a measurement or its description.
 ///
 /// # Errors
 /// Never: it is plain data.

@@ -17,5 +17,5 @@ mod write;
 
 pub use measurement::{Measurement, MeasurementSpec, Witness};
 pub use plan::{Extent, ModeSet, Plan, Selection};
-pub use store::{Work, cells};
+pub use store::{Work, measurements};
 pub use write::{Output, files, write};

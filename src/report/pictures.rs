@@ -58,15 +58,15 @@ pub fn cameras(plan: &Plan) -> Vec<(String, Camera)> {
 ///
 /// # Errors
 /// A design that is not legal.
-pub fn view(plan: &Plan, site: &Map, spec: &DesignSpec, camera: &Camera) -> Result<ViewPictures> {
-    let d = spec.design(&plan.config, site.spec.levels)?;
-    let rays = site.rays(&plan.config, camera, 1)?;
+pub fn view(plan: &Plan, map: &Map, spec: &DesignSpec, camera: &Camera) -> Result<ViewPictures> {
+    let d = spec.design(&plan.config, map.spec.levels)?;
+    let rays = map.rays(&plan.config, camera, 1)?;
     let words: Vec<_> = rays.iter().map(|r| encode_ray(&d, [r.u, r.v, r.du, r.dv])).collect();
-    let hits = trace_interp(&d, &site.pyramid, &words)?;
+    let hits = trace_interp(&d, &map.pyramid, &words)?;
     let exact: Vec<Option<(ExactHit, [f64; 2])>> =
-        words.par_iter().map(|r| Ok(walk(site, &exact_ray(&d, r)?))).collect::<Result<_>>()?;
-    let bottom = f64::from((1u32 << site.spec.height_bits) - 1);
-    let side = 2f64.powi(site.spec.levels as i32);
+        words.par_iter().map(|r| Ok(walk(map, &exact_ray(&d, r)?))).collect::<Result<_>>()?;
+    let bottom = f64::from((1u32 << map.spec.height_bits) - 1);
+    let side = 2f64.powi(map.spec.levels as i32);
     let pixels = (SIZE.0 * SIZE.1) as usize;
     let (mut ours, mut truth, mut differ) = (vec![None; pixels], vec![None; pixels], vec![MISS; pixels]);
     let mut worst = (-1.0, [0, 0]);
@@ -80,7 +80,7 @@ pub fn view(plan: &Plan, site: &Map, spec: &DesignSpec, camera: &Camera) -> Resu
         let Some((e, place)) = e else { continue };
         let [u, v] = place.map(|x| (x / side).rem_euclid(1.0));
         truth[at] = Some(ShadePoint { u, v, t: e.t_f64 / bottom, wall: e.wall });
-        let error = if h.limit { f64::INFINITY } else { uv_error(&d, site.spec.levels, h, *place) };
+        let error = if h.limit { f64::INFINITY } else { uv_error(&d, map.spec.levels, h, *place) };
         if error > worst.0 {
             worst = (error, [r.px, r.py]);
         }
@@ -107,8 +107,8 @@ pub fn view(plan: &Plan, site: &Map, spec: &DesignSpec, camera: &Camera) -> Resu
         }
     }
     wrong.iter().for_each(|(at, colour)| differ[*at] = *colour);
-    let s = &site.spec;
-    let shader = Shader::new(&site.texels, s.levels, s.height_bits, s.scale, tiles(s.border, s.repeat), s.kind);
+    let s = &map.spec;
+    let shader = Shader::new(&map.texels, s.levels, s.height_bits, s.scale, tiles(s.border, s.repeat), s.kind);
     let (w, h) = (SIZE.0 as usize, SIZE.1 as usize);
     let whole = [
         Picture::shaded(&shader, w, h, &ours),

@@ -20,8 +20,8 @@ const DOWNS: [[f64; 3]; 4] = [[11.5, 19.7, 37.9], [8.9, 18.2, 37.8], [8.4, 18.2,
 const CLAIMS: [(usize, &str, f64, f64); 2] = [(0, "[10]", 16.0, 65.0), (1, "[12]", 5.0, 66.0)];
 
 /// The measured cell of a published map: the usual datapath at 7/16 in `mode`.
-fn ours<'a>(cells: &'a [Measurement], scene: &str, view: View, mode: &ModeConfig) -> Option<&'a Measurement> {
-    cells.iter().find(|c| {
+fn ours<'a>(measurements: &'a [Measurement], scene: &str, view: View, mode: &ModeConfig) -> Option<&'a Measurement> {
+    measurements.iter().find(|c| {
         let (m, d) = (&c.spec.map, &c.spec.design);
         let design =
             d.kind == DatapathConfig::default().kind && (d.exp, d.man) == (Some(7), Some(16)) && d.mode == *mode;
@@ -30,7 +30,7 @@ fn ours<'a>(cells: &'a [Measurement], scene: &str, view: View, mode: &ModeConfig
 }
 
 /// All compared cells; empty without the maps.
-pub fn table(cells: &[Measurement]) -> Table {
+pub fn table(measurements: &[Measurement]) -> Table {
     let mut t = Table::new(
         "published",
         &[
@@ -51,7 +51,7 @@ pub fn table(cells: &[Measurement]) -> Table {
     for (scene, rows) in CROSSINGS {
         for (v, view) in View::ALL.iter().enumerate() {
             for (k, row) in ["[10]", "[12]"].iter().enumerate() {
-                if let Some(c) = ours(cells, scene, *view, &ROWS[k].1) {
+                if let Some(c) = ours(measurements, scene, *view, &ROWS[k].1) {
                     let share = 100.0 * c.crossings_mean / c.steps_mean;
                     add("2: crossings, %", scene, row, *view, Some(rows[v][k]), share);
                 }
@@ -61,7 +61,7 @@ pub fn table(cells: &[Measurement]) -> Table {
     for (n, means) in (1..).zip(DOWNS) {
         let mode = ModeConfig { levels_down: n, ..PLAIN };
         for (v, view) in View::ALL.iter().enumerate() {
-            if let Some(c) = ours(cells, "rocks", *view, &mode) {
+            if let Some(c) = ours(measurements, "rocks", *view, &mode) {
                 add("3: levels down", "rocks", &format!("n = {n}"), *view, Some(means[v]), c.steps_mean);
             }
         }
@@ -69,7 +69,7 @@ pub fn table(cells: &[Measurement]) -> Table {
     for p in &PUBLISHED {
         for (r, (row, mode)) in ROWS.iter().enumerate() {
             for (v, view) in View::ALL.iter().enumerate() {
-                if let Some(c) = ours(cells, p.scene, *view, mode) {
+                if let Some(c) = ours(measurements, p.scene, *view, mode) {
                     add("4: iterations", p.scene, row, *view, p.means[r][v], c.steps_mean);
                 }
             }
@@ -79,7 +79,7 @@ pub fn table(cells: &[Measurement]) -> Table {
 }
 
 /// What a + b + c1 saves, cell by cell, published and measured.
-pub fn claims(plan: &Plan, cells: &[Measurement]) -> Table {
+pub fn claims(plan: &Plan, measurements: &[Measurement]) -> Table {
     let mut t = Table::new(
         "claims",
         &[
@@ -92,13 +92,13 @@ pub fn claims(plan: &Plan, cells: &[Measurement]) -> Table {
             ("holds", "ours within the claim"),
         ],
     );
-    for p in PUBLISHED.iter().filter(|p| plan.sites.iter().any(|s| s.file.is_some() && s.spec.name == p.scene)) {
+    for p in PUBLISHED.iter().filter(|p| plan.maps.iter().any(|s| s.file.is_some() && s.spec.name == p.scene)) {
         for (v, view) in View::ALL.iter().enumerate() {
             for (row, against, low, high) in CLAIMS {
                 let saved = |now: f64, before: f64| 100.0 * (1.0 - now / before);
                 let published = p.means[6][v].zip(p.means[row][v]).map(|(now, before)| saved(now, before));
-                let now = ours(cells, p.scene, *view, &BEST).map(|c| c.steps_mean);
-                let before = ours(cells, p.scene, *view, &ROWS[row].1).map(|c| c.steps_mean);
+                let now = ours(measurements, p.scene, *view, &BEST).map(|c| c.steps_mean);
+                let before = ours(measurements, p.scene, *view, &ROWS[row].1).map(|c| c.steps_mean);
                 let Some((now, before)) = now.zip(before) else { continue };
                 let measured = saved(now, before);
                 // The claim is given in whole per cent.

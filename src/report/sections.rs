@@ -165,21 +165,21 @@ pub fn worst(plan: &Plan, points: &[DesignPoint<'_>]) -> Table {
     for h in &plan.headlines {
         let Some(dot) = points.iter().find(|d| *d.design == h.design) else { continue };
         for (what, value, witness) in finds {
-            let Some(cell) = dot.aggregate.worst(value) else { continue };
-            let Some(w) = witness(cell) else { continue };
+            let Some(measurement) = dot.aggregate.worst(value) else { continue };
+            let Some(w) = witness(measurement) else { continue };
             let texel = |t: [u32; 2]| format!("{}, {}", t[0], t[1]);
             t.push(vec![
                 json!(h.design.label()),
                 json!(what),
-                if what == "most iterations" { json!(cell.steps_max) } else { real(value(cell)) },
-                json!(cell.spec.map.name),
-                json!(cell.spec.view),
+                if what == "most iterations" { json!(measurement.steps_max) } else { real(value(measurement)) },
+                json!(measurement.spec.map.name),
+                json!(measurement.spec.view),
                 json!(w.ray),
                 json!(w.words.join(" ")),
                 json!(texel(w.got)),
                 json!(w.exact.map(texel)),
                 real(w.margin),
-                json!(command(plan, cell, w)),
+                json!(command(plan, measurement, w)),
             ]);
         }
     }

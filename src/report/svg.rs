@@ -43,7 +43,7 @@ pub struct Line {
 /// A chart.
 #[derive(Clone, Debug)]
 pub struct Chart {
-    /// What it shows, for readers who do not see it.
+    /// What it shows, for readers that do not see it.
     pub title: String,
     /// Name and unit of the x axis.
     pub x_name: String,

@@ -62,15 +62,15 @@ fn traced(plan: &Plan) -> Vec<String> {
 }
 
 fn picture_rows(plan: &Plan) -> Result<Vec<Value>> {
-    let site = &plan.sites[0];
+    let map = &plan.maps[0];
     // Tests need no more than one picture.
     let tiny = plan.selection.extent == Extent::Tiny;
     let views = &pictures::cameras(plan);
-    let legal = |h: &&Headline| h.design.design(&plan.config, site.spec.levels).is_ok();
+    let legal = |h: &&Headline| h.design.design(&plan.config, map.spec.levels).is_ok();
     let shown = plan.headlines.iter().take(if tiny { 1 } else { 5 }).filter(legal);
     let jobs: Vec<_> = shown.flat_map(|h| views.iter().map(move |view| (h, view))).collect();
     let one = |(h, (view, camera)): &(&Headline, &(String, Camera))| {
-        let p = pictures::view(plan, site, &h.design, camera)?;
+        let p = pictures::view(plan, map, &h.design, camera)?;
         let uri = |p: &[crate::scene::Picture; 3]| p.iter().map(pictures::data_uri).collect::<Result<Vec<_>>>();
         Ok(json!({
             "design": h.design.label(), "view": view, "whole": uri(&p.whole)?, "near": uri(&p.near)?,
@@ -85,9 +85,9 @@ fn picture_rows(plan: &Plan) -> Result<Vec<Value>> {
 ///
 /// # Errors
 /// A template that does not fit its values.
-pub fn files(plan: &Plan, cells: &[Measurement], again: &str) -> Result<Output> {
+pub fn files(plan: &Plan, measurements: &[Measurement], again: &str) -> Result<Output> {
     let (angles, views): (Vec<Measurement>, Vec<Measurement>) =
-        cells.iter().cloned().partition(|c| c.spec.elevation.is_some());
+        measurements.iter().cloned().partition(|c| c.spec.elevation.is_some());
     let (points, lines) = (design_points(plan, &views), series(plan, &views, &angles));
     let claims = published::claims(plan, &views);
     let tables = [
@@ -103,7 +103,7 @@ pub fn files(plan: &Plan, cells: &[Measurement], again: &str) -> Result<Output> 
         inventory::maps(plan),
         super::units::units(plan),
         bilinear::table(plan)?,
-        inventory::cells(cells),
+        inventory::measurements(measurements),
     ];
     let c = &plan.config;
     let head = json!({
@@ -111,10 +111,10 @@ pub fn files(plan: &Plan, cells: &[Measurement], again: &str) -> Result<Output> 
         "config": c.hash(),
         "seed": c.map.seed,
         "command": again,
-        "cells": cells.len(),
+        "cells": measurements.len(),
         "designs": points.len(),
-        "rays": cells.iter().map(|x| x.rays).sum::<u64>(),
-        "unjudged": cells.iter().map(|x| x.unjudged).sum::<u64>(),
+        "rays": measurements.iter().map(|x| x.rays).sum::<u64>(),
+        "unjudged": measurements.iter().map(|x| x.unjudged).sum::<u64>(),
         "picture": [c.view.width, c.view.height],
         "strides": views_of(plan).map(|r| r.stride).collect::<Vec<_>>(),
         "views": views_of(plan).map(|r| r.set.name.as_str()).collect::<Vec<_>>(),
@@ -159,8 +159,8 @@ pub fn files(plan: &Plan, cells: &[Measurement], again: &str) -> Result<Output> 
     let shown: serde_json::Map<String, Value> =
         tables.iter().filter(|t| t.name != "cells").map(|t| (t.name.to_owned(), t.page())).collect();
     let page = json!({
-        "head": head, "rays": grouped(cells.iter().map(|x| x.rays).sum()), "cards": cards, "left_out": left_out, "charts": charts, "tables": shown, "pictures": picture_rows(plan)?, "refined": bilinear::pictures(plan)?,
-        "traced": traced(plan), "legend": legend(), "uv": DEFINITION, "given_bits": GIVEN_BITS, "claims": published::claim_words(&claims), "levels": c.traverse.levels, "map": plan.sites[0].spec.name, "placed": points.iter().filter(|d| d.placed.is_some()).count(),
+        "head": head, "rays": grouped(measurements.iter().map(|x| x.rays).sum()), "cards": cards, "left_out": left_out, "charts": charts, "tables": shown, "pictures": picture_rows(plan)?, "refined": bilinear::pictures(plan)?,
+        "traced": traced(plan), "legend": legend(), "uv": DEFINITION, "given_bits": GIVEN_BITS, "claims": published::claim_words(&claims), "levels": c.traverse.levels, "map": plan.maps[0].spec.name, "placed": points.iter().filter(|d| d.placed.is_some()).count(),
     });
     out.push(("report.html".to_owned(), html(&page)?.into_bytes()));
     Ok(out)

@@ -1,4 +1,4 @@
-//! What lies behind a map's border. The hardware repeats the map; other borders are prepared into a map one level up, and rays and hits
+//! What lies beyond a map's border. The hardware repeats the map; other borders are prepared into a map one level up, and rays and hits
 //! are scaled to it and back. A tile of the design is then two tiles of the map along each side.
 use reliefrtl_base::error::{Error, Result};
 use reliefrtl_config::Border;

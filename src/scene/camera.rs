@@ -126,7 +126,7 @@ impl Camera {
         pixels.filter_map(|(px, py)| self.ray(px, py, scale, repeat)).collect()
     }
 
-    /// As [`Camera::rays`], in tiles of a design that sees what `border` puts behind the map's border.
+    /// As [`Camera::rays`], in tiles of a design that sees what `border` puts beyond the map's border.
     pub fn bordered_rays(&self, border: Border, scale: f64, repeat: u32, stride: u32) -> Vec<ViewRay> {
         let (columns, rows) = self.picture_size(stride);
         let pixels = (0..rows).flat_map(|row| (0..columns).map(move |column| (column * stride, row * stride)));

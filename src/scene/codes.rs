@@ -16,7 +16,7 @@ pub fn to_codes(map: &HeightMap, levels: u32, height_bits: u32, resample: bool) 
     bordered_codes(map, Border::Wrap, levels, height_bits, resample)
 }
 
-/// As [`to_codes`], for a design of 2^levels x 2^levels texels that sees what `border` puts behind the map's border.
+/// As [`to_codes`], for a design of 2^levels x 2^levels texels that sees what `border` puts beyond the map's border.
 ///
 /// # Errors
 /// As [`to_codes`].

@@ -18,8 +18,8 @@ pub struct Picture {
     pub pixels: Vec<[u8; 3]>,
 }
 
-/// Behind the quad, at the top and at the bottom of the picture.
-const BEHIND: [Colour; 2] = [[0.28, 0.35, 0.44], [0.66, 0.69, 0.71]];
+/// Beyond the quad, at the top and at the bottom of the picture.
+const BEYOND: [Colour; 2] = [[0.28, 0.35, 0.44], [0.66, 0.69, 0.71]];
 const PAPER: [u8; 3] = [250, 250, 250];
 const INK: [u8; 3] = [40, 40, 44];
 
@@ -35,7 +35,7 @@ impl Picture {
             .enumerate()
             .map(|(at, point)| match point {
                 Some(point) => shader.colour(point),
-                None => bytes(by_height(&BEHIND, (at / width) as f64 / (height - 1).max(1) as f64)),
+                None => bytes(by_height(&BEYOND, (at / width) as f64 / (height - 1).max(1) as f64)),
             })
             .collect();
         Self { width, height, pixels }

@@ -41,7 +41,7 @@ impl RaySet {
         }
     }
 
-    /// The rays, in tiles of a design that sees what `border` puts behind the map's border: of a camera every `stride`-th pixel's (as
+    /// The rays, in tiles of a design that sees what `border` puts beyond the map's border: of a camera every `stride`-th pixel's (as
     /// [`Camera::bordered_rays`], `quad` being scale and repeat, `size` the pixels of a standard view), of a table all, with their entry
     /// points wrapped into \[0, 1), the k-th for pixel (k, 0).
     ///

@@ -43,7 +43,7 @@ pub(super) fn critical(report: &Value) -> Critical {
         if step["type"] == "routing" {
             out.routing_ns = round(out.routing_ns + delay);
             let net = step["net"].as_str().unwrap_or_default();
-            // A net that the tools named after the register behind it says nothing about where it is.
+            // A net that the tools named after the register after it says nothing about where it is.
             let name = ours(net);
             if !MARKS.iter().any(|m| net.contains(m)) && !out.via.contains(&name) {
                 out.via.push(name);

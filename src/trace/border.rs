@@ -1,4 +1,4 @@
-//! Rays that leave what was prepared behind a map's border (`docs/traverse.md`).
+//! Rays that leave what was prepared beyond a map's border (`docs/traverse.md`).
 use super::trace_golden;
 use crate::config::{Border, Design};
 use crate::error::Result;

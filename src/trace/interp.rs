@@ -84,7 +84,7 @@ impl Pipeline {
     /// Runs `rays` through `lanes` copies; multiples of [`BLOCK`] are fastest.
     ///
     /// # Errors
-    /// A ray that gets lost, or a result that nobody waits for.
+    /// A ray that gets lost, or a result that is not waited for.
     pub fn run(&self, pyramid: &Pyramid, rays: &[RayInput], lanes: usize, traffic: Traffic) -> Result<StreamRun> {
         let (images, items) = self.words(pyramid, rays);
         self.stream().run(&items, &images, lanes, traffic)

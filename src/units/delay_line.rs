@@ -3,7 +3,7 @@ use super::lzc::finish_primitive;
 use reliefrtl_ir::{Builder, Lines, Module, Prim, with_lines};
 use std::sync::Arc;
 
-/// Clocks of the longest line: a memory of 16 words, as look-up tables have, and a register behind it.
+/// Clocks of the longest line: a memory of 16 words, as look-up tables have, and a register after it.
 const MOST: u32 = 17;
 
 /// Builds the line (parameters W, CLOCKS).

@@ -11,7 +11,7 @@ pub enum Level {
     /// Some 440 thousand rows of two operands, and the random ones.
     #[serde(rename = "2")]
     Two,
-    /// No tables: weighted random rows, of one seed after the other, until somebody stops it.
+    /// No tables: weighted random rows, of one seed after the other, until it is stopped.
     #[serde(rename = "3")]
     Three,
 }

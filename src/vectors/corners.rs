@@ -33,7 +33,7 @@ pub fn plan_rows(columns: &[Kind], plan: Plan) -> (Vec<Vec<u64>>, Counts) {
     let mut rng = ChaCha8Rng::seed_from_u64(plan.seed);
     let half = plan.rows / 2;
     let mut rows = Vec::with_capacity(plan.rows);
-    // A class of operands that meets no other class is a policy that nobody checks, so these pairs are never left to chance
+    // A class of operands that meets no other class is a policy that is not checked, so these pairs are never left to chance
     // where they fit at all.
     let landmarks: Vec<Vec<u64>> = columns.iter().map(|k| landmarks(*k)).collect();
     let room = if columns.len() <= 2 { plan.rows * 2 / 3 } else { plan.rows / 4 };

@@ -43,7 +43,7 @@ pub struct VectorSet {
     pub counts: Counts,
     /// The tables that were crossed whole, and the part of all rows that this is; `None` for a choice of corners.
     pub campaign: Option<Campaign>,
-    /// Rows that reach each event of the operation, by its name; empty where nobody counted.
+    /// Rows that reach each event of the operation, by its name; empty where none was counted.
     pub events: BTreeMap<String, usize>,
     /// Input columns, in port order.
     pub inputs: Vec<Column>,

@@ -18,7 +18,7 @@ pub fn body(p: Prim) -> Cow<'static, str> {
     })
 }
 
-/// A table of constants with a register behind it, in the form that every synthesizer takes for a block memory.
+/// A table of constants with a register after it, in the form that every synthesizer takes for a block memory.
 fn constants() -> String {
     let (word_w, last) = (START_W + SLOPE_W, (1u64 << INDEX_W) - 1);
     let digits = word_w.div_ceil(4) as usize;

@@ -50,7 +50,7 @@ impl Style {
         scale + nets
     }
 
-    /// The directives behind a module. Yosys takes the last one of a file for the whole of it and starts the next file afresh, so there
+    /// The directives after a module. Yosys takes the last one of a file for the whole of it and starts the next file afresh, so there
     /// `none` has to stay the last.
     pub fn closing(&self) -> &'static str {
         match self.default_nettype {
@@ -59,7 +59,7 @@ impl Style {
         }
     }
 
-    /// A template's text, which has `none` before its module and `wire` behind it, with the licence and the directives of this style.
+    /// A template's text, which has `none` before its module and `wire` after it, with the licence and the directives of this style.
     pub fn dress(&self, text: &str) -> String {
         let text = text.replacen("`default_nettype none\n", &self.opening(), 1);
         let body = text.strip_suffix("`default_nettype wire\n").unwrap_or(&text);

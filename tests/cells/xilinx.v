@@ -80,7 +80,7 @@ module RAMB18E1 (
   localparam integer ONE_B = READ_WIDTH_B != 0 ? READ_WIDTH_B : WRITE_WIDTH_B != 0 ? WRITE_WIDTH_B : 9;
   localparam integer MODE_A = WRITE_MODE_A == "READ_FIRST" ? 2 : WRITE_MODE_A == "WRITE_FIRST" ? 1 : 0;
   localparam integer MODE_B = WRITE_MODE_B == "READ_FIRST" ? 2 : WRITE_MODE_B == "WRITE_FIRST" ? 1 : 0;
-  // Of the modes of writing only READ_FIRST promises the old word to who reads it at the same time.
+  // Of the modes of writing only READ_FIRST promises the old word to a reader at the same time.
   block_memory #(
     .BYTES(2048), .WIDTH_A(TDP ? ONE_A : READ_WIDTH_A), .WIDTH_B(TDP ? ONE_B : WRITE_WIDTH_B), .INIT(ROWS),
     .OLD(TDP ? (WRITE_WIDTH_A == 0 || MODE_A == 2) && (WRITE_WIDTH_B == 0 || MODE_B == 2) : WRITE_MODE_B == "READ_FIRST"),
@@ -197,7 +197,7 @@ module RAMB36E1 (
   localparam integer ONE_B = READ_WIDTH_B != 0 ? READ_WIDTH_B : WRITE_WIDTH_B != 0 ? WRITE_WIDTH_B : 9;
   localparam integer MODE_A = WRITE_MODE_A == "READ_FIRST" ? 2 : WRITE_MODE_A == "WRITE_FIRST" ? 1 : 0;
   localparam integer MODE_B = WRITE_MODE_B == "READ_FIRST" ? 2 : WRITE_MODE_B == "WRITE_FIRST" ? 1 : 0;
-  // Of the modes of writing only READ_FIRST promises the old word to who reads it at the same time.
+  // Of the modes of writing only READ_FIRST promises the old word to a reader at the same time.
   block_memory #(
     .BYTES(4096), .WIDTH_A(TDP ? ONE_A : READ_WIDTH_A), .WIDTH_B(TDP ? ONE_B : WRITE_WIDTH_B), .INIT(ROWS),
     .OLD(TDP ? (WRITE_WIDTH_A == 0 || MODE_A == 2) && (WRITE_WIDTH_B == 0 || MODE_B == 2) : WRITE_MODE_B == "READ_FIRST"),

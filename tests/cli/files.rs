@@ -1,4 +1,4 @@
-//! How files and directories are written: whole or not at all, and nobody else's are touched.
+//! How files and directories are written: whole or not at all, and no others are touched.
 use reliefrtl::error::Error;
 use reliefrtl::files::{MANIFEST, OutDir, Part, write_atomic};
 use std::fs;

@@ -1,4 +1,4 @@
-//! Bad input: one sentence, exit code 2, nothing left behind.
+//! Bad input: one sentence, exit code 2, nothing left.
 use super::{refused, said};
 use std::process::Command;
 

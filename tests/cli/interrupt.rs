@@ -1,4 +1,4 @@
-//! An ended run leaves nothing behind: no half a tree, no temporary directory, no program that it started; killed, nothing after the next run.
+//! An ended run leaves nothing: no half a tree, no temporary directory, no program that it started; killed, nothing after the next run.
 #![cfg(unix)]
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
@@ -150,7 +150,7 @@ fn killed_it_takes_its_simulators_along_and_the_next_run_cleans_up() {
     }
 }
 
-/// Killed before it has heard that the program runs: nobody else can say what to end.
+/// Killed before it has heard that the program runs: no other process can say what to end.
 #[test]
 fn killed_while_it_starts_a_program_it_takes_that_along() {
     for _ in 0..20 {
@@ -181,7 +181,7 @@ fn verilator_itself_leaves_nothing() {
     assert_eq!(hidden(&place.tmp()), [""; 0]);
 }
 
-/// A tree on its way is met when a file of it can't be written yet: the program is stopped there by a pipe that nobody reads.
+/// A tree on its way is met when a file of it can't be written yet: the program is stopped there by a pipe without a reader.
 #[test]
 fn a_run_that_waits_for_a_reader_ends_at_a_signal() {
     for (signal, code) in [("-INT", 130), ("-TERM", 143)] {

@@ -54,7 +54,7 @@ fn engines() -> Vec<&'static str> {
     engines
 }
 
-/// Runs in a directory with a few broken files: refused with this sentence, and nothing is left behind.
+/// Runs in a directory with a few broken files: refused with this sentence, and nothing is left.
 fn refused(args: &[&str], sentence: &str) {
     let dir = tempfile::tempdir().unwrap();
     std::fs::write(dir.path().join("broken.png"), b"\x89PNG\r\n\x1a\nnot a png").unwrap();
@@ -64,5 +64,5 @@ fn refused(args: &[&str], sentence: &str) {
     let text = String::from_utf8_lossy(&out.stderr).into_owned();
     assert_eq!(out.status.code(), Some(2), "{args:?}: {text}");
     assert!(text.contains(sentence), "{args:?}: {text}");
-    assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 3, "{args:?} left files behind");
+    assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 3, "{args:?} left files");
 }

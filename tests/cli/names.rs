@@ -150,7 +150,7 @@ fn proofs_and_synthesis_go_through_under_any_name() {
 }
 
 #[test]
-fn a_module_of_somebody_else_is_named_by_an_identifier() {
+fn a_foreign_module_is_named_by_an_identifier() {
     let dir = tempfile::tempdir().unwrap();
     std::fs::create_dir(dir.path().join("bs")).unwrap();
     std::fs::write(dir.path().join("bs/top1.v"), "module top1(input a, output b); assign b = a; endmodule\n").unwrap();
@@ -189,7 +189,7 @@ fn the_script_of_a_synthesis_holds_names_of_ours_alone() {
     assert!(script.starts_with("read_verilog -I. source0.v source1.v source2.v\n"), "{text}");
     assert!(!script.contains("touch"), "{text}");
     assert!(text.contains("\nc.vh\n"), "what may be included stands there: {text}");
-    // The row of somebody else's module says how it is measured again, and that its files have changed.
+    // The row of a foreign module says how it is measured again, and that its files have changed.
     let figures: serde_json::Value =
         serde_json::from_slice(&std::fs::read(dir.path().join("f.json")).unwrap()).unwrap();
     assert_eq!(figures[1]["command"], "reliefrtl synth --unit lzc --beside t=m --target ice40");

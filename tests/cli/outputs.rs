@@ -144,7 +144,7 @@ fn a_dash_is_standard_output_and_carries_nothing_else() {
     }
 }
 
-/// A pipe that nobody reads.
+/// A pipe without a reader.
 fn closed() -> std::io::PipeWriter {
     std::io::pipe().unwrap().1
 }
@@ -292,14 +292,14 @@ fn no_output_that_is_full_or_closed_is_a_panic() {
         assert!(!text.contains("panicked"), "{text}");
         // Both full: nothing can be said, and the code says it.
         assert_eq!(go().stdout(full()).stderr(full()).status().unwrap().code(), Some(2));
-        // Nobody listens: the end is quiet, and no success.
+        // There is no reader: the end is quiet, and no success.
         let out = go().stdout(closed()).output().unwrap();
         assert_eq!((out.status.code(), &out.stderr[..]), (Some(141), &b""[..]), "{verb:?}");
     }
     let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
     let ended =
         Command::new(env!("CARGO_BIN_EXE_reliefrtl")).arg("check").arg("--unit").arg("none").stderr(full).status();
-    assert_eq!(ended.unwrap().code(), Some(2), "an error that nobody hears is one all the same");
+    assert_eq!(ended.unwrap().code(), Some(2), "an error that is not heard is one all the same");
 }
 
 /// A name that looks like an option, and one after an option that takes none.

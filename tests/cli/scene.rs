@@ -195,7 +195,7 @@ fn columns_of_ray_lists() {
     assert_eq!(told("u,v,du,dv,lot\n0,0,0,0,2\n", false), misspelt);
     assert!(told("u,v,du,dv,level\n0,0,0,0,2\n", true).starts_with("r.csv, line 1, column 5: \"level\" is none of"));
     assert_eq!(told("u,v,du,Dv,dv\n0,0,0,0,2\n", false), "r.csv, line 1, column 4: \"Dv\" is written dv");
-    // Another column is nobody's business where every expected one is there.
+    // Another column does not matter where every expected one is there.
     let table = parse_table(b"u,v,du,dv,lod,name\n0,0,0,0,2,\"a, \"\"b\"\"\"\n", "r.csv", true).unwrap();
     assert_eq!((table.rays.len(), table.lods), (1, Some(vec![2])));
     assert_eq!(parse_table(b"u,v,du,dv\n0,0,0,0\n", "r.csv", true).unwrap().lods, None);

@@ -56,7 +56,7 @@ fn every_verb_takes_a_map_a_camera_and_a_table() {
             ];
             let (code, text) = said(dir.path(), &all.concat());
             assert_eq!(code, Some(0), "{all:?}: {text}");
-            // Who prints a table of views names them.
+            // A table of views names them.
             if ["steps", "accuracy", "hard", "fit"].contains(&verb[0]) {
                 assert!(text.contains("eye"), "{all:?}: {text}");
                 assert_eq!(text.contains("five"), seen.contains(&"--rays"), "{all:?}: {text}");
@@ -147,7 +147,7 @@ fn a_camera_is_traced_by_every_engine() {
     assert!(all[0].iter().filter(|b| **b == b'\n').count() > 500);
 }
 
-/// Exit code 5 leaves no picture behind: of no ray, and of several views not even that of the other.
+/// Exit code 5 leaves no picture: of no ray, and of several views not even that of the other.
 #[test]
 fn a_picture_of_no_ray_is_not_written() {
     let dir = scene();

@@ -1,4 +1,4 @@
-//! `map.border`: what lies behind the map's border, against maps that were continued by hand.
+//! `map.border`: what lies beyond the map's border, against maps that were continued by hand.
 use crate::run;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -83,7 +83,7 @@ fn borders_equal_maps_continued_by_hand() {
                 beyond += 1;
             }
         }
-        println!("{border}: {over} of 3000 rays end behind the border, {beyond} further than was prepared");
+        println!("{border}: {over} of 3000 rays end beyond the border, {beyond} further than was prepared");
         assert!(over > 500 && (beyond > 20) == (border == Border::Clamp), "{over} {beyond}");
     }
 }
@@ -110,7 +110,7 @@ fn the_command_line() {
         assert_eq!(table, trace(border, "interp").0);
         let lines: Vec<Vec<&str>> = table.lines().skip(1).map(|l| l.split(',').collect()).collect();
         let texels: Vec<(&str, &str)> = lines.iter().map(|l| (l[1], l[3])).collect();
-        // Toward the left the high texel stands in the map itself, whatever comes behind: the last place
+        // Toward the left the high texel stands in the map itself, whatever comes after: the last place
         // in front of it is its own, 1 - 2^-12 texels. Straight down there is texel 2.
         assert_eq!((texels[0], texels[3]), (("0", "0.24993896484375"), ("2", "0.5")), "{border}: {table}");
         if border == "mirror" {

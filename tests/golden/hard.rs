@@ -4,7 +4,7 @@
 use crate::run;
 use reliefrtl::config::{Config, DatapathKind, Design, Trim};
 use reliefrtl::golden::float;
-use reliefrtl::measure::hard::{HardFigures, modes};
+use reliefrtl::measure::corner_cases::{HardFigures, modes};
 use reliefrtl::scene::hard::Case;
 use std::collections::BTreeSet;
 use std::path::Path;

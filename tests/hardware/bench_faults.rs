@@ -186,7 +186,7 @@ fn faults_of_a_pipeline_are_mismatches() {
     }
 }
 
-/// Rows behind those that a file announces: whoever adds one must hear of it.
+/// Rows after those that a file announces: whoever adds one must hear of it.
 #[test]
 fn rows_too_many_are_noticed() {
     if skip() {

@@ -101,7 +101,7 @@ fn clocks_and_trims_change_no_refined_hit() {
     }
 }
 
-/// From power-up, with undefined bits tracked: what nobody loaded or sent never reaches the outputs.
+/// From power-up, with undefined bits tracked: what was never loaded or sent never reaches the outputs.
 #[test]
 fn nothing_undefined_comes_out() {
     let d = design((7, 16), 4, 8);

@@ -202,7 +202,7 @@ fn altered_texels_are_noticed() {
         run(&other, &set.stimulus[..256]) != set.expected[..256]
     };
     let missed: Vec<usize> = (0..256).into_par_iter().step_by(5).filter(|t| !noticed(*t)).collect();
-    assert!(missed.is_empty(), "nobody notices texels {missed:?}");
+    assert!(missed.is_empty(), "nothing notices texels {missed:?}");
 
     let mut c = small(0);
     c.traverse.levels = 7;

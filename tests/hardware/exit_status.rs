@@ -90,7 +90,7 @@ fn a_wrong_nibble_ends_verilator_with_a_status() {
     assert!(said.contains("exit code 1"), "{said}");
 }
 
-/// A core file as somebody would write it for FuseSoC, for Icarus and for Verilator.
+/// A core file as it would be written for FuseSoC, for Icarus and for Verilator.
 fn core(prefix: &str) -> String {
     format!(
         "CAPI=2:

@@ -8,8 +8,8 @@ use reliefrtl::config::{Config, Design, LevelUp, ModeConfig, Profile, TraverseCo
 use reliefrtl::golden::{Pyramid, RayHit, RayInput, encode_ray, prepare};
 use reliefrtl::interp::Traffic;
 use reliefrtl::ir::Binding;
-use reliefrtl::measure::endure::{endure, modes};
-use reliefrtl::measure::hard::answer;
+use reliefrtl::measure::corner_cases::answer;
+use reliefrtl::measure::soak::{endure, modes};
 use reliefrtl::project::hardware;
 use reliefrtl::scene::hard::Case;
 use reliefrtl::trace::{Pipeline, hit};

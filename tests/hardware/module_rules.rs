@@ -103,7 +103,7 @@ fn a_combinational_loop_is_named() {
     };
     let said = panics("a loop through an instance", || drop(through(0)));
     assert!(said.contains("a combinational loop: ") && said.contains("instance output"), "{said}");
-    // The same circle with a register in it is none; and where nobody verified, elaboration ends as well.
+    // The same circle with a register in it is none; and where nothing was verified, elaboration ends as well.
     let mut m = through(1);
     elaborate(&m, &Binding::new()).unwrap();
     let at = |m: &Module, found: &dyn Fn(&Node) -> bool| m.nodes.iter().position(found).unwrap();

@@ -193,7 +193,7 @@ fn waves_read_back() {
         }
         assert!(compared > 1000, "only {compared} values were compared");
         let undefined = read_net(&path, &[], "in_u", 0..1);
-        assert!(undefined[0].chars().all(|c| c == 'x'), "an input that nobody drives is x");
+        assert!(undefined[0].chars().all(|c| c == 'x'), "an input that is not driven is x");
     }
     assert!(wave.save(&dir.path().join("ray.txt"), "traverse").is_err());
 }

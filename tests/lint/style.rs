@@ -93,7 +93,7 @@ fn emitted_text_follows_the_rules_of_style() {
                 ("licence and name come first", text.starts_with(&format!("// {SPDX}\n// {name}: "))),
                 ("one module a file", text.matches("\nendmodule\n").count() == 1),
                 ("module and file have one name", text.contains(&format!("\nmodule {name} "))),
-                ("what undeclared nets are behind it", text.ends_with(&format!("\nendmodule\n{}", behind(nets)))),
+                ("what undeclared nets are after it", text.ends_with(&format!("\nendmodule\n{}", after(nets)))),
                 (
                     "what they are in it",
                     text.contains("`default_nettype none\nmodule ") == (nets != DefaultNettype::Keep),
@@ -111,7 +111,7 @@ fn emitted_text_follows_the_rules_of_style() {
 }
 
 /// The directives at the end. Yosys takes the last one of a file for all of it, so there `none` has to be the last.
-fn behind(nets: DefaultNettype) -> &'static str {
+fn after(nets: DefaultNettype) -> &'static str {
     match nets {
         DefaultNettype::Wire => "`ifndef YOSYS\n`default_nettype wire\n`endif\n",
         DefaultNettype::None | DefaultNettype::Keep => "",

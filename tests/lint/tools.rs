@@ -74,7 +74,7 @@ impl Tool {
             )
         });
         let mut c = Command::new(&path);
-        // Verilator finds its own files by itself, unless somebody says where another one's are.
+        // Verilator finds its own files by itself, unless it is told where another one's are.
         c.env_remove("VERILATOR_ROOT");
         match self {
             Self::Icarus => drop(c.args(["-g2005", "-Wall", "-t", "null"])),

@@ -104,7 +104,7 @@ fn an_orientation_in_exif_data() {
         let data =
             [b"MM\0*\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0".as_slice(), &[orientation, 0, 0, 0, 0, 0, 0]].concat();
         let file = png(2, BitDepth::Eight, ColorType::Grayscale, &[1, 2, 3, 4, 5, 6], |_| ());
-        // Behind the header, 8 + 25 bytes.
+        // After the header, 8 + 25 bytes.
         let mut crc = flate2::Crc::new();
         crc.update(&[b"eXIf".as_slice(), &data].concat());
         let chunk = [&(data.len() as u32).to_be_bytes()[..], b"eXIf", &data, &crc.sum().to_be_bytes()].concat();
@@ -145,7 +145,7 @@ fn portable_maps() {
     ] {
         assert_eq!(codes(&file, "m", 8, &[]), words);
     }
-    // A map is one picture; what stands behind it was meant to be something, but for the end of a line.
+    // A map is one picture; what stands after it was meant to be something, but for the end of a line.
     let bytes: Vec<u8> = words.iter().map(|w| *w as u8).collect();
     let p5 = |head: &str, tail: &[u8]| [head.as_bytes(), &bytes, tail].concat();
     for whole in [p5("P5 4 4 255\n", b"\n"), p5("P5\r\n4 4\r\n255\r\n", b"")] {

@@ -358,19 +358,19 @@ fn manifests() {
 
 #[test]
 fn stored_measurements() {
-    use reliefrtl::report::{Extent, Plan, Selection, cells};
+    use reliefrtl::report::{Extent, Plan, Selection, measurements};
     let mut config = Config::default();
     (config.traverse.levels, config.view.width, config.view.height, config.view.stride) = (3, 64, 48, 16);
     let mut plan = Plan::new(&config, &Selection { extent: Extent::Tiny, ..Selection::default() }).unwrap();
-    plan.cells.truncate(1);
+    plan.jobs.truncate(1);
     let dir = tempfile::tempdir().unwrap();
-    let (whole, _) = cells(&plan, dir.path(), &|_, _| ()).unwrap();
+    let (whole, _) = measurements(&plan, dir.path(), &|_, _| ()).unwrap();
     let path = std::fs::read_dir(dir.path().join("cells")).unwrap().next().unwrap().unwrap().path();
     let seed = std::fs::read(&path).unwrap();
     fuzz("cell.json", &[seed], |bytes| {
         // What is no measurement is measured again.
         std::fs::write(&path, bytes).unwrap();
-        let (found, work) = cells(&plan, dir.path(), &|_, _| ())?;
+        let (found, work) = measurements(&plan, dir.path(), &|_, _| ())?;
         assert!(found == whole && work.measured + work.taken == 1, "what was edited counts as measured");
         Ok(())
     });

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 use std::time::{Duration, Instant};
 
-/// Runs with 4 GB of address space and two seconds of processor time, behind which the system ends it.
+/// Runs with 4 GB of address space and two seconds of processor time, after which the system ends it.
 fn run(dir: &Path, args: &[&str]) -> Output {
     Command::new("sh")
         .args(["-c", "ulimit -v 4000000; ulimit -t 2; exec \"$0\" \"$@\"", env!("CARGO_BIN_EXE_reliefrtl")])
@@ -84,7 +84,7 @@ fn files() -> Vec<(&'static str, Vec<u8>, Vec<u8>)> {
     let mut webp = Vec::new();
     let encoder = image::codecs::webp::WebPEncoder::new_lossless(&mut webp);
     image::ImageEncoder::write_image(encoder, &texels, 7, 7, image::ExtendedColorType::L8).unwrap();
-    // Behind the signature byte 14 bits each of width - 1 and height - 1: 16383 x 16383.
+    // After the signature byte 14 bits each of width - 1 and height - 1: 16383 x 16383.
     let at = webp.windows(4).position(|w| w == b"VP8L").unwrap() + 9;
     let mut large = webp.clone();
     large[at..at + 3].copy_from_slice(&[0xfe, 0xbf, 0xff]);

@@ -172,7 +172,7 @@ impl Tiff {
         self.pages(&[])
     }
 
-    /// This page and others behind it.
+    /// This page and others after it.
     pub fn pages(&self, more: &[(&Self, u32)]) -> Vec<u8> {
         let mut out = if self.big_endian { b"MM".to_vec() } else { b"II".to_vec() };
         if self.big_tiff {

@@ -93,7 +93,7 @@ fn tiff_of_several_samples() {
             let told = sentence(decode_codes(&holes, "m.tif", &keys(&[]), 2, 16, false));
             assert!(told.contains("pixel (0, 0) is not opaque (alpha 65534 of 65535)"), "{told}");
             assert_eq!(codes(&holes, "m.tif", 16, &["map.channel=Y"]), words);
-            // Two bands that nobody explains.
+            // Two bands that are not explained.
             let bands = Tiff { extra: Some(0), ..grey(&mixed(7)) }.bytes();
             let told = sentence(decode_codes(&bands, "m.tif", &keys(&[]), 2, 16, false));
             assert!(told.contains("the file has the channels Y, 2, and which one"), "{told}");

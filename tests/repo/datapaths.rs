@@ -68,7 +68,7 @@ fn asks(text: &str, property: &str) -> bool {
     })
 }
 
-/// A property is what differs, not who: one that singles out a datapath is asked for in few files, and is not called as a datapath is.
+/// A property is what differs, not a name: one that singles out a datapath is asked for in few files, and is not called as a datapath is.
 #[test]
 fn no_property_is_a_name_of_a_datapath() {
     let all: Vec<_> = DatapathKind::WITH_SEARCHES.map(properties).into();

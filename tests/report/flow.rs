@@ -17,7 +17,7 @@ fn text(out: &Output) -> String {
     String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr)
 }
 
-/// Runs a script; whether it went well, and the errors of its log (one Yosys loses them where nobody sees a terminal).
+/// Runs a script; whether it went well, and the errors of its log (one Yosys loses them where there is no terminal).
 pub fn yosys(program: &Path, dir: &Path, script: &str) -> (bool, String) {
     let mut c = Command::new(program);
     c.args(["-q", "-l", "pnr/yosys.log", "-s", script]).current_dir(dir);

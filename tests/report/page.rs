@@ -5,7 +5,7 @@ use reliefrtl::format::FloatFormat;
 use reliefrtl::golden::encode_ray;
 use reliefrtl::measure::{Spread, accuracy, uv_given};
 use reliefrtl::project::Scene;
-use reliefrtl::report::{Extent, ModeSet, Output, Plan, Selection, Work, cells, files, write};
+use reliefrtl::report::{Extent, ModeSet, Output, Plan, Selection, Work, files, measurements, write};
 use reliefrtl::scene::{RaySet, RaySource, RayTable};
 use reliefrtl::trace::trace_golden;
 use serde_json::Value;
@@ -37,8 +37,8 @@ fn synth(dir: &Path, c: &Config) -> PathBuf {
 }
 
 fn run(plan: &Plan, dir: &Path) -> (Output, Work) {
-    let (cells, work) = cells(plan, dir, &|_, _| {}).unwrap();
-    let files = files(plan, &cells, "reliefrtl report").unwrap();
+    let (measurements, work) = measurements(plan, dir, &|_, _| {}).unwrap();
+    let files = files(plan, &measurements, "reliefrtl report").unwrap();
     write(dir, &files).unwrap();
     (files, work)
 }
@@ -73,7 +73,7 @@ fn page_json_and_csv_hold_the_same_numbers_and_a_resumed_run_the_same_bytes() {
     let chosen = Selection { scenes: Some(maps.path().to_owned()), synth, ..tiny() };
     let plan = Plan::new(&c, &chosen).unwrap();
     let (first, work) = run(&plan, dir.path());
-    assert_eq!((work.measured, work.taken), (plan.cells.len(), 0));
+    assert_eq!((work.measured, work.taken), (plan.jobs.len(), 0));
     let json: Value = serde_json::from_str(text(&first, "report.json")).unwrap();
     for name in ["cells", "pareto", "steps", "published"] {
         let mut csv = csv::Reader::from_reader(text(&first, &format!("{name}.csv")).as_bytes());
@@ -124,7 +124,7 @@ fn page_json_and_csv_hold_the_same_numbers_and_a_resumed_run_the_same_bytes() {
     let other = paths.next().unwrap();
     let probe = std::fs::read_to_string(other).unwrap().replace("\"probe\":\"", "\"probe\":\"0");
     std::fs::write(other, probe).unwrap();
-    // One number of a measurement, and who measured it.
+    // One number of a measurement, and what measured it.
     for (key, other) in [("\"rays\":", "\"rays\":1"), ("\"program\":\"", "\"program\":\"0")] {
         let path = paths.next().unwrap();
         let text = std::fs::read_to_string(path).unwrap();
@@ -132,7 +132,7 @@ fn page_json_and_csv_hold_the_same_numbers_and_a_resumed_run_the_same_bytes() {
         std::fs::write(path, text.replacen(key, other, 1)).unwrap();
     }
     let (again, work) = run(&plan, dir.path());
-    assert_eq!((work.measured, work.taken), (5, plan.cells.len() - 5));
+    assert_eq!((work.measured, work.taken), (5, plan.jobs.len() - 5));
     let altered: Vec<String> =
         names.iter().skip(1).take(4).map(|p| format!("cells/{}", p.file_name().unwrap().to_string_lossy())).collect();
     assert_eq!(work.altered.iter().collect::<BTreeSet<_>>(), altered.iter().collect::<BTreeSet<_>>());
@@ -149,17 +149,17 @@ fn what_has_no_datapath_is_listed_with_its_reason() {
     let plan = Plan::new(&c, &tiny()).unwrap();
     let refused = plan.not_legal.iter().find(|r| r.design.starts_with("watertight 7/7")).expect("7/7 is refused");
     assert!(refused.reason.contains("height_bits"), "{}", refused.reason);
-    let listed: BTreeSet<usize> = plan.cells.iter().map(|job| job.design).collect();
+    let listed: BTreeSet<usize> = plan.jobs.iter().map(|job| job.design).collect();
     assert_eq!(listed.len() + plan.not_legal.len(), plan.designs.len(), "every design is measured or refused");
 }
 
 /// Maps, views and designs of a plan.
 fn planned(c: &Config, s: &Selection) -> (Vec<(String, u32)>, BTreeSet<String>, Vec<String>) {
     let plan = Plan::new(c, s).unwrap();
-    let rays = plan.cells.iter().map(|j| &plan.rays[j.view]);
+    let rays = plan.jobs.iter().map(|j| &plan.rays[j.view]);
     let views = rays.filter(|r| r.elevation.is_none()).map(|r| r.set.name.clone()).collect();
     let designs = plan.designs.iter().map(|d| d.label()).collect();
-    (plan.sites.iter().map(|s| (s.spec.name.clone(), s.spec.levels)).collect(), views, designs)
+    (plan.maps.iter().map(|s| (s.spec.name.clone(), s.spec.levels)).collect(), views, designs)
 }
 
 #[test]
@@ -174,16 +174,16 @@ fn what_is_chosen_is_what_is_measured() {
         modes: Some(ModeSet::One),
         ..Selection::default()
     };
-    let (sites, views, designs) = planned(&c, &chosen);
+    let (planned_maps, views, designs) = planned(&c, &chosen);
     let all = [("stairs", 5), ("pit", 5), ("stairs", 6), ("pit", 6)].map(|(name, n)| (name.to_owned(), n));
-    assert_eq!(sites, all);
+    assert_eq!(planned_maps, all);
     assert_eq!(views, BTreeSet::from(["grazing".to_owned()]));
     // The configured design, watertight here, is always among them.
     assert_eq!(designs, ["fixed Q.15", "fixed Q.20", "watertight 7/16"]);
     // A map of the user's stands in the place of own ones, at the size that it has.
     (chosen.maps, chosen.levels, chosen.map) = (Vec::new(), vec![5], Some(maps.path().join("four.png")));
-    let (sites, ..) = planned(&c, &chosen);
-    assert_eq!(sites, [("four".to_owned(), 5)]);
+    let (planned_maps, ..) = planned(&c, &chosen);
+    assert_eq!(planned_maps, [("four".to_owned(), 5)]);
     chosen.levels = Vec::new();
     let refused = Plan::new(&c, &chosen).err().unwrap().to_string();
     assert!(refused.contains("32") && refused.contains("256"), "{refused}");
@@ -236,7 +236,7 @@ fn accuracy_report_and_fit_measure_the_same_uv_error() {
         ..Selection::default()
     };
     let plan = Plan::new(&c, &chosen).unwrap();
-    let (measured, _) = cells(&plan, dir.path(), &|_, _| {}).unwrap();
+    let (measured, _) = measurements(&plan, dir.path(), &|_, _| {}).unwrap();
     let cell = measured.iter().find(|cell| cell.spec.design.fraction_bits == Some(10)).unwrap();
     let scene = Scene::new(&c, None, false).unwrap();
     let d = cell.spec.design.design(&c, 5).unwrap();

@@ -100,7 +100,7 @@ fn the_other_targets_have_area_and_depth() {
     for target in ["ice40", "xilinx"] {
         let f = &figures(&["--unit", "fp_lt", "--latency", "1", "--target", target])[0];
         assert!(f["luts"].as_u64().unwrap() > 10 && f["clock"].is_null(), "{target}: {f}");
-        // Behind the operands' registers, before the result's: a chain over 24 bits, not the whole pipeline.
+        // After the operands' registers, before the result's: a chain over 24 bits, not the whole pipeline.
         let depth = f["depth"].as_u64().unwrap();
         assert!((3..60).contains(&depth), "{target}: depth {depth}");
     }

@@ -26,7 +26,7 @@ pub struct Place {
     pub vector: usize,
     /// Output port.
     pub output: String,
-    /// Stage at which it leaves, in clocks behind the operands; none for a handshaked unit.
+    /// Stage at which it leaves, in clocks after the operands; none for a handshaked unit.
     pub stage: Option<u32>,
     /// Expected word, hex.
     pub expected: String,

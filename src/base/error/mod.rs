@@ -20,7 +20,7 @@ pub mod exit {
     pub const NOTHING_RAN: i32 = 5;
     /// A result that was expected never came.
     pub const DROPPED: i32 = 6;
-    /// A result came that nobody expected.
+    /// A result came that was not expected.
     pub const EXTRA: i32 = 7;
     /// Whoever read standard output was gone before all of it was written: 128 and the number of SIGPIPE.
     pub const READER_GONE: i32 = 141;
@@ -48,7 +48,7 @@ pub enum Error {
     /// An expected result never came.
     #[error("{0}")]
     Dropped(String),
-    /// A result came that nobody expected.
+    /// A result came that was not expected.
     #[error("{0}")]
     Extra(String),
     /// A tool is not installed.

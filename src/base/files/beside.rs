@@ -5,7 +5,7 @@ use crate::error::{Error, Result};
 use std::io::Write;
 use std::path::Path;
 
-/// Writes a file beside its place and renames it, for one who holds off interrupts; the permissions of one that it replaces stay.
+/// Writes a file beside its place and renames it, for a caller that holds off interrupts; the permissions of one that it replaces stay.
 pub(super) fn write_beside(path: &Path, bytes: &[u8]) -> Result<()> {
     let directory = directory_of(path);
     let failed = |error: std::io::Error| Error::file("write", path, bare(error));
@@ -19,7 +19,7 @@ pub(super) fn write_beside(path: &Path, bytes: &[u8]) -> Result<()> {
     }
     for _ in 0..100 {
         let mut file = builder.tempfile_in(directory).map_err(failed)?;
-        // Who sweeps may meet it before it is locked.
+        // A sweep may meet it before it is locked.
         let Some(_lock) = locked(file.path()) else { continue };
         if let Some(there) = std::fs::symlink_metadata(path).ok().filter(|m| m.is_file()) {
             file.as_file().set_permissions(there.permissions()).map_err(failed)?;

@@ -124,7 +124,7 @@ impl OutDir {
     /// with what is written; [`Error::File`] if the system refuses.
     pub fn commit(self) -> Result<Vec<PathBuf>> {
         let written = self.files.keys().map(|path| self.target.join(path)).collect();
-        // From here on an interrupt waits: nobody shall find a tree that is neither the old nor the new one.
+        // From here on an interrupt waits: no reader shall find a tree that is neither the old nor the new one.
         let _moving = writing();
         if !self.target.exists() {
             self.write_list(&[])?;
@@ -154,7 +154,7 @@ impl OutDir {
         }
         self.goes_with(&kept, old.config.as_deref())?;
         self.write_list(&kept)?;
-        // Who stands in the directory would stay behind in the old one.
+        // A process that stands in the directory would stay in the old one.
         let stands_inside = std::env::current_dir().is_ok_and(|current| current.starts_with(&self.target));
         let ours = self.files.keys().chain(stale.iter().copied()).map(String::as_str).chain([MANIFEST]);
         if self.fixed

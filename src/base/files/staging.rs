@@ -30,7 +30,7 @@ impl Staging {
     pub(super) fn new(parent: &Path, private: bool) -> Result<Self> {
         sweep(parent);
         let failed = |error| Error::file("create a directory in", parent, bare(error));
-        // Who sweeps may meet a directory before it is locked; then it is gone, and another one is made.
+        // A sweep may meet a directory before it is locked; then it is gone, and another one is made.
         for _ in 0..100 {
             let mut live = live();
             let mut builder = tempfile::Builder::new();
@@ -111,7 +111,7 @@ impl Scratch {
     }
 }
 
-/// The lock of a new file or directory, which ends with the process; `Some(None)` where the file system has no locks, `None` if somebody else has
+/// The lock of a new file or directory, which ends with the process; `Some(None)` where the file system has no locks, `None` if another process has
 /// removed it.
 pub(super) fn locked(path: &Path) -> Option<Option<File>> {
     let file = File::open(path).ok()?;
@@ -122,7 +122,7 @@ pub(super) fn locked(path: &Path) -> Option<Option<File>> {
     }
 }
 
-/// Removes from a directory what dead processes of this user left there, once a run: what bears our name and is locked by nobody.
+/// Removes from a directory what dead processes of this user left there, once a run: what bears our name and is locked by no process.
 pub(super) fn sweep(directory: &Path) {
     static SWEPT: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
     if !SWEPT.lock().unwrap_or_else(PoisonError::into_inner).insert(directory.to_owned()) {
@@ -170,7 +170,7 @@ pub(super) fn writing() -> MutexGuard<'static, ()> {
     WRITING.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Ends the process, without what an unfinished run would leave behind; waits for a file that is being written and for a tree that is being put
+/// Ends the process, without what an unfinished run would leave; waits for a file that is being written and for a tree that is being put
 /// into its place, but not for long.
 pub fn abandon(code: i32) -> ! {
     let start = Instant::now();

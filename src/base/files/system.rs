@@ -52,7 +52,7 @@ pub(super) fn writable(_: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// What the system said, without the name of the temporary file that nobody asked for.
+/// What the system said, without the name of the temporary file that the user never named.
 pub(super) fn bare(error: std::io::Error) -> std::io::Error {
     match error.raw_os_error() {
         Some(code) => std::io::Error::from_raw_os_error(code),

@@ -1,4 +1,4 @@
-//! Figures that stand in the project's documents and behind `--clock`: `data/figures.json`, an entry a line, as `reliefrtl synth` writes them.
+//! Figures that stand in the project's documents and on which `--clock` rests: `data/figures.json`, an entry a line, as `reliefrtl synth` writes them.
 //!
 //! Each has the digest of the emitted text that it was measured on. `reliefrtl synth --stale data/figures.json` names those whose text
 //! has changed since (a test asks for it), `--refresh` measures them again.
@@ -65,7 +65,7 @@ pub struct Entry {
 }
 
 impl Entry {
-    /// The words of the call behind `reliefrtl synth`.
+    /// The words of the call after `reliefrtl synth`.
     pub fn words(&self) -> Vec<&str> {
         self.command.split_whitespace().skip(2).collect()
     }

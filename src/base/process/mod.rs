@@ -28,7 +28,7 @@ pub fn output(command: &mut Command) -> io::Result<Output> {
     live.runs(child.id());
     let out = child.wait_with_output();
     drop(live);
-    // What a killed program said is nobody's result: the signal's handler ends this process.
+    // What a killed program said is no result: the signal's handler ends this process.
     group::wait_if_stopping();
     out
 }
@@ -73,7 +73,7 @@ pub fn command_in(dir: &Path, program: impl AsRef<OsStr>) -> Command {
 
 #[cfg(test)]
 mod tests {
-    /// A program is waited for while somebody has it open for writing, and started then.
+    /// A program is waited for while another process has it open for writing, and started then.
     #[cfg(target_os = "linux")]
     #[test]
     fn a_busy_program_is_started_when_it_is_written() {

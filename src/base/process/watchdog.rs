@@ -114,7 +114,7 @@ fn watch(from: RawFd) -> ! {
         for signal in [libc::SIGINT, libc::SIGTERM, libc::SIGHUP, libc::SIGQUIT] {
             libc::signal(signal, libc::SIG_IGN);
         }
-        // Nobody waits for the end of a pipe or a lock because of this copy; the one descriptor left is 0.
+        // No process waits for the end of a pipe or a lock because of this copy; the one descriptor left is 0.
         libc::dup2(from, 0);
         let most = libc::sysconf(libc::_SC_OPEN_MAX).clamp(256, 65536);
         #[cfg(target_os = "linux")]

@@ -1,5 +1,5 @@
 // Sends rays from memory through {{ top }} and keeps what comes out: the traversal alone is timed, by processor time.
-// Prints one line of JSON, and ends with 0 (all results as expected), 1 (some are not), 6 (a ray never came back), 7 (one nobody sent).
+// Prints one line of JSON, and ends with 0 (all results as expected), 1 (some are not), 6 (a ray never came back), 7 (one was never sent).
 #include <chrono>
 #include <cstdint>
 #include <cstdio>

@@ -168,7 +168,7 @@ static CHORD_END: Unit = Unit {
     proofs: &[Proof {
         name: "fixed_chord_end",
         units: &[RAY_SETUP.name, PLANE_TIME.name, "chord_end", RECIPROCAL.name],
-        claim: "a chord ends behind every plane that is met by its parameter, and so does the ray at the bottom plane (8/8)",
+        claim: "a chord ends beyond every plane that is met by its parameter, and so does the ray at the bottom plane (8/8)",
         text: harness!("fixed_chord_end"),
         engine: BIT_LEVEL,
         over: NARROW,

@@ -1,6 +1,6 @@
 //! `accuracy`: hits against the exact oracle, per map and view.
-mod rates;
-mod refined;
+mod bilinear_accuracy;
+mod published_accuracy;
 
 use super::args::{AccuracyArgs, Cli};
 use super::output::table;
@@ -25,7 +25,7 @@ struct Said<'a> {
 pub fn run(cli: &Cli, a: &AccuracyArgs) -> Result<()> {
     let c = super::load::load(cli)?;
     if let Some(dir) = &a.scenes {
-        return rates::run(cli, &c, dir);
+        return published_accuracy::run(cli, &c, dir);
     }
     let (a, views) = (&a.scene.map, &a.scene);
     let own = a.map.is_none() && c.map.kind != MapKind::File;
@@ -52,7 +52,7 @@ pub fn run(cli: &Cli, a: &AccuracyArgs) -> Result<()> {
     } else {
         print(&rows, &witnesses);
         if c.mode.bilinear {
-            refined::print(&refined);
+            bilinear_accuracy::print(&refined);
         }
     }
     Ok(())

@@ -167,7 +167,7 @@ pub struct SynthArgs {
     /// Measures each unit of arithmetic at these latencies instead of the configured one.
     #[arg(long, value_delimiter = ',', value_name = "CLOCKS")]
     pub latency: Vec<u32>,
-    /// Somebody else's Verilog in the same run: the module TOP, with registers of its own around what counts, of the files in DIR.
+    /// Foreign Verilog in the same run: the module TOP, with registers of its own around what counts, of the files in DIR.
     #[arg(long, value_delimiter = ',', value_name = "TOP=DIR")]
     pub beside: Vec<String>,
     /// Where the figures go, each with the call that measures it again, the tools' versions, and a digest of the text that was measured.

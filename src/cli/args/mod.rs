@@ -295,7 +295,7 @@ pub struct TraceArgs {
 /// Options of `render`.
 #[derive(Args, Debug)]
 pub struct RenderArgs {
-    /// Map and view; oblique without `--view`. Of several views, each picture has the view's name behind that of `--out`. A table of rays is
+    /// Map and view; oblique without `--view`. Of several views, each picture has the view's name after that of `--out`. A table of rays is
     /// drawn on the map from above.
     #[command(flatten)]
     pub scene: SceneArgs,

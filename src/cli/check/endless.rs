@@ -1,4 +1,4 @@
-//! `reliefrtl check --level 3`: random rows of one seed after the other, until somebody stops it or something differs.
+//! `reliefrtl check --level 3`: random rows of one seed after the other, until it is stopped or something differs.
 use crate::cli::args::{CheckArgs, Cli};
 use crate::cli::output::spinner;
 use crate::config::Config;

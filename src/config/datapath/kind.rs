@@ -37,7 +37,7 @@ pub struct DatapathConfig {
     pub kind: DatapathKind,
     /// A search that was asked of a kind which has none to choose; [`DatapathKind::Fixed`] and [`DatapathKind::Windows`] say theirs.
     pub search: Search,
-    /// `published`: a crossing lands 2^-nudge_bits texels behind its plane; 0 is no nudge.
+    /// `published`: a crossing lands 2^-nudge_bits texels beyond its plane; 0 is no nudge.
     pub nudge_bits: u32,
     /// `fixed`: fraction bits of entry point, travel (tiles) and ray parameter.
     pub fraction_bits: u32,

@@ -24,7 +24,7 @@ struct Written {
     /// `fixed`: what is searched.
     #[serde(skip_serializing_if = "is_pyramid")]
     search: Search,
-    /// `published`: a crossing lands 2^-nudge_bits texels behind its plane; 0 is no nudge.
+    /// `published`: a crossing lands 2^-nudge_bits texels beyond its plane; 0 is no nudge.
     nudge_bits: u32,
     /// `fixed`: fraction bits of entry point, travel (tiles) and ray parameter.
     fraction_bits: u32,

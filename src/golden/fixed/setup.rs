@@ -128,7 +128,7 @@ impl Fixed {
         ((i128::from(s + SLACK) * i128::from(t)) >> (self.fraction + GUARD)) as u64
     }
 
-    /// The texel `way` ahead of `p`; of a plane that the way just meets, the texel behind it, in both directions.
+    /// The texel `way` ahead of `p`; of a plane that the way just meets, the texel beyond it, in both directions.
     pub(super) fn ahead(&self, p: u64, neg: bool, way: u64) -> i64 {
         let (p, way) = (i128::from(p), i128::from(way));
         self.texel(if neg { p - way - 1 } else { p + way })

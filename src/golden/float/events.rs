@@ -23,7 +23,7 @@ events!(
     EXACT = 0 "exact",
     /// Half-way between two numbers.
     TIE = 1 "tie",
-    /// Below half-way, by bits behind the guard bit alone.
+    /// Below half-way, by bits after the guard bit alone.
     STICKY = 2 "sticky only",
     /// Above half-way.
     ABOVE = 3 "above half",
@@ -81,9 +81,9 @@ pub fn events(
         let row: Vec<u64> = x.iter().zip(float).map(|(v, f)| if *f { widened(fmt, *v, wide) } else { *v }).collect();
         (wide, op(wide, &row))
     };
-    // One bit more than the format has, cut: the guard bit. Whether there is more behind it, both directions say together.
+    // One bit more than the format has, cut: the guard bit. Whether there is more after it, both directions say together.
     let (cut, z) = at(fmt.man + 1, Rounding::TowardZero);
-    let behind = at(fmt.man + 1, Rounding::Up).1 != at(fmt.man + 1, Rounding::Down).1;
+    let after = at(fmt.man + 1, Rounding::Up).1 != at(fmt.man + 1, Rounding::Down).1;
     let terms = || x.iter().zip(float).filter(|(_, f)| **f).map(|(v, _)| top(fmt, *v));
     let (guarded, place) = match decode(cut, z) {
         Value::Nan | Value::Infinite(_) => return Events::SPECIAL,
@@ -97,7 +97,7 @@ pub fn events(
     // The place of the guard bit: further up in a subnormal number.
     let up = if gradual { (least - place).min(100) as u32 } else { 0 };
     let guard = guarded >> up & 1 == 1;
-    let sticky = behind || guarded & ((1 << up) - 1) != 0;
+    let sticky = after || guarded & ((1 << up) - 1) != 0;
     let out = op(fmt, x);
     let (rounded, after) = if gradual { (fmt, out) } else { at(fmt.man, fmt.rounding) };
     let after = top(rounded, after);

@@ -45,7 +45,7 @@ pub(super) fn round(fmt: FloatFormat, negative: bool, sig: u128, exp: i32, rest:
     }
 }
 
-/// `sig` without its lowest `drop` bits, and what these and the rest behind them weigh.
+/// `sig` without its lowest `drop` bits, and what these and the rest after them weigh.
 fn split(sig: u128, drop: i32, rest: bool) -> (u128, Loss) {
     let below = if rest { Some(Ordering::Less) } else { None };
     match drop {

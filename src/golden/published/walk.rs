@@ -67,8 +67,8 @@ impl Published {
             (_, false) => 1,
             (_, true) => -1,
         };
-        let behind = float::from_fixed(fmt, (plane << nudge) + step, nudge);
-        let away = float::add(fmt, behind, float::neg(fmt, axis.p));
+        let beyond = float::from_fixed(fmt, (plane << nudge) + step, nudge);
+        let away = float::add(fmt, beyond, float::neg(fmt, axis.p));
         Exit { plane, edge: float::from_int(fmt, plane), t: float::div(fmt, away, axis.d) }
     }
 

@@ -1,5 +1,5 @@
 //! The bilinear refinement of a block hit (`docs/bilinear.md`; PDM section 3.3): one secant step between half a texel before and half a
-//! texel behind the hit.
+//! texel after the hit.
 //!
 //! Each part stands alone, at any format, so that the unit that computes it can be held to it.
 use super::model::Watertight;
@@ -25,7 +25,7 @@ pub struct Refined {
     pub fv: u32,
     /// Ray parameter, encoded.
     pub t: u64,
-    /// The window's ends: encoded parameters half a texel before and behind the block hit.
+    /// The window's ends: encoded parameters half a texel before and after the block hit.
     pub window: [u64; 2],
     /// The ray's height over the surface at both ends, in height codes, encoded.
     pub gaps: [u64; 2],
@@ -83,15 +83,15 @@ impl Watertight {
     }
 }
 
-/// Half a texel of the faster axis before and behind `t`, but not beyond the planes of full height and of none: `bottom` is the parameter of the
+/// Half a texel of the faster axis before and after `t`, but not beyond the planes of full height and of none: `bottom` is the parameter of the
 /// latter, `r` the axes' parameters per texel, of either sign. All encoded.
 pub fn window(fmt: FloatFormat, bottom: u64, r: [u64; 2], t: u64) -> [u64; 2] {
     let [r_u, r_v] = r.map(|r| r & !fmt.sign_bit());
     let texel = if float::lt(fmt, r_v, r_u) { r_v } else { r_u };
     let half = float::mul(fmt, texel, float::from_f64(fmt, 0.5));
     let before = float::add(fmt, t, float::neg(fmt, half));
-    let behind = float::add(fmt, t, half);
-    [if float::lt(fmt, 0, before) { before } else { 0 }, if float::lt(fmt, behind, bottom) { behind } else { bottom }]
+    let after = float::add(fmt, t, half);
+    [if float::lt(fmt, 0, before) { before } else { 0 }, if float::lt(fmt, after, bottom) { after } else { bottom }]
 }
 
 /// Where p + dt * t lies on a map of 2^`levels` texels a side that repeats: texel, and fraction in 2^-`frac` texels. The coordinate has `idx` bits

@@ -8,7 +8,7 @@ use crate::format::FloatFormat;
 use crate::golden::prepare;
 use serde::{Deserialize, Serialize};
 
-/// A design, as a cell names it: what does not matter to its datapath is left out.
+/// A design, as a measurement names it: what does not matter to its datapath is left out.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct DesignSpec {
     /// Datapath.
@@ -82,7 +82,7 @@ impl DesignSpec {
         let mut c = base.clone();
         (c.map, c.mode) = (MapConfig::default(), self.mode);
         (c.traverse.levels, c.traverse.tile_bits, c.traverse.frac_bits) = (levels, self.tile_bits, self.frac_bits);
-        // A map eight times as wide is eight times as far to walk; who is stuck is stuck on any map.
+        // A map eight times as wide is eight times as far to walk; a ray that is stuck is stuck on any map.
         let wider = if self.nudge_bits == Some(0) { 0 } else { levels.saturating_sub(8).min(4) };
         c.traverse.step_limit = (self.step_limit << wider).min(65535);
         c.datapath = DatapathConfig::default();

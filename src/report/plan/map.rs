@@ -7,7 +7,7 @@ use crate::trace::rays_inside;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
-/// A map, as a cell names it.
+/// A map, as a measurement names it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MapSpec {
     /// Kind, or file stem.
@@ -24,7 +24,7 @@ pub struct MapSpec {
     pub scale: f64,
     /// Repeats along the quad.
     pub repeat: u32,
-    /// What lies behind the border.
+    /// What lies beyond the border.
     pub border: Border,
     /// Twelve digits of blake3 over the height codes.
     pub codes: String,

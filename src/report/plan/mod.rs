@@ -1,4 +1,4 @@
-//! What is measured: maps, views, designs, modes; every combination is a cell.
+//! What is measured: maps, views, designs, modes; every combination is a measurement.
 mod design;
 mod headline;
 mod map;
@@ -32,7 +32,7 @@ pub struct NotLegal {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Job {
     /// Index of its map.
-    pub site: usize,
+    pub map: usize,
     /// Index of its rays.
     pub view: usize,
     /// Index of its design.
@@ -57,7 +57,7 @@ pub struct Plan {
     /// What was chosen.
     pub selection: Selection,
     /// Maps.
-    pub sites: Vec<Map>,
+    pub maps: Vec<Map>,
     /// Designs with their modes, in the order of the page.
     pub designs: Vec<DesignSpec>,
     /// The designs that the page always names.
@@ -71,7 +71,7 @@ pub struct Plan {
     /// What is known of those of all units.
     pub units: Vec<UnitFigures>,
     /// The measurements.
-    pub cells: Vec<Job>,
+    pub jobs: Vec<Job>,
 }
 
 /// Map sizes between, and elevations, at which few designs show what size and angle do.
@@ -97,21 +97,21 @@ impl Plan {
             (c.map.kind, c.map.file) = (MapKind::File, Some(file.clone()));
         }
         c.traverse.levels = selection.levels.first().copied().unwrap_or(c.traverse.levels);
-        let sites = sites(&c, selection)?;
+        let maps = maps(&c, selection)?;
         let designs = selection.designs(&c);
         let headlines = headline::headlines(&c, &designs);
-        let (cells, not_legal, rays) = (Vec::new(), Vec::new(), Vec::new());
+        let (jobs, not_legal, rays) = (Vec::new(), Vec::new(), Vec::new());
         let (selection, units) = (selection.clone(), units.concat());
         let synthesized = units.iter().filter_map(Synthesized::of).collect();
         let mut plan =
-            Self { config: c, selection, sites, designs, headlines, rays, not_legal, synthesized, units, cells };
+            Self { config: c, selection, maps, designs, headlines, rays, not_legal, synthesized, units, jobs };
         plan.fill()?;
         Ok(plan)
     }
 
     fn fill(&mut self) -> Result<()> {
         self.rays = [self.views()?, self.elevations()?].concat();
-        for (site, at) in self.sites.iter().enumerate() {
+        for (map, at) in self.maps.iter().enumerate() {
             for (design, spec) in self.designs.iter().enumerate() {
                 let levels = at.spec.levels;
                 // On wide maps most rays of a datapath without the promise that they end run to the limit: modes would tell nothing, and cost most of
@@ -129,9 +129,9 @@ impl Plan {
                     }
                     continue;
                 }
-                let angles = site == 0 && self.followed(spec);
+                let angles = map == 0 && self.followed(spec);
                 let wanted = (0..self.rays.len()).filter(|k| angles || self.rays[*k].elevation.is_none());
-                self.cells.extend(wanted.map(|view| Job { site, view, design }));
+                self.jobs.extend(wanted.map(|view| Job { map, view, design }));
             }
         }
         Ok(())
@@ -172,7 +172,7 @@ impl Plan {
         let Some(camera) = set.camera(size.width, size.height) else { return Ok(1) };
         // Small pictures are looked at whole.
         let step = (camera.width.min(camera.height) / 16).clamp(1, 16);
-        let rays = self.sites[0].set(&self.config, set, step)?.len();
+        let rays = self.maps[0].set(&self.config, set, step)?.len();
         let all = rays as f64 * f64::from(step * step);
         let wanted = if self.selection.extent == Extent::Tiny { RAYS / 100 } else { RAYS };
         Ok(((all / wanted as f64).sqrt() as u32).clamp(1, 64))
@@ -186,7 +186,7 @@ impl Plan {
 }
 
 /// The maps: own ones or the user's, the first also in other sizes, and the published ones.
-fn sites(c: &Config, s: &Selection) -> Result<Vec<Map>> {
+fn maps(c: &Config, s: &Selection) -> Result<Vec<Map>> {
     let n = c.traverse.levels;
     let usual = [MapKind::Rocks, MapKind::Spikes, MapKind::Dunes, MapKind::Bricks];
     let kinds: Vec<MapKind> = match (c.map.kind, s.extent) {
@@ -208,19 +208,19 @@ fn sites(c: &Config, s: &Selection) -> Result<Vec<Map>> {
     if s.levels.is_empty() && s.extent != Extent::Tiny && sizes {
         wanted.extend(SIZES.map(|l| (kinds[0], l, true)));
     }
-    let mut sites: Vec<Map> = Vec::new();
+    let mut maps: Vec<Map> = Vec::new();
     for (kind, levels, sweep) in wanted {
-        if sites.iter().any(|x| (x.spec.kind, x.spec.levels) == (kind, levels)) {
+        if maps.iter().any(|x| (x.spec.kind, x.spec.levels) == (kind, levels)) {
             continue;
         }
         let file = c.map.file.clone().filter(|_| kind == MapKind::File);
         let map = MapConfig { kind, file, ..c.map.clone() };
-        sites.push(Map::new(c, &map, levels, sweep)?);
+        maps.push(Map::new(c, &map, levels, sweep)?);
     }
     for p in PUBLISHED.iter().filter(|_| s.scenes.is_some()) {
         let file = s.scenes.as_ref().map(|dir| dir.join(format!("{}.png", p.scene)));
         let map = MapConfig { kind: MapKind::File, file, scale: p.scale, repeat: p.repeat, ..c.map.clone() };
-        sites.push(Map::new(c, &map, n, false)?);
+        maps.push(Map::new(c, &map, n, false)?);
     }
-    Ok(sites)
+    Ok(maps)
 }

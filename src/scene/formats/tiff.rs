@@ -214,7 +214,7 @@ fn names(tags: &mut Tags<'_>, photo: Photo, per_pixel: usize) -> Result<Vec<Stri
     let one = |at: usize| match own.get(at) {
         Some(name) => (*name).to_owned(),
         None if opacity == Some(at - own.len()) => "A".to_owned(),
-        // Colours with a fourth sample that nobody explains are taken for colours with opacity.
+        // Colours with a fourth sample that is not explained are taken for colours with opacity.
         None if extra.is_empty() && photo == Photo::RGB && at == 3 => "A".to_owned(),
         None => (at + 1).to_string(),
     };

@@ -142,7 +142,7 @@ pub(super) struct Chunks<'a> {
     reversed: bool,
     /// Bytes of the file.
     len: u64,
-    /// The chunks of the present row of them, unpacked, plane after plane; empty where nobody looks.
+    /// The chunks of the present row of them, unpacked, plane after plane; empty where they are not looked at.
     band: Vec<Vec<u8>>,
     at: usize,
     /// The samples of a row, as they are stored.

@@ -13,8 +13,8 @@ pub(super) fn word(row: &[u8], at: usize, bits: u32, little: bool) -> u64 {
     let from = at * bits as usize;
     let (first, last) = (from / 8, (from + bits as usize - 1) / 8);
     let wide = row[first..=last].iter().fold(0u64, |word, byte| word << 8 | u64::from(*byte));
-    let behind = (last + 1) * 8 - from - bits as usize;
-    wide >> behind & (u64::MAX >> (64 - bits))
+    let after = (last + 1) * 8 - from - bits as usize;
+    wide >> after & (u64::MAX >> (64 - bits))
 }
 
 /// Whether a compression is one of those that are unpacked here.

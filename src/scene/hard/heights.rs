@@ -24,7 +24,7 @@ pub(super) const CASES: &[Case] = &[
         let run = steps(d);
         let reach = d.map(|i, j| {
             let (b, texel) = (1 + (d.hash(j, 1) % u64::from(run - 1)) as u32, ahead(d, i, j));
-            // Three texels in front of the border and three behind it; a floor elsewhere.
+            // Three texels in front of the border and three beyond it; a floor elsewhere.
             if texel + 3 >= b && texel < b + 3 { d.numbers.top - (b << fall) } else { 0 }
         });
         (reach, along_the_slope)

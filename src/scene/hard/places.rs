@@ -1,4 +1,4 @@
-//! Cases about where the ray enters, what lies behind the map's border, how large the map is, and how long the way is.
+//! Cases about where the ray enters, what lies beyond the map's border, how large the map is, and how long the way is.
 use super::case::Case;
 use super::draw::{Draw, Ray};
 use crate::border::{clamped, mirrored};
@@ -42,7 +42,7 @@ pub(super) const CASES: &[Case] = &[
     }),
     Case::new("border-clamp", "a map that was continued by its border texels, one level up", |d| {
         (small(d, |levels, texels| clamped(levels, &texels)), |d| {
-            // From the map in the middle outward over its border, a quarter of a tile behind it at most.
+            // From the map in the middle outward over its border, a quarter of a tile beyond it at most.
             let (u, out) = (d.real(0.25, 0.5), d.real(0.0, 0.25));
             let (v, dv, du) = (d.real(0.25, 0.75), d.travel(0.25), 0.25 - u - out);
             let (u, du) = if d.coin() { (u, du) } else { (1.0 - u, -du) };

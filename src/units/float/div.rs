@@ -15,7 +15,7 @@ use reliefrtl_config::{Divider, LatencyConfig};
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
-/// The sections behind the rows.
+/// The sections after the rows.
 const TAIL: [(&str, u32); 3] = [("pick", 12), ("round", 20), ("select", 18)];
 
 /// Builds `fp_div` with `l.div` clocks from operand to result, by digit rows or by a table.

@@ -14,7 +14,7 @@ use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Expr, Module};
 use std::sync::Arc;
 
-/// What stands behind the table's register, and how long it takes, in tenths of a nanosecond on ECP5: a read of a block
+/// What stands after the table's register, and how long it takes, in tenths of a nanosecond on ECP5: a read of a block
 /// memory takes most of a stage by itself.
 const PLAN: [(&str, u32); 7] = [
     ("read", 60),
@@ -26,7 +26,7 @@ const PLAN: [(&str, u32); 7] = [
     ("select", 30),
 ];
 
-/// The same with registers before and behind each multiplier besides, so that these can stand beside the block, wherever the rest is.
+/// The same with registers before and after each multiplier besides, so that these can stand beside the block, wherever the rest is.
 const DEEP: [&str; 12] = [
     "read",
     "line",

@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 /// Sections and how long each takes, in tenths of a nanosecond on ECP5.
 const PLAN: &[(&str, u32)] = &[("operands", 10), ("multiply", 55), ("round", 30), ("select", 30)];
-/// With registers behind the multiplier besides: the first can stand beside the block, wherever the rest is.
+/// With registers after the multiplier besides: the first can stand beside the block, wherever the rest is.
 const FIVE: &[(&str, u32)] = &[("operands", 10), ("multiply", 55), ("product", 55), ("round", 30), ("select", 30)];
 /// And before it.
 const DEEP: &[(&str, u32)] =

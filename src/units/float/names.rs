@@ -1,4 +1,4 @@
-//! Names of the units that more than one builder makes, or that somebody counts.
+//! Names of the units that more than one builder makes, or that are counted.
 
 /// Sum of two.
 pub const ADD: &str = "fp_add";

@@ -10,7 +10,7 @@ use reliefrtl_base::format::FloatFormat;
 use reliefrtl_ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
-/// What stands before the rows where subnormals are numbers, and behind them.
+/// What stands before the rows where subnormals are numbers, and after them.
 const HEAD: (&str, u32) = ("operand", 50);
 const TAIL: [(&str, u32); 4] = [("pick", 12), ("shift", 35), ("round", 30), ("select", 15)];
 

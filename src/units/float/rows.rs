@@ -4,7 +4,7 @@ use reliefrtl_ir::{Builder, Expr, plan_stages};
 /// What a row takes, in tenths of a nanosecond on ECP5.
 const ROW: u32 = 35;
 
-/// Rows in groups, one a stage: group c ends behind row `rows * ends[c] / of`, at any number of rows.
+/// Rows in groups, one a stage: group c ends after row `rows * ends[c] / of`, at any number of rows.
 pub struct Groups {
     rows: u32,
     ends: Vec<u32>,
@@ -12,7 +12,7 @@ pub struct Groups {
 }
 
 impl Groups {
-    /// Groups such that rows and the sections before and behind them are balanced, or alike where that would ask for longer
+    /// Groups such that rows and the sections before and after them are balanced, or alike where that would ask for longer
     /// fractions than alike groups do: one short group among many long ones is empty at few rows.
     fn of(latency: u32, rows: u32, head: u32, tail: &[(&str, u32)]) -> Self {
         let first = usize::from(head > 0);
@@ -23,7 +23,7 @@ impl Groups {
         let n = balanced.ends.len() as u32;
         if balanced.least_rows() <= n.max(5) { balanced } else { Self { rows, ends: (1..=n).collect(), of: n } }
     }
-    /// Groups of `rows` rows, and the plan of a module with these sections before and behind them.
+    /// Groups of `rows` rows, and the plan of a module with these sections before and after them.
     pub fn planned(b: &Builder, latency: u32, rows: u32, head: Option<(&str, u32)>, tail: &[(&str, u32)]) -> Self {
         let groups = Self::of(latency, rows, head.map_or(0, |h| h.1), tail);
         let titles: Vec<String> = (0..groups.len()).map(|c| groups.title(c)).collect();

@@ -1,6 +1,6 @@
 //! `fp_sqrt`: the square root of a number, rounded once.
 //!
-//! Restoring digit recurrence, `p` rows behind the leading one for `p = MAN_W + 1`. The root of a p-bit number is never
+//! Restoring digit recurrence, `p` rows after the leading one for `p = MAN_W + 1`. The root of a p-bit number is never
 //! half-way between two numbers (its square would have 2p + 1 bits), so one guard bit rounds to nearest. Rows are spread
 //! over the stages. Specials: `docs/arithmetic.md`.
 use super::fields::FormatParams;

@@ -1,7 +1,7 @@
 //! `chord_trim`: the level of the smallest node that holds the rest of the ray inside the current node.
 //!
 //! The chord runs from the current texel to the last one before the node's exit. That one is exact along the axis by whose plane the ray leaves;
-//! along the other it is an estimate that may lie ahead of the ray and never behind it. The smallest node of both then has the same exit, and its
+//! along the other it is an estimate that may lie ahead of the ray and never short of it. The smallest node of both then has the same exit, and its
 //! height is no larger (`docs/datapath.md`, "Chord trim").
 use super::params::{LevelParams, bindings, index_width};
 use super::start_level::start_level;
@@ -73,7 +73,7 @@ impl<'b> Axis<'b> {
         let whole = (exits | !(less ^ self.neg)).named(&n("whole"));
         let end = whole.mux(self.last, self.reach).named(&n("end"));
         let before = end.slt(self.low).named(&n("before"));
-        let behind = self.high.slt(end).named(&n("behind"));
-        before.mux(self.low, behind.mux(self.high, end)).named(&n("far"))
+        let beyond = self.high.slt(end).named(&n("beyond"));
+        before.mux(self.low, beyond.mux(self.high, end)).named(&n("far"))
     }
 }

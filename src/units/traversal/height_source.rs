@@ -91,7 +91,7 @@ pub trait HeightSource {
 
 /// A source in the loop of one `traverse`. The loop calls each function once, in this order.
 pub trait HeightPort<'b> {
-    /// Who has the slot in stage 0; `None` if a ray always keeps its slot until it retires.
+    /// The ray that has the slot in stage 0; `None` if a ray always keeps its slot until it retires.
     fn exchange(&mut self, _: &Slot<'_, 'b>) -> Option<Exchange<'b>> {
         None
     }

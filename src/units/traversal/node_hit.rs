@@ -23,8 +23,8 @@ pub fn node_hit(t: &TraverseConfig) -> Arc<Module> {
     let low = b.cat(&[(x & keep).named("first"), b.zeros(&frac)]).named("low");
     let high = b.cat(&[(x | !keep).named("last"), b.ones(&frac)]).named("high");
     let before = at.slt(low).named("is_before");
-    let behind = high.slt(at).named("is_behind");
-    let kept = before.mux(low, behind.mux(high, at)).named("kept");
+    let beyond = high.slt(at).named("is_beyond");
+    let kept = before.mux(low, beyond.mux(high, at)).named("kept");
     b.unused(kept);
     b.drive(o_texel, kept.slice(frac.clone(), &levels), None);
     b.drive(o_fraction, kept.slice(0, &frac), None);

@@ -5,7 +5,7 @@ use reliefrtl_config::{Design, TraverseConfig};
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
-/// Clocks through `node_planes`: extent and planes are a shift and a sum, one behind the other.
+/// Clocks through `node_planes`: extent and planes are a shift and a sum, one after the other.
 pub fn latency(d: &Design) -> u32 {
     u32::from(d.latency.node > 2)
 }

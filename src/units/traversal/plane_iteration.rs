@@ -21,7 +21,7 @@ pub fn plane_iteration<'b>(
     units: &PlaneUnits,
 ) -> Ray<'b> {
     let idx = || [("IDX_W", s.idx.clone())];
-    // The choice between two rays and the node's planes are long on their own: a clock behind each, as latency.node has it.
+    // The choice between two rays and the node's planes are long on their own: a clock after each, as latency.node has it.
     let chosen = if d.latency.node > 1 { ray.reg() } else { ray.clone() };
     let ray = &chosen;
 

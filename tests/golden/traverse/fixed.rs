@@ -183,7 +183,7 @@ fn estimates_are_never_ahead_and_planes_come_in_order() {
             let time = |b: i64| g.plane_time((b * texel - a.p as i64).unsigned_abs(), a.r, a.z);
             let m = rng.random_range(0..=bottom) >> if rng.random() { 0 } else { rng.random_range(0..f) };
             let e = g.estimate(&a, m);
-            // The last plane behind the estimated texel was met at m or before, if it is one that the ray meets.
+            // The last plane before the estimated texel was met at m or before, if it is one that the ray meets.
             let (met, passed) = if a.neg { (e + 1, e < a.x) } else { (e, e > a.x) };
             assert!(!passed || time(met) <= m, "{d:?} {r:x?} m {m:x}: texel {e}");
             exact += u64::from(passed);
@@ -193,19 +193,19 @@ fn estimates_are_never_ahead_and_planes_come_in_order() {
             checked += 1;
         }
     }
-    println!("{checked} estimates, {exact} of them behind a plane (seed {seed})");
+    println!("{checked} estimates, {exact} of them beyond a plane (seed {seed})");
     assert!(exact * 4 > checked);
 }
 
-/// Whether a chord's end and the end of the ray lie behind plane `b`, if the ray meets it; `None` if it does not. `late`: how much later the ray
+/// Whether a chord's end and the end of the ray lie beyond plane `b`, if the ray meets it; `None` if it does not. `late`: how much later the ray
 /// leaves than it meets the plane.
 fn passed(g: &Fixed, a: &FixedAxis, b: i64, late: u64) -> Option<[bool; 2]> {
     let (f, n, h) = (g.design().datapath.fraction_bits, g.design().traverse.levels, g.design().traverse.height_bits);
     let bottom = ((1u64 << h) - 1) << (f + 2 - h);
     let t = g.plane_time(((b << (f - n)) - a.p as i64).unsigned_abs(), a.r, a.z);
     // A plane at a lower index is passed only when the ray is in front of it.
-    let behind = |at: i64| if a.neg { at < b } else { at >= b };
-    (t <= bottom).then(|| [behind(g.chord_end(a, t.saturating_add(late).min(bottom))), behind(a.le)])
+    let beyond = |at: i64| if a.neg { at < b } else { at >= b };
+    (t <= bottom).then(|| [beyond(g.chord_end(a, t.saturating_add(late).min(bottom))), beyond(a.le)])
 }
 
 /// A map whose texels are the units of a position: each travel, each plane that it meets, both ways. What is greater than a plane's own
@@ -226,7 +226,7 @@ fn no_chord_ends_before_a_plane_that_is_met_exhaustively() {
             }
         }
     }
-    println!("{met} planes, none behind its chord's end or the ray's");
+    println!("{met} planes, none beyond its chord's end or the ray's");
     assert!(met > 3_000_000);
 }
 
@@ -247,12 +247,12 @@ fn no_chord_ends_before_a_plane_that_is_met() {
             let Some(both) = passed(&g, &a, b, late) else { continue };
             assert_eq!(both, [true; 2], "{d:?} {r:x?}: plane {b}");
             checked += 1;
-            // The trim is of use: the end is the very texel behind the plane.
+            // The trim is of use: the end is the very texel beyond the plane.
             let t = g.plane_time(((b << (f - n)) - a.p as i64).unsigned_abs(), a.r, a.z);
             tight += u64::from(g.chord_end(&a, t) == if a.neg { b - 1 } else { b });
         }
     }
-    println!("{checked} planes, at {tight} the chord ends in the texel behind the plane (seed {seed})");
+    println!("{checked} planes, at {tight} the chord ends in the texel beyond the plane (seed {seed})");
     assert!(checked > 4 * count && tight * 2 > checked, "{tight} of {checked}");
 }
 

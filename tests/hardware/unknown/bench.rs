@@ -21,7 +21,7 @@ fn binary(v: u64, unknown: u64, width: u32) -> String {
     (0..width).rev().map(bit).collect()
 }
 
-/// A bench that drives x wherever nobody asks, and says what leaves: `ray TAG LIMIT STEPS OUTPUT...` in binary.
+/// A bench that drives x wherever nothing is asked, and says what leaves: `ray TAG LIMIT STEPS OUTPUT...` in binary.
 fn bench(m: &Module, inputs: &[String], outputs: &[String], words: usize) -> String {
     let b = m.default_binding();
     let width = |name: &str| m.port(name).unwrap().1.width.eval(&b);
@@ -37,7 +37,7 @@ fn bench(m: &Module, inputs: &[String], outputs: &[String], words: usize) -> Str
     writeln!(t, "  {} dut ({});", m.name, pins.join(", ")).unwrap();
     let reads: String = inputs.iter().map(|n| format!("    $readmemb(\"{n}.bin\", of_{n});\n")).collect();
     let offer: String = inputs.iter().map(|n| format!("          {n} <= of_{n}[sent_now];\n")).collect();
-    let nobody: String = inputs.iter().map(|n| format!("          {n} <= {{{}{{1'bx}}}};\n", width(n))).collect();
+    let unasked: String = inputs.iter().map(|n| format!("          {n} <= {{{}{{1'bx}}}};\n", width(n))).collect();
     let shown: String = outputs.iter().map(|n| format!("        $write(\" %b\", {n});\n")).collect();
     let heights = width("load_data");
     write!(
@@ -92,7 +92,7 @@ fn bench(m: &Module, inputs: &[String], outputs: &[String], words: usize) -> Str
 {offer}      end else begin
         in_valid <= 0;
         in_tag <= 'bx;
-{nobody}      end
+{unasked}      end
       if (sent == {rays} && inside == 0 && idle && !in_valid) begin
         $display("end");
         $finish;

@@ -5,7 +5,7 @@ use reliefrtl::config::{Config, Design, ModeConfig, Profile};
 use reliefrtl::golden::{RayHit, prepare};
 use reliefrtl::interp::Tracked;
 use reliefrtl::ir::Binding;
-use reliefrtl::measure::endure::modes;
+use reliefrtl::measure::soak::modes;
 use reliefrtl::trace::{Pipeline, hit_row, images, row};
 
 /// How much of the memory is loaded.
@@ -36,7 +36,7 @@ fn run(c: &Config, loaded: Loaded, rays: usize) -> (usize, usize) {
         v
     };
     let width = |name: &str| p.net.inputs.iter().find(|q| q.name == name).unwrap().width;
-    // Of nobody's interest while their enable is 0: never driven.
+    // Of no interest while their enable is 0: never driven.
     for (name, v) in [("rst", 1), ("in_valid", 0), ("out_ready", 0), ("load_en", 0)] {
         sim.set(p.net.input(name), v);
     }

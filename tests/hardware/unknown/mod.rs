@@ -1,5 +1,5 @@
-//! Unknown values (x) never reach a handshake: a memory that nobody loaded or half of it, rays with unknown words among good ones, ports that
-//! nobody drives while they are not asked, resets of one clock at random. Every ray leaves, and the good ones are right.
+//! Unknown values (x) never reach a handshake: a memory that was not loaded or half of it, rays with unknown words among good ones, ports that
+//! are not driven while they are not asked, resets of one clock at random. Every ray leaves, and the good ones are right.
 mod bench;
 mod interpreter;
 

@@ -1,4 +1,4 @@
-//! Mutants of `traverse` itself: who enters, who leaves, what a slot takes, counters, limit, refusal; and of what stands beside its pipelines. The
+//! Mutants of `traverse` itself: which ray enters, which leaves, what a slot takes, counters, limit, refusal; and of what stands beside its pipelines. The
 //! shipped sets have to notice each in the interpreter, under full load or in rough traffic. Those that live stand by name with their reason.
 use rayon::prelude::*;
 use reliefrtl::catalogue::RaySet;
@@ -247,6 +247,6 @@ fn shipped_rays_notice_what_is_cut_out_of_the_description() {
     for (what, m) in cuts {
         let notice = sets.iter().filter(|s| !passes(&m, s, 128, Traffic::default(), depth)).count()
             + usize::from(!passes(&m, &sets[0], 16, Traffic::rough(3), depth));
-        assert!(notice > 0, "nobody notices that {what} is cut out");
+        assert!(notice > 0, "nothing notices that {what} is cut out");
     }
 }

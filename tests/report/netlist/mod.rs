@@ -110,7 +110,7 @@ fn stored_results_are_of_the_text_that_is_emitted_now() {
         }
     }
     assert!(missing.is_empty(), "never replayed: {missing:?}");
-    assert_eq!(kept.len(), plan().len(), "results that nobody asks for");
+    assert_eq!(kept.len(), plan().len(), "results that are not asked for");
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     let again =
         "RELIEFRTL_REFRESH=1 cargo test --release --test report netlists_replay -- --ignored measures them again";

@@ -60,7 +60,7 @@ pub fn fp_div(format: FloatFormat, latency: u32) -> Arc<Module> {
     b.finish(Some(latency), &super::super::bindings())
 }
 
-/// The sections behind the rows.
+/// The sections after the rows.
 fn tail(format: FloatFormat) -> Vec<(&'static str, u32)> {
     TAIL.into_iter().filter(|t| t.0 != "shift" || format.is_gradual()).collect()
 }

@@ -1,4 +1,4 @@
-//! `bilinear_window`: between which parameters the surface is looked for: half a texel of the faster axis before and behind the hit.
+//! `bilinear_window`: between which parameters the surface is looked for: half a texel of the faster axis before and after the hit.
 use super::common::negated;
 use crate::float::{FormatParams, bindings, fp_add, fp_lt, fp_mul};
 use reliefrtl_config::{Design, LatencyConfig};
@@ -43,7 +43,7 @@ pub fn bilinear_window(d: &Design) -> Arc<Module> {
     b.section("ends", "");
     let minus = negated(&b, half, "minus_half");
     let before = b.inst(&add, "u_before", &[], &[("a", t), ("b", minus)])[0].named("t_before");
-    let behind = b.inst(&add, "u_behind", &[], &[("a", t), ("b", half)])[0].named("t_behind");
+    let after = b.inst(&add, "u_after", &[], &[("a", t), ("b", half)])[0].named("t_after");
 
     b.section("clamp", "The planes of full height and of none.");
     let m_exp = b.konst(f.bias() + &h - 1, &f.exp).named("m_exp");
@@ -51,9 +51,9 @@ pub fn bilinear_window(d: &Design) -> Arc<Module> {
     let bottom = b.cat(&[b.zeros(1), m_exp, m_frac]);
     let zero = b.zeros(&f.width);
     let is_above = b.inst(&lt, "u_top", &[], &[("a", zero), ("b", before)])[0].named("is_inside_top");
-    let is_below = b.inst(&lt, "u_floor", &[], &[("a", behind), ("b", bottom)])[0].named("is_inside_floor");
+    let is_below = b.inst(&lt, "u_floor", &[], &[("a", after), ("b", bottom)])[0].named("is_inside_floor");
     let l = latency(&d.latency);
     b.drive(o_begin, is_above.mux(before, zero).named("t_clamped_begin"), Some(l));
-    b.drive(o_end, is_below.mux(behind, bottom).named("t_clamped_end"), Some(l));
+    b.drive(o_end, is_below.mux(after, bottom).named("t_clamped_end"), Some(l));
     b.finish(Some(l), &bindings())
 }

@@ -1,4 +1,4 @@
-//! The bilinear refinement of a hit (`docs/bilinear.md`; PDM section 3.3): a pipeline behind the loop, with a copy of the map for each end of its window.
+//! The bilinear refinement of a hit (`docs/bilinear.md`; PDM section 3.3): a pipeline after the loop, with a copy of the map for each end of its window.
 mod bank_address;
 mod bilinear_hit;
 mod bilinear_window;

@@ -5,7 +5,7 @@ use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Binding, Builder, Module, Sig};
 use std::sync::Arc;
 
-/// Clocks through `surface_gap`: two products, one behind the other, a conversion and a sum.
+/// Clocks through `surface_gap`: two products, one after the other, a conversion and a sum.
 pub fn latency(l: &LatencyConfig) -> u32 {
     2 * l.mul + l.from_int + l.add
 }

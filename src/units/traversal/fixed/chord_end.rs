@@ -1,4 +1,4 @@
-//! `chord_end`: the texel coordinate, along one axis, that the ray has reached when it leaves a node by the other axis' plane; never behind it.
+//! `chord_end`: the texel coordinate, along one axis, that the ray has reached when it leaves a node by the other axis' plane; never short of it.
 //!
 //! The reciprocal, and with it a plane's parameter, may be too small by one part in 2^RECIP_W, and the parameter is rounded down; one that is larger
 //! by more, and a travel that is larger by more than its roundings, make up for it (`docs/fixed.md`, "Chord trim").

@@ -1,5 +1,5 @@
 //! `texel_fraction`: where in its texel a ray hit, along one axis. The texel is the floor of the same position, so the
-//! fraction bits behind its point are all that is left to find.
+//! fraction bits after its point are all that is left to find.
 use crate::float::{FormatParams, fp_add, fp_mul, fp_to_fixed};
 use crate::traversal::params::index_width;
 use reliefrtl_config::{Design, LatencyConfig};
@@ -35,7 +35,7 @@ pub fn texel_fraction(d: &Design) -> Arc<Module> {
     let fixed = b.inst(&to, "u_to_fixed", &int, &[("a", pos)])[0].named("fixed");
     b.unused(fixed.slice(&frac, &idx));
     let l = latency(&d.latency);
-    b.drive(out, fixed.slice(0, &frac).named("behind_point"), Some(l));
+    b.drive(out, fixed.slice(0, &frac).named("after_point"), Some(l));
     let at = |e: i64, m: i64| Binding::from([("EXP_W".into(), e), ("MAN_W".into(), m)]);
     b.finish(Some(l), &[at(8, 23), at(5, 10), at(6, 12)])
 }

@@ -1,4 +1,4 @@
-//! `chord_end`: the texel coordinate, along one axis, that the ray has reached when it leaves a node by the other axis' plane; never behind it.
+//! `chord_end`: the texel coordinate, along one axis, that the ray has reached when it leaves a node by the other axis' plane; never short of it.
 //!
 //! The entry point that comes in is moved forward by more than the estimate can err (`docs/datapath.md`, "Chord trim").
 use crate::float::{FormatParams, bindings, fp_add, fp_mul, fp_to_int};

@@ -153,7 +153,11 @@ fn conversions_with_every_choice() {
             let (min, max) = (-(1i64 << (width - 1)), (1i64 << (width - 1)) - 1);
             let floor = (&x * RBig::from(UBig::ONE << frac as usize)).floor();
             let expected = i64::try_from(floor.clamp(IBig::from(min), IBig::from(max))).unwrap();
-            assert_eq!(float::to_fixed(kind, a, width, frac), expected, "{kind} {a:#x} to {width} bits, {frac} behind");
+            assert_eq!(
+                float::to_fixed(kind, a, width, frac),
+                expected,
+                "{kind} {a:#x} to {width} bits, {frac} of them fraction"
+            );
             assert_eq!(RBig::try_from(float::to_f64(kind, a)).unwrap(), x, "{kind} {a:#x}");
             compared += 1;
         }

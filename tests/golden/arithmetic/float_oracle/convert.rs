@@ -94,7 +94,7 @@ fn to_fixed_is_the_saturated_floor() {
                 let floor = (RBig::try_from(x).unwrap() * RBig::from(UBig::ONE << frac as usize)).floor();
                 i64::try_from(floor.clamp(IBig::from(min), IBig::from(max))).unwrap()
             };
-            assert_eq!(got, expected, "{fmt} {a:#x} to {width} bits, {frac} behind the point");
+            assert_eq!(got, expected, "{fmt} {a:#x} to {width} bits, {frac} of them fraction");
             compared += 1;
         }
     }

@@ -126,9 +126,9 @@ fn every_rule_is_needed() {
     assert_eq!(witness, None, "{rays}");
 }
 
-/// Behind the first window the order decides nothing but the number of iterations.
+/// After the first window the order decides nothing but the number of iterations.
 #[test]
-fn windows_behind_the_first_may_stand_in_any_order() {
+fn windows_after_the_first_may_stand_in_any_order() {
     let reversed = |set: &WindowSet| {
         let mut sizes = set.sizes().to_vec();
         sizes[1..].reverse();

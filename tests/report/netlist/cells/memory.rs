@@ -186,7 +186,7 @@ pub fn bench(m: &Memory, setting: &str, clocks: usize) -> [String; 2] {
             let mut asks = [ask(0), ask(1)];
             asks[1].selected = if m.shared { asks[0].selected } else { asks[1].selected };
             let touched = [0, 1].map(|p| m.written(p, &asks[p]));
-            // What two ports write to one byte nobody promises.
+            // What two ports write to one byte is not promised.
             if !touched[0].iter().any(|(a, _)| touched[1].iter().any(|(b, _)| a / m.byte == b / m.byte)) {
                 break asks;
             }

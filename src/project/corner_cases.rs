@@ -4,7 +4,7 @@ use crate::config::{Config, Design, ModeConfig, TraverseConfig};
 use crate::engine::EngineName;
 use crate::error::{Error, Result};
 use crate::golden::{Pyramid, RayHit};
-use crate::measure::hard::HardFigures;
+use crate::measure::corner_cases::HardFigures;
 use crate::measure::{RayEnd, hex_words};
 use crate::scene::hard::{Case, HardScene};
 use crate::scene::{RaySet, ViewRay};

@@ -1,10 +1,10 @@
 //! Whether every ray of the hard cases ends.
-use super::hard::{HardGround, HardTask};
+use super::corner_cases::{HardGround, HardTask};
 use crate::config::{Design, ModeConfig};
 use crate::error::{Error, Result};
 use crate::golden::RayInput;
-use crate::measure::endure::{Endured, endure, modes};
 use crate::measure::hex_words;
+use crate::measure::soak::{Endured, endure, modes};
 use serde::Serialize;
 
 /// The ray of a case with the most iterations of those that end.
