@@ -14,7 +14,7 @@ module relief_axis_scale #(
   parameter integer LEVELS  = 8,   // the map has 2^LEVELS x 2^LEVELS texels
   parameter integer TILE_W  = 4,   // a ray travels less than 2^TILE_W tiles along each axis
   parameter integer LATENCY = 0,   // clocks it was generated for; checked
-  parameter integer VARIANT = 32'h23f2236f  // digest of all else it was generated for; checked
+  parameter integer VARIANT = 32'h23f2236f  // digest of what it was generated for; checked
 ) (
   input  wire [EXP_W+MAN_W:0] p,         // entry point at the top plane [float, tiles]
   input  wire [EXP_W+MAN_W:0] d,         // travel while the height falls from 1 to 0 [float, tiles]
@@ -38,7 +38,7 @@ module relief_axis_scale #(
     if (TILE_W < 1) begin : gen_illegal_6 TILE_W_must_be_at_least_1 u_illegal (); end
     if (TILE_W > 8) begin : gen_illegal_7 TILE_W_must_be_at_most_8 u_illegal (); end
     if (LEVELS + TILE_W + 1 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_8
-      LEVELS_plus_TILE_W_plus_1_must_be_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
+      LEVELS_plus_TILE_W_plus_1_must_be_at_most_the_exponent_bias u_illegal ();
     end
     if (LATENCY != 0) begin : gen_other_latency
       relief_axis_scale_has_LATENCY_0_not_the_one_asked_for u_illegal ();
@@ -75,7 +75,8 @@ module relief_axis_scale #(
   wire [FloatW-1:0] d_scaled =
       {d_sign, {d_exp + Grow[EXP_W-1:0], d_frac} & {(EXP_W + MAN_W){~d_is_zero}}};
 
-  // Bits that nothing reads, gathered so that the lint for unused bits stays on for all others.
+  // Nets with bits that nothing reads at some parameter values, gathered so that the lint for unused
+  // bits stays on for all others.
   // verilator lint_off UNUSED
   wire unused_0 = &{1'b0, p_is_inf, p_is_nan, d_is_inf, d_is_nan};
   // verilator lint_on UNUSED

@@ -13,7 +13,7 @@ module relief_fp_add #(
   parameter integer EXP_W   = 7,   // exponent bits
   parameter integer MAN_W   = 16,  // fraction bits, the hidden one not counted
   parameter integer LATENCY = 3,   // clocks it was generated for; checked
-  parameter integer VARIANT = 32'h6bc4a879  // digest of all else it was generated for; checked
+  parameter integer VARIANT = 32'h013a4c61  // digest of what it was generated for; checked
 ) (
   input  wire                 clk,     // rising edge
   input  wire                 ce,      // clock enable: registers hold while 0
@@ -27,7 +27,7 @@ module relief_fp_add #(
   localparam integer AmountW = $clog2(MAN_W + 3);
   localparam integer ShiftW = (EXP_W > (AmountW + 1)) ? EXP_W : (AmountW + 1);
   localparam integer ExpSumW = (EXP_W > LzcW) ? EXP_W : LzcW;
-  localparam integer FineW = LzcW / 2;
+  localparam integer FineW = ($clog2(MAN_W + 3)) / 2;
 
   // Parameter checks: an illegal value ends elaboration at a missing module that names the rule.
   generate
@@ -37,8 +37,8 @@ module relief_fp_add #(
     if (MAN_W > 28) begin : gen_illegal_3 MAN_W_must_be_at_most_28 u_illegal (); end
     if (LATENCY != 3) begin : gen_other_latency
       relief_fp_add_has_LATENCY_3_not_the_one_asked_for u_illegal ();
-    end else if (VARIANT != 32'h6bc4a879) begin : gen_other_variant
-      relief_fp_add_has_VARIANT_6bc4a879_nearest_even_flush_ieee_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h013a4c61) begin : gen_other_variant
+      relief_fp_add_has_VARIANT_013a4c61_nearest_even_flush_ieee_not_the_one_asked_for u_illegal ();
     end
   endgenerate
 
@@ -114,19 +114,19 @@ module relief_fp_add #(
   wire [ShiftW-1:0]  s1_wide_shift = {{(ShiftW - EXP_W){1'b0}}, s1_shift};
   // alignment shift, even [bits]
   wire [AmountW-1:0] s1_amount = {s1_wide_shift[AmountW-1:1], 1'b0};
-  // the shift moves the smaller significand out altogether
+  // the shift is 2^AmountW or more
   wire               s1_beyond = |s1_wide_shift[ShiftW-1:AmountW];
   wire [MAN_W+2:0]   s1_sig_small_ext = {s1_sig_small, 1'b0};  // with a guard bit
-  // nothing is left of the smaller operand but its sticky bit
+  // a sticky bit is left of it at most
   wire               s1_small_is_lost = s1_beyond | s1_small_is_zero;
   // difference of significands whose exponents differ by at most 1, exact
   wire [NearW-1:0]   s1_near = {1'b1, s1_large_frac, 1'b0} - s1_sig_small;
-  // places at which a leading 1 means a result below the smallest normal
-  wire [NearW-1:0]   s1_underflow_mask = ~({NearW{1'b1}} >> s1_large_exp);
-  // the exponent is the largest finite one
-  wire               s1_near_max = (&s1_large_exp[EXP_W-1:1]) & ~s1_large_exp[0];
-  // the exponent is the smallest one
-  wire               s1_bottom = ~(|s1_large_exp[EXP_W-1:1]) & s1_large_exp[0];
+  // the top large_exp places: a leading 1 there is a normal result
+  wire [NearW-1:0]   s1_normal_mask = ~({NearW{1'b1}} >> s1_large_exp);
+  // the exponent is the largest of a finite number
+  wire               s1_exp_is_largest = (&s1_large_exp[EXP_W-1:1]) & ~s1_large_exp[0];
+  // the exponent is that of the smallest normal number
+  wire               s1_exp_is_least = ~(|s1_large_exp[EXP_W-1:1]) & s1_large_exp[0];
   // the result is NaN
   wire               s1_is_nan = s1_any_exp_max & (s1_inf_minus_inf | (|s1_large_frac));
   // the smaller significand at the place of the larger one
@@ -146,10 +146,10 @@ module relief_fp_add #(
   wire [EXP_W-1:0] s1_exp_up = s1_large_exp + {{(EXP_W - 1){1'b0}}, 1'b1};
   // exponent after a shift by one bit
   wire [EXP_W-1:0] s1_exp_down = s1_large_exp - {{(EXP_W - 1){1'b0}}, 1'b1};
-  wire             s1_near_zero = ~(|s1_near);                 // the operands cancel
+  wire             s1_near_is_zero = ~(|s1_near);              // the operands cancel
   wire [LzcW-1:0]  s1_lz_count;                                // zeros above the topmost 1 [bits]
   relief_lzc #(.W(NearW)) u_lzc (.bits(s1_near), .count(s1_lz_count));
-  wire s1_flush = ~(|(s1_near & s1_underflow_mask));  // the difference is below the smallest normal
+  wire s1_flush = ~(|(s1_near & s1_normal_mask));  // the difference is below the smallest normal
 
   // ---- stage 2: registers -------------------------------------------------------------
   reg [MAN_W+4:0] s2_sum;
@@ -159,31 +159,31 @@ module relief_fp_add #(
   reg [LzcW-1:0]  s2_lz_count;
   reg [NearW-1:0] s2_near;
   reg             s2_subtract;
-  reg             s2_near_max;
+  reg             s2_exp_is_largest;
   reg             s2_any_exp_max;
   reg             s2_both_zero;
-  reg             s2_bottom;
-  reg             s2_near_zero;
+  reg             s2_exp_is_least;
+  reg             s2_near_is_zero;
   reg             s2_is_nan;
   reg             s2_flush;
   reg             s2_large_sign;
   always @(posedge clk) begin
     if (ce) begin
-      s2_sum         <= s1_sum;
-      s2_large_exp   <= s1_large_exp;
-      s2_exp_down    <= s1_exp_down;
-      s2_exp_up      <= s1_exp_up;
-      s2_lz_count    <= s1_lz_count;
-      s2_near        <= s1_near;
-      s2_subtract    <= s1_subtract;
-      s2_near_max    <= s1_near_max;
-      s2_any_exp_max <= s1_any_exp_max;
-      s2_both_zero   <= s1_both_zero;
-      s2_bottom      <= s1_bottom;
-      s2_near_zero   <= s1_near_zero;
-      s2_is_nan      <= s1_is_nan;
-      s2_flush       <= s1_flush;
-      s2_large_sign  <= s1_large_sign;
+      s2_sum            <= s1_sum;
+      s2_large_exp      <= s1_large_exp;
+      s2_exp_down       <= s1_exp_down;
+      s2_exp_up         <= s1_exp_up;
+      s2_lz_count       <= s1_lz_count;
+      s2_near           <= s1_near;
+      s2_subtract       <= s1_subtract;
+      s2_exp_is_largest <= s1_exp_is_largest;
+      s2_any_exp_max    <= s1_any_exp_max;
+      s2_both_zero      <= s1_both_zero;
+      s2_exp_is_least   <= s1_exp_is_least;
+      s2_near_is_zero   <= s1_near_is_zero;
+      s2_is_nan         <= s1_is_nan;
+      s2_flush          <= s1_flush;
+      s2_large_sign     <= s1_large_sign;
     end
   end
 
@@ -191,8 +191,8 @@ module relief_fp_add #(
   // The far sum is normalized by one bit at most; the near difference by a coarse and a fine left
   // shift. The near result is that difference, or zero, infinity or NaN.
   wire               s2_carry = s2_sum[MAN_W+4];                // the sum is 2 or more
-  wire               s2_top = s2_sum[MAN_W+3];                  // the sum is 1 or more
-  wire               s2_next = s2_sum[MAN_W+2];                 // the sum is 1/2 or more
+  wire               s2_top = s2_sum[MAN_W+3];  // the sum is 1 or more, without a carry
+  wire               s2_next = s2_sum[MAN_W+2];  // the sum is 1/2 or more, without top and carry
   // fraction of the far result, before rounding
   wire [MAN_W-1:0]   s2_frac = s2_carry ? s2_sum[MAN_W+3:4]
       : (s2_top ? s2_sum[MAN_W+2:3] : s2_sum[MAN_W+1:2]);
@@ -203,21 +203,22 @@ module relief_fp_add #(
       : (s2_top ? (s2_sum[2] & (s2_sum[3] | (|s2_sum[1:0])))
       : (s2_sum[1] & (s2_sum[2] | s2_sum[0])));
   // near, shifted by the top bits of the count
-  wire [NearW-1:0]   s2_near_coarse = s2_near << {s2_lz_count[LzcW-1:FineW], {FineW{1'b0}}};
+  wire [NearW-1:0]   s2_near_coarse =
+      s2_near << {s2_lz_count[$clog2(MAN_W+3)-1:FineW], {FineW{1'b0}}};
   wire [FineW-1:0]   s2_lzc_fine = s2_lz_count[FineW-1:0];      // the rest of the count [bits]
-  // exponent of the near result, with its sign
+  // larger exponent less the count; wraps where the result is flushed
   wire [ExpSumW-1:0] s2_exp_less_lzc =
       {{(ExpSumW - EXP_W){1'b0}}, s2_large_exp} - {{(ExpSumW - LzcW){1'b0}}, s2_lz_count};
   wire [EXP_W-1:0]   s2_near_exp = s2_exp_less_lzc[EXP_W-1:0];  // exponent of the near result
-  // the result is infinity or NaN
-  wire               s2_give_inf = s2_any_exp_max | (s2_near_max & ~s2_subtract);
+  // the near result, if it is selected, is infinity or NaN
+  wire               s2_give_inf = s2_any_exp_max | (s2_exp_is_largest & ~s2_subtract);
   // the result is the near one, or a special one
-  wire               s2_use_near_result = s2_any_exp_max | s2_both_zero | (s2_carry & s2_near_max) |
-      ~(s2_carry | s2_top | (s2_next & ~s2_bottom));
+  wire               s2_use_near_result = s2_any_exp_max | s2_both_zero |
+      (s2_carry & s2_exp_is_largest) | ~(s2_carry | s2_top | (s2_next & ~s2_exp_is_least));
   // the result is +0 or NaN
   wire               s2_no_sign = s2_is_nan |
       (s2_subtract & ~s2_any_exp_max &
-      (s2_both_zero | (s2_near_zero & ~(s2_carry | s2_top | s2_next))));
+      (s2_both_zero | (s2_near_is_zero & ~(s2_carry | s2_top | s2_next))));
 
   // ---- stage 2: round -----------------------------------------------------------------
   // The rounding increment may carry into the exponent, and from the largest number to infinity:
@@ -229,7 +230,8 @@ module relief_fp_add #(
   wire [MAN_W-1:0]       s2_near_frac = s2_near_norm[MAN_W:1];  // fraction of the near result
 
   // ---- stage 2: select ----------------------------------------------------------------
-  wire                   s2_keep = ~(s2_flush | s2_give_inf);    // the near result is a number
+  // the near result is finite and not zero
+  wire                   s2_keep = ~(s2_flush | s2_give_inf);
   // exponent and fraction of the result
   wire [EXP_W+MAN_W-1:0] s2_body =
       s2_use_near_result ?
@@ -246,7 +248,8 @@ module relief_fp_add #(
     end
   end
 
-  // Bits that nothing reads, gathered so that the lint for unused bits stays on for all others.
+  // Nets with bits that nothing reads at some parameter values, gathered so that the lint for unused
+  // bits stays on for all others.
   // verilator lint_off UNUSED
   wire unused_0 = &{1'b0, s1_wide_shift[0]};
   wire unused_1 = &{1'b0, s2_near_norm, s2_exp_less_lzc};

@@ -13,7 +13,7 @@ module relief_fp_div #(
   parameter integer EXP_W   = 7,   // exponent bits
   parameter integer MAN_W   = 16,  // fraction bits, the hidden one not counted
   parameter integer LATENCY = 20,  // clocks it was generated for; checked
-  parameter integer VARIANT = 32'h168f7dd3  // digest of all else it was generated for; checked
+  parameter integer VARIANT = 32'h168f7dd3  // digest of what it was generated for; checked
 ) (
   input  wire                 clk,     // rising edge
   input  wire                 ce,      // clock enable: registers hold while 0
@@ -527,7 +527,7 @@ module relief_fp_div #(
       {{(EXP_W + MAN_W - 1){1'b0}}, s19_guard};
   wire                   s19_round_at_zero = ~(|s19_norm_exp);
   wire                   s19_round_too_low = s19_norm_exp[ExpSumW-1] |
-      (s19_round_at_zero & ~s19_round_sum[MAN_W]);
+      (s19_round_at_zero & ~s19_round_sum[SigW-1]);
   wire                   s19_round_over = ~s19_norm_exp[ExpSumW-1] &
       (s19_norm_exp[EXP_W] | (&s19_norm_exp[EXP_W-1:0]));
 
@@ -547,7 +547,8 @@ module relief_fp_div #(
     end
   end
 
-  // Bits that nothing reads, gathered so that the lint for unused bits stays on for all others.
+  // Nets with bits that nothing reads at some parameter values, gathered so that the lint for unused
+  // bits stays on for all others.
   // verilator lint_off UNUSED
   wire unused_0 = &{1'b0, s18_rem_18};
   // verilator lint_on UNUSED

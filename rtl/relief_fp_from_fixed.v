@@ -15,7 +15,7 @@ module relief_fp_from_fixed #(
   parameter integer INT_W   = 26,  // bits of the signed operand
   parameter integer FRAC_W  = 12,  // of these, fraction bits
   parameter integer LATENCY = 2,   // clocks it was generated for; checked
-  parameter integer VARIANT = 32'h4b4b87bd  // digest of all else it was generated for; checked
+  parameter integer VARIANT = 32'h4b4b87bd  // digest of what it was generated for; checked
 ) (
   input  wire                 clk,     // rising edge
   input  wire                 ce,      // clock enable: registers hold while 0

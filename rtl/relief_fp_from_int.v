@@ -14,7 +14,7 @@ module relief_fp_from_int #(
   parameter integer MAN_W   = 16,  // fraction bits, the hidden one not counted
   parameter integer INT_W   = 14,  // bits of the signed operand
   parameter integer LATENCY = 2,   // clocks it was generated for; checked
-  parameter integer VARIANT = 32'h33bf768e  // digest of all else it was generated for; checked
+  parameter integer VARIANT = 32'h33bf768e  // digest of what it was generated for; checked
 ) (
   input  wire                 clk,     // rising edge
   input  wire                 ce,      // clock enable: registers hold while 0

@@ -13,7 +13,7 @@ module relief_fp_lt #(
   parameter integer EXP_W   = 7,   // exponent bits
   parameter integer MAN_W   = 16,  // fraction bits, the hidden one not counted
   parameter integer LATENCY = 1,   // clocks it was generated for; checked
-  parameter integer VARIANT = 32'h34d3d038  // digest of all else it was generated for; checked
+  parameter integer VARIANT = 32'h34d3d038  // digest of what it was generated for; checked
 ) (
   input  wire                 clk,     // rising edge
   input  wire                 ce,      // clock enable: registers hold while 0

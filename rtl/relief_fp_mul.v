@@ -13,7 +13,7 @@ module relief_fp_mul #(
   parameter integer EXP_W   = 7,   // exponent bits
   parameter integer MAN_W   = 16,  // fraction bits, the hidden one not counted
   parameter integer LATENCY = 2,   // clocks it was generated for; checked
-  parameter integer VARIANT = 32'h5bd17165  // digest of all else it was generated for; checked
+  parameter integer VARIANT = 32'h5bd17165  // digest of what it was generated for; checked
 ) (
   input  wire                 clk,     // rising edge
   input  wire                 ce,      // clock enable: registers hold while 0
@@ -99,9 +99,9 @@ module relief_fp_mul #(
       {{(EXP_W + MAN_W - 1){1'b0}}, s1_low_guard};
   wire [EXP_W+MAN_W-1:0] s1_low_body = {s1_low_sum[EXP_W+MAN_W-1:1], s1_low_sum[0] & ~s1_low_tie};
   wire                   s1_low_at_zero = ~(|s1_exp_low);
-  wire                   s1_low_too_low = s1_exp_low[EXP_W+1] |
-      (s1_low_at_zero & ~s1_low_sum[MAN_W]);
-  wire                   s1_low_over = ~s1_exp_low[EXP_W+1] &
+  wire                   s1_low_too_low = s1_exp_low[ExpSumW-1] |
+      (s1_low_at_zero & ~s1_low_sum[SigW-1]);
+  wire                   s1_low_over = ~s1_exp_low[ExpSumW-1] &
       (s1_exp_low[EXP_W] | (&s1_exp_low[EXP_W-1:0]));
   wire                   s1_high_guard = s1_prod[SigW-1];
   wire                   s1_high_tie = s1_high_guard & ~(|s1_prod[SigW-2:0]);
@@ -110,9 +110,9 @@ module relief_fp_mul #(
   wire [EXP_W+MAN_W-1:0] s1_high_body =
       {s1_high_sum[EXP_W+MAN_W-1:1], s1_high_sum[0] & ~s1_high_tie};
   wire                   s1_high_at_zero = ~(|s1_exp_high);
-  wire                   s1_high_too_low = s1_exp_high[EXP_W+1] |
-      (s1_high_at_zero & ~s1_high_sum[MAN_W]);
-  wire                   s1_high_over = ~s1_exp_high[EXP_W+1] &
+  wire                   s1_high_too_low = s1_exp_high[ExpSumW-1] |
+      (s1_high_at_zero & ~s1_high_sum[SigW-1]);
+  wire                   s1_high_over = ~s1_exp_high[ExpSumW-1] &
       (s1_exp_high[EXP_W] | (&s1_exp_high[EXP_W-1:0]));
   wire                   s1_top = s1_prod[2*MAN_W+1];
 
@@ -135,7 +135,8 @@ module relief_fp_mul #(
     end
   end
 
-  // Bits that nothing reads, gathered so that the lint for unused bits stays on for all others.
+  // Nets with bits that nothing reads at some parameter values, gathered so that the lint for unused
+  // bits stays on for all others.
   // verilator lint_off UNUSED
   wire unused_0 = &{1'b0, s0_exp_sum[0]};
   // verilator lint_on UNUSED

@@ -17,7 +17,7 @@ module relief_fp_to_fixed #(
   parameter integer INT_W   = 26,  // bits of the signed result
   parameter integer FRAC_W  = 12,  // of these, fraction bits
   parameter integer LATENCY = 2,   // clocks it was generated for; checked
-  parameter integer VARIANT = 32'h00960256  // digest of all else it was generated for; checked
+  parameter integer VARIANT = 32'h00960256  // digest of what it was generated for; checked
 ) (
   input  wire                 clk,     // rising edge
   input  wire                 ce,      // clock enable: registers hold while 0
@@ -114,7 +114,8 @@ module relief_fp_to_fixed #(
     end
   end
 
-  // Bits that nothing reads, gathered so that the lint for unused bits stays on for all others.
+  // Nets with bits that nothing reads at some parameter values, gathered so that the lint for unused
+  // bits stays on for all others.
   // verilator lint_off UNUSED
   wire unused_0 = &{1'b0, s1_shifted[INT_W+MAN_W:INT_W]};
   // verilator lint_on UNUSED

@@ -15,7 +15,7 @@ module relief_fp_to_int #(
   parameter integer MAN_W   = 16,  // fraction bits, the hidden one not counted
   parameter integer INT_W   = 14,  // bits of the signed result
   parameter integer LATENCY = 2,   // clocks it was generated for; checked
-  parameter integer VARIANT = 32'h097a7d26  // digest of all else it was generated for; checked
+  parameter integer VARIANT = 32'h097a7d26  // digest of what it was generated for; checked
 ) (
   input  wire                 clk,     // rising edge
   input  wire                 ce,      // clock enable: registers hold while 0
@@ -109,7 +109,8 @@ module relief_fp_to_int #(
     end
   end
 
-  // Bits that nothing reads, gathered so that the lint for unused bits stays on for all others.
+  // Nets with bits that nothing reads at some parameter values, gathered so that the lint for unused
+  // bits stays on for all others.
   // verilator lint_off UNUSED
   wire unused_0 = &{1'b0, s1_shifted[INT_W+MAN_W:INT_W]};
   // verilator lint_on UNUSED

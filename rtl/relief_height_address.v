@@ -6,7 +6,7 @@
 module relief_height_address #(
   parameter integer LEVELS  = 8,  // the map has 2^LEVELS x 2^LEVELS texels
   parameter integer LATENCY = 0,  // clocks it was generated for; checked
-  parameter integer VARIANT = 32'h23add022  // digest of all else it was generated for; checked
+  parameter integer VARIANT = 32'h23add022  // digest of what it was generated for; checked
 ) (
   input  wire [$clog2(LEVELS+1)-1:0] level,    // 0 .. LEVELS [levels]
   input  wire [LEVELS-1:0]           i,        // u of a texel in the node [texels]
@@ -34,7 +34,8 @@ module relief_height_address #(
   wire [2*LEVELS+1:0] morton;  // b[W-1] a[W-1] .. b[0] a[0] [bits]
   relief_interleave #(.W(LEVELS + 1)) u_morton (.a(even), .b(odd), .result(morton));
 
-  // Bits that nothing reads, gathered so that the lint for unused bits stays on for all others.
+  // Nets with bits that nothing reads at some parameter values, gathered so that the lint for unused
+  // bits stays on for all others.
   // verilator lint_off UNUSED
   wire unused_0 = &{1'b0, morton[2*LEVELS+1]};
   // verilator lint_on UNUSED

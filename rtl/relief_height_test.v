@@ -14,7 +14,7 @@ module relief_height_test #(
   parameter integer MAN_W    = 16,  // fraction bits, the hidden one not counted
   parameter integer HEIGHT_W = 8,   // bits of a height code
   parameter integer LATENCY  = 4,   // clocks it was generated for; checked
-  parameter integer VARIANT  = 32'h4c16b98b  // digest of all else it was generated for; checked
+  parameter integer VARIANT  = 32'h4c16b98b  // digest of what it was generated for; checked
 ) (
   input  wire                 clk,     // rising edge
   input  wire                 ce,      // clock enable: registers hold while 0

@@ -7,7 +7,7 @@
 module relief_hit_delay #(
   parameter integer W       = 8,  // bits of the word
   parameter integer LATENCY = 7,  // clocks it was generated for; checked
-  parameter integer VARIANT = 32'h0069384e  // digest of all else it was generated for; checked
+  parameter integer VARIANT = 32'h0069384e  // digest of what it was generated for; checked
 ) (
   input  wire         clk,        // rising edge
   input  wire         ce,         // clock enable: registers hold while 0

@@ -14,7 +14,7 @@ module relief_level_decision #(
   parameter integer LEVELS  = 8,   // the map has 2^LEVELS x 2^LEVELS texels
   parameter integer IDX_W   = 14,  // bits of a signed, unwrapped texel coordinate
   parameter integer LATENCY = 0,   // clocks it was generated for; checked
-  parameter integer VARIANT = 32'h4ae3ce84  // digest of all else it was generated for; checked
+  parameter integer VARIANT = 32'h4ae3ce84  // digest of what it was generated for; checked
 ) (
   input  wire                        is_inside,   // the node's height is met before the ray leaves
   input  wire                        x_first,     // it leaves by the u plane

@@ -9,7 +9,7 @@ module relief_level_up #(
   parameter integer LEVELS  = 8,   // the map has 2^LEVELS x 2^LEVELS texels
   parameter integer IDX_W   = 14,  // bits of a signed, unwrapped texel coordinate
   parameter integer LATENCY = 0,   // clocks it was generated for; checked
-  parameter integer VARIANT = 32'h63e9f1ef  // digest of all else it was generated for; checked
+  parameter integer VARIANT = 32'h63e9f1ef  // digest of what it was generated for; checked
 ) (
   input  wire [$clog2(LEVELS+1)-1:0] level,  // level of the crossed node [levels]
   input  wire                        even,   // the crossed plane also bounds the parent

@@ -9,7 +9,7 @@ module relief_multi_level_down #(
   parameter integer LEVELS  = 8,   // the map has 2^LEVELS x 2^LEVELS texels
   parameter integer IDX_W   = 14,  // bits of a signed, unwrapped texel coordinate
   parameter integer LATENCY = 0,   // clocks it was generated for; checked
-  parameter integer VARIANT = 32'h44b45e20  // digest of all else it was generated for; checked
+  parameter integer VARIANT = 32'h44b45e20  // digest of what it was generated for; checked
 ) (
   // 1 .. LEVELS (the result is not used at 0) [levels]
   input  wire [$clog2(LEVELS+1)-1:0] level,
@@ -25,8 +25,10 @@ module relief_multi_level_down #(
   input  wire [IDX_W-1:0]            y_high,
   input  wire [IDX_W-1:0]            y_hit,       // predicted hit [texels]
   output wire [$clog2(LEVELS+1)-1:0] level_down,  // level after the descent [levels]
-  output wire [IDX_W-1:0]            x_down,      // predicted hit, kept between the two [texels]
-  output wire [IDX_W-1:0]            y_down       // predicted hit, kept between the two [texels]
+  // predicted hit, kept between low and high [texels]
+  output wire [IDX_W-1:0]            x_down,
+  // predicted hit, kept between low and high [texels]
+  output wire [IDX_W-1:0]            y_down
 );
   localparam integer LevelW = $clog2(LEVELS + 1);
 
@@ -55,7 +57,8 @@ module relief_multi_level_down #(
   wire              y_is_above = $signed(y_high) < $signed(y_hit);
   wire [IDX_W-1:0]  y_child = y_is_below ? y_low : (y_is_above ? y_high : y_hit);
 
-  // Bits that nothing reads, gathered so that the lint for unused bits stays on for all others.
+  // Nets with bits that nothing reads at some parameter values, gathered so that the lint for unused
+  // bits stays on for all others.
   // verilator lint_off UNUSED
   wire unused_0 = &{1'b0, jumped[LevelW+2:LevelW]};
   // verilator lint_on UNUSED

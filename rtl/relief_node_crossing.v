@@ -13,17 +13,17 @@ module relief_node_crossing #(
   parameter integer EXP_W   = 7,   // exponent bits
   parameter integer MAN_W   = 16,  // fraction bits, the hidden one not counted
   parameter integer LATENCY = 2,   // clocks it was generated for; checked
-  parameter integer VARIANT = 32'h1a8ee4db  // digest of all else it was generated for; checked
+  parameter integer VARIANT = 32'h1a8ee4db  // digest of what it was generated for; checked
 ) (
   input  wire                 clk,        // rising edge
   input  wire                 ce,         // clock enable: registers hold while 0
   input  wire [EXP_W+MAN_W:0] t,          // parameter so far [float, height codes]
   // parameter at which the node's height is met [float, height codes]
   input  wire [EXP_W+MAN_W:0] m,
-  input  wire [EXP_W+MAN_W:0] t_x,        // parameter of the u exit plane [float, height codes]
-  input  wire [EXP_W+MAN_W:0] t_y,        // parameter of the v exit plane [float, height codes]
+  input  wire [EXP_W+MAN_W:0] t_x,        // parameter of the x exit plane [float, height codes]
+  input  wire [EXP_W+MAN_W:0] t_y,        // parameter of the y exit plane [float, height codes]
   output wire                 is_inside,  // the height is met before the ray leaves
-  output wire                 x_first,    // the u plane comes first, or both at once
+  output wire                 x_first,    // the x plane comes first, or both at once
   // parameter after a crossing: that of the exit plane, at least t [float, height codes]
   output wire [EXP_W+MAN_W:0] t_next
 );

@@ -7,7 +7,7 @@ module relief_node_planes #(
   parameter integer LEVELS  = 8,   // the map has 2^LEVELS x 2^LEVELS texels
   parameter integer IDX_W   = 14,  // bits of a signed, unwrapped texel coordinate
   parameter integer LATENCY = 0,   // clocks it was generated for; checked
-  parameter integer VARIANT = 32'h2afa0fb3  // digest of all else it was generated for; checked
+  parameter integer VARIANT = 32'h2afa0fb3  // digest of what it was generated for; checked
 ) (
   input  wire [$clog2(LEVELS+1)-1:0] level,   // 0 .. LEVELS [levels]
   input  wire [IDX_W-1:0]            x,       // any texel of the node [texels]

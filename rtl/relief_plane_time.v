@@ -14,7 +14,7 @@ module relief_plane_time #(
   parameter integer MAN_W   = 16,  // fraction bits, the hidden one not counted
   parameter integer IDX_W   = 14,  // bits of a signed, unwrapped texel coordinate
   parameter integer LATENCY = 8,   // clocks it was generated for; checked
-  parameter integer VARIANT = 32'h005a549c  // digest of all else it was generated for; checked
+  parameter integer VARIANT = 32'h348ef61b  // digest of what it was generated for; checked
 ) (
   input  wire                 clk,    // rising edge
   input  wire                 ce,     // clock enable: registers hold while 0
@@ -36,13 +36,13 @@ module relief_plane_time #(
     if (IDX_W < 2) begin : gen_illegal_5 IDX_W_must_be_at_least_2 u_illegal (); end
     if (LATENCY != 8) begin : gen_other_latency
       relief_plane_time_has_LATENCY_8_not_the_one_asked_for u_illegal ();
-    end else if (VARIANT != 32'h005a549c) begin : gen_other_variant
-      relief_plane_time_has_VARIANT_005a549c_nearest_even_flush_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h348ef61b) begin : gen_other_variant
+      relief_plane_time_has_VARIANT_348ef61b_nearest_even_flush_not_the_one_asked_for u_illegal ();
     end
   endgenerate
 
   // ---- stage 0: distance --------------------------------------------------------------
-  wire [FloatW-1:0] s2_plane_float;  // a, rounded to nearest even [float]
+  wire [FloatW-1:0] s2_plane_float;  // the plane [float, texels]
   relief_fp_from_int #(
     .EXP_W(EXP_W), .MAN_W(MAN_W), .INT_W(IDX_W), .LATENCY(2), .VARIANT(32'h33bf768e)
   ) u_from_int (
@@ -72,8 +72,8 @@ module relief_plane_time #(
   end
 
   // ---- stage 2: distance --------------------------------------------------------------
-  wire [FloatW-1:0] s5_distance;  // a + b [float]
-  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h6bc4a879)) u_sub (
+  wire [FloatW-1:0] s5_distance;  // plane - p [float, texels]
+  relief_fp_add #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(3), .VARIANT(32'h013a4c61)) u_sub (
     .clk(clk), .ce(ce), .a(s2_plane_float), .b(s2_minus_p),
     .result(s5_distance)
   );
@@ -103,7 +103,7 @@ module relief_plane_time #(
   end
 
   // ---- stage 5: parameter -------------------------------------------------------------
-  wire [FloatW-1:0] s7_product;  // a * b [float]
+  wire [FloatW-1:0] s7_product;  // distance * r [float, height codes]
   relief_fp_mul #(.EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(2), .VARIANT(32'h5bd17165)) u_mul (
     .clk(clk), .ce(ce), .a(s5_distance), .b(s5_r),
     .result(s7_product)

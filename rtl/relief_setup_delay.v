@@ -7,7 +7,7 @@
 module relief_setup_delay #(
   parameter integer W       = 8,  // bits of the word
   parameter integer LATENCY = 21,  // clocks it was generated for; checked
-  parameter integer VARIANT = 32'h306304c2  // digest of all else it was generated for; checked
+  parameter integer VARIANT = 32'h306304c2  // digest of what it was generated for; checked
 ) (
   input  wire         clk,        // rising edge
   input  wire         ce,         // clock enable: registers hold while 0

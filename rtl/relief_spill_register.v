@@ -7,7 +7,7 @@
 `default_nettype none
 module relief_spill_register #(
   parameter integer W       = 8,  // bits of a word
-  parameter integer VARIANT = 32'h4b082ec9  // digest of all else it was generated for; checked
+  parameter integer VARIANT = 32'h4b082ec9  // digest of what it was generated for; checked
 ) (
   input  wire         clk,        // rising edge
   input  wire         rst,        // synchronous, active high; clears valid bits and counts, no data
@@ -27,7 +27,7 @@ module relief_spill_register #(
     end
   endgenerate
 
-  // ---- state registers, written at the end of the module
+  // ---- state registers, written at the end of the module ------------------------------
   reg         first_valid;    // the slot holds a word
   reg         second_valid;   // the slot holds a word
   reg         valid_q;        // either slot holds a word
@@ -67,7 +67,7 @@ module relief_spill_register #(
   wire load_first_next = ~first_valid_next;
   wire load_second_next = ~second_valid_next;
 
-  // ---- state registers
+  // ---- state registers ----------------------------------------------------------------
   always @(posedge clk) begin
     first  <= first_next;
     second <= second_next;

@@ -7,7 +7,7 @@ module relief_start_level #(
   parameter integer LEVELS  = 8,   // the map has 2^LEVELS x 2^LEVELS texels
   parameter integer IDX_W   = 14,  // bits of a signed, unwrapped texel coordinate
   parameter integer LATENCY = 0,   // clocks it was generated for; checked
-  parameter integer VARIANT = 32'h4c35fe41  // digest of all else it was generated for; checked
+  parameter integer VARIANT = 32'h4c35fe41  // digest of what it was generated for; checked
 ) (
   input  wire [IDX_W-1:0]            x,      // u of the entry [texels]
   input  wire [IDX_W-1:0]            y,      // v of the entry [texels]

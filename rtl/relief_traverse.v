@@ -19,7 +19,7 @@ module relief_traverse #(
   parameter integer FRAC_W     = 12,     // fraction bits of the hit position
   parameter integer TAG_W      = 8,      // bits of a ray's tag
   parameter integer STEP_LIMIT = 65535,  // iterations after which a ray is given up
-  parameter integer VARIANT    = 32'h1af63cc2,  // digest of all else it was generated for; checked
+  parameter integer VARIANT    = 32'h0c6ec1b3,  // digest of what it was generated for; checked
   // file for $readmemh with the words of the pyramid, level 0 first; "": none
   parameter MEM_INIT = ""
 ) (
@@ -27,7 +27,7 @@ module relief_traverse #(
   // synchronous, active high; clears valid bits and counts, no data
   input  wire                 rst,
   input  wire                 load_en,        // write a word of the pyramid (while idle is 1)
-  input  wire [2*LEVELS:0]    load_addr,      // where: level 0 first, the root last [words]
+  input  wire [2*LEVELS:0]    load_addr,      // address: level 0 first, the root last [words]
   input  wire [HEIGHT_W-1:0]  load_data,      // largest height in that node [height codes]
   input  wire                 in_valid,       // input valid
   // input ready (transfer when valid && ready); registered
@@ -54,11 +54,13 @@ module relief_traverse #(
   // given up: STEP_LIMIT reached, or not a ray (steps 0)
   output wire                 out_limit,
   output wire [15:0]          out_steps,      // nodes visited [iterations]
-  output wire [15:0]          out_crossings,  // of these, node crossings [iterations]
+  // iterations that crossed into a neighbour [iterations]
+  output wire [15:0]          out_crossings,
   output wire [15:0]          out_ups,        // levels gone up [levels]
   // the slot in stage 0 holds a ray; its mean is the loop's utilization
   output wire                 slot_busy,
-  // no ray in flight: none in setup, in the loop or waiting at the output
+  // no ray in flight; falls one clock after an input transfer, rises two after the last output
+  // transfer
   output wire                 idle
 );
   localparam integer FloatW = EXP_W + MAN_W + 1;
@@ -76,40 +78,34 @@ module relief_traverse #(
     if (LEVELS > 12) begin : gen_illegal_5 LEVELS_must_be_at_most_12 u_illegal (); end
     if (HEIGHT_W < 2) begin : gen_illegal_6 HEIGHT_W_must_be_at_least_2 u_illegal (); end
     if (HEIGHT_W > 16) begin : gen_illegal_7 HEIGHT_W_must_be_at_most_16 u_illegal (); end
-    if (HEIGHT_W > MAN_W + 1) begin : gen_illegal_8
-      HEIGHT_W_must_be_at_most_MAN_W_plus_1 u_illegal ();
+    if (TILE_W < 1) begin : gen_illegal_8 TILE_W_must_be_at_least_1 u_illegal (); end
+    if (TILE_W > 8) begin : gen_illegal_9 TILE_W_must_be_at_most_8 u_illegal (); end
+    if (LEVELS + TILE_W + 1 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_10
+      LEVELS_plus_TILE_W_plus_1_must_be_at_most_the_exponent_bias u_illegal ();
     end
-    if (TILE_W < 1) begin : gen_illegal_9 TILE_W_must_be_at_least_1 u_illegal (); end
-    if (TILE_W > 8) begin : gen_illegal_10 TILE_W_must_be_at_most_8 u_illegal (); end
-    if (LEVELS + TILE_W + 2 > 24) begin : gen_illegal_11
-      LEVELS_plus_TILE_W_plus_2_must_be_at_most_24 u_illegal ();
+    if (HEIGHT_W + 2 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_11
+      HEIGHT_W_plus_2_must_be_at_most_the_exponent_bias u_illegal ();
     end
-    if (LEVELS + TILE_W + 1 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_12
-      LEVELS_plus_TILE_W_plus_1_must_be_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
+    if (MAN_W > LEVELS + (1 << (EXP_W - 1)) - 1) begin : gen_illegal_12
+      MAN_W_must_be_at_most_LEVELS_plus_the_exponent_bias u_illegal ();
     end
-    if (HEIGHT_W + 2 > (1 << (EXP_W - 1)) - 1) begin : gen_illegal_13
-      HEIGHT_W_plus_2_must_be_at_most_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
-    end
-    if (MAN_W > LEVELS + (1 << (EXP_W - 1)) - 1) begin : gen_illegal_14
-      MAN_W_must_be_at_most_LEVELS_plus_2_to_the_EXP_W_minus_1_minus_1 u_illegal ();
-    end
-    if (FRAC_W < 1) begin : gen_illegal_15 FRAC_W_must_be_at_least_1 u_illegal (); end
-    if (FRAC_W > 16) begin : gen_illegal_16 FRAC_W_must_be_at_most_16 u_illegal (); end
-    if (TAG_W < 1) begin : gen_illegal_17 TAG_W_must_be_at_least_1 u_illegal (); end
-    if (TAG_W > 32) begin : gen_illegal_18 TAG_W_must_be_at_most_32 u_illegal (); end
-    if (STEP_LIMIT < 1) begin : gen_illegal_19 STEP_LIMIT_must_be_at_least_1 u_illegal (); end
-    if (STEP_LIMIT > 65535) begin : gen_illegal_20
+    if (FRAC_W < 1) begin : gen_illegal_13 FRAC_W_must_be_at_least_1 u_illegal (); end
+    if (FRAC_W > 16) begin : gen_illegal_14 FRAC_W_must_be_at_most_16 u_illegal (); end
+    if (TAG_W < 1) begin : gen_illegal_15 TAG_W_must_be_at_least_1 u_illegal (); end
+    if (TAG_W > 32) begin : gen_illegal_16 TAG_W_must_be_at_most_32 u_illegal (); end
+    if (STEP_LIMIT < 1) begin : gen_illegal_17 STEP_LIMIT_must_be_at_least_1 u_illegal (); end
+    if (STEP_LIMIT > 65535) begin : gen_illegal_18
       STEP_LIMIT_must_be_at_most_65535 u_illegal ();
     end
-    if (FRAC_W + LEVELS + MAN_W + TILE_W + 2 > 60) begin : gen_illegal_21
+    if (FRAC_W + LEVELS + MAN_W + TILE_W + 2 > 60) begin : gen_illegal_19
       FRAC_W_plus_LEVELS_plus_MAN_W_plus_TILE_W_plus_2_must_be_at_most_60 u_illegal ();
     end
-    if (VARIANT != 32'h1af63cc2) begin : gen_other_variant
-      relief_traverse_has_VARIANT_1af63cc2_watertight_selective_not_the_one_asked_for u_illegal ();
+    if (VARIANT != 32'h0c6ec1b3) begin : gen_other_variant
+      relief_traverse_has_VARIANT_0c6ec1b3_watertight_selective_not_the_one_asked_for u_illegal ();
     end
   endgenerate
 
-  // ---- state registers, written at the end of the module
+  // ---- state registers, written at the end of the module ------------------------------
   reg              s0_loop_valid_q;      // the slot holds a ray
   reg [TAG_W-1:0]  s0_loop_tag_q;        // tag of the ray [bits]
   reg [FloatW-1:0] s0_loop_p_x_q;        // entry point along x [float, texels]
@@ -136,27 +132,27 @@ module relief_traverse #(
   reg              s0_loop_wall_q;       // the hit is on the side of a texel
   reg              s0_loop_limit_q;      // given up, or not a ray
   reg [15:0]       s0_loop_steps_q;      // nodes visited [iterations]
-  reg [15:0]       s0_loop_crossings_q;  // of these, node crossings [iterations]
+  reg [15:0]       s0_loop_crossings_q;  // iterations that crossed into a neighbour [iterations]
   reg [15:0]       s0_loop_ups_q;        // levels gone up [levels]
   reg              s0_loop_crossed_q;    // a node boundary was crossed already
   reg              s0_in_transfer_q;     // input transfer in the previous clock
   reg              s0_out_transfer_q;    // output transfer in the previous clock
   reg [6:0]        s0_in_flight;         // rays in flight, counted one clock late [rays]
-  reg              s0_any_in_flight;     // in_flight is not 0
+  reg              s0_any_in_flight;     // rays are in flight
 
-  // ---- nets that are driven further below
-  wire hit_valid;    // the last stage of the hit pipeline holds a word
+  // ---- nets that are driven further below ---------------------------------------------
+  wire hit_valid;    // the buffer after the hit pipeline holds a word
   wire hit_ready;    // the hit pipeline can take a word
-  wire setup_valid;  // the last stage of the setup pipeline holds a word
+  wire setup_valid;  // the buffer after the setup pipeline holds a word
   wire setup_ready;  // the setup pipeline can take a word
 
   // ---- stage 0: retire ----------------------------------------------------------------
-  // A finished ray retires when the output pipeline is ready; until then it recirculates unchanged.
+  // A finished ray retires when the hit pipeline is ready; until then it recirculates unchanged.
   wire s0_retire = s0_loop_valid_q & s0_loop_done_q & hit_ready;
   wire s0_slot_free = ~s0_loop_valid_q | s0_retire;
 
   // ---- stage 0: setup -----------------------------------------------------------------
-  // The setup pipeline stalls while its last stage holds a ray and the slot in stage 0 is not free.
+  // The pipeline stalls, as a whole, while both words of the buffer after it are taken.
   // the ray can be traced: finite, entry in the tile, direction below 2^TILE_W
   wire              set_ok;
   wire [LevelW-1:0] set_level;    // level of the first iteration [levels]
@@ -176,7 +172,7 @@ module relief_traverse #(
   wire [IdxW-1:0]   set_first_y;  // y coordinate of the texel of the entry point [texels]
   relief_ray_setup #(
     .EXP_W(EXP_W), .MAN_W(MAN_W), .LEVELS(LEVELS), .HEIGHT_W(HEIGHT_W), .TILE_W(TILE_W),
-    .LATENCY(21), .VARIANT(32'h726afe08)
+    .LATENCY(21), .VARIANT(32'h0217077b)
   ) u_setup (
     .clk(clk), .ce(setup_ready), .u(in_u), .v(in_v), .du(in_du), .dv(in_dv),
     .ok(set_ok), .level(set_level), .p_x(set_p_x), .pb_x(set_pb_x), .d_x(set_d_x), .r_x(set_r_x),
@@ -184,28 +180,29 @@ module relief_traverse #(
     .d_y(set_d_y), .r_y(set_r_y), .never_y(set_never_y), .neg_y(set_neg_y), .first_y(set_first_y)
   );
   wire             setup_last_valid;  // the delayed word is valid
-  wire [TAG_W-1:0] set_tag;           // tag, delayed to the end of the setup pipeline
+  wire [TAG_W-1:0] set_tag;           // identifies the ray: out_tag of its result [bits]
   relief_setup_delay #(.W(TAG_W), .LATENCY(21), .VARIANT(32'h306304c2)) u_setup_delay (
     .clk(clk), .ce(setup_ready), .rst(rst), .in_valid(in_valid), .in_data(in_tag),
     .out_valid(setup_last_valid), .out_data(set_tag)
   );
-  wire              new_ok;       // set_ok, when setup_valid
-  wire [LevelW-1:0] new_level;    // set_level, when setup_valid
-  wire [FloatW-1:0] new_p_x;      // set_p_x, when setup_valid
-  wire [FloatW-1:0] new_pb_x;     // set_pb_x, when setup_valid
-  wire [FloatW-1:0] new_d_x;      // set_d_x, when setup_valid
-  wire [FloatW-1:0] new_r_x;      // set_r_x, when setup_valid
-  wire              new_never_x;  // set_never_x, when setup_valid
-  wire              new_neg_x;    // set_neg_x, when setup_valid
-  wire [IdxW-1:0]   new_first_x;  // set_first_x, when setup_valid
-  wire [FloatW-1:0] new_p_y;      // set_p_y, when setup_valid
-  wire [FloatW-1:0] new_pb_y;     // set_pb_y, when setup_valid
-  wire [FloatW-1:0] new_d_y;      // set_d_y, when setup_valid
-  wire [FloatW-1:0] new_r_y;      // set_r_y, when setup_valid
-  wire              new_never_y;  // set_never_y, when setup_valid
-  wire              new_neg_y;    // set_neg_y, when setup_valid
-  wire [IdxW-1:0]   new_first_y;  // set_first_y, when setup_valid
-  wire [TAG_W-1:0]  new_tag;      // set_tag, when setup_valid
+  // the ray can be traced: finite, entry in the tile, direction below 2^TILE_W
+  wire              new_ok;
+  wire [LevelW-1:0] new_level;    // level of the first iteration [levels]
+  wire [FloatW-1:0] new_p_x;      // entry point along x [float, texels]
+  wire [FloatW-1:0] new_pb_x;  // entry point along x, biased against the direction [float, texels]
+  wire [FloatW-1:0] new_d_x;      // direction along x [float, texels per height code]
+  wire [FloatW-1:0] new_r_x;  // reciprocal of the direction along x [float, height codes per texel]
+  wire              new_never_x;  // the ray does not move along x
+  wire              new_neg_x;    // the ray runs toward smaller x coordinates
+  wire [IdxW-1:0]   new_first_x;  // x coordinate of the texel of the entry point [texels]
+  wire [FloatW-1:0] new_p_y;      // entry point along y [float, texels]
+  wire [FloatW-1:0] new_pb_y;  // entry point along y, biased against the direction [float, texels]
+  wire [FloatW-1:0] new_d_y;      // direction along y [float, texels per height code]
+  wire [FloatW-1:0] new_r_y;  // reciprocal of the direction along y [float, height codes per texel]
+  wire              new_never_y;  // the ray does not move along y
+  wire              new_neg_y;    // the ray runs toward smaller y coordinates
+  wire [IdxW-1:0]   new_first_y;  // y coordinate of the texel of the entry point [texels]
+  wire [TAG_W-1:0]  new_tag;      // identifies the ray: out_tag of its result [bits]
   relief_spill_register #(
     .W(TAG_W + 8 * FloatW + 2 * IdxW + LevelW + 5), .VARIANT(32'h4b082ec9)
   ) u_setup_buffer (
@@ -241,7 +238,7 @@ module relief_traverse #(
   // The ray that retires, from the loop registers.
   wire [FRAC_W-1:0] hit_fu;  // position inside the texel [1/2^FRAC_W texel]
   relief_hit_position #(
-    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .FRAC_W(FRAC_W), .LATENCY(7), .VARIANT(32'h7d672a2a)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .FRAC_W(FRAC_W), .LATENCY(7), .VARIANT(32'h58a64870)
   ) u_hit_u (
     .clk(clk), .ce(hit_ready), .p(s0_loop_p_x_q), .d(s0_loop_d_x_q), .t(s0_loop_t_q),
     .x(s0_loop_x_q),
@@ -249,22 +246,22 @@ module relief_traverse #(
   );
   wire [FRAC_W-1:0] hit_fv;  // position inside the texel [1/2^FRAC_W texel]
   relief_hit_position #(
-    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .FRAC_W(FRAC_W), .LATENCY(7), .VARIANT(32'h7d672a2a)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .FRAC_W(FRAC_W), .LATENCY(7), .VARIANT(32'h58a64870)
   ) u_hit_v (
     .clk(clk), .ce(hit_ready), .p(s0_loop_p_y_q), .d(s0_loop_d_y_q), .t(s0_loop_t_q),
     .x(s0_loop_y_q),
     .fraction(hit_fv)
   );
   wire              hit_last_valid;  // the delayed word is valid
-  wire [LEVELS-1:0] hit_i;           // i, delayed to the end of the hit pipeline
-  wire [LEVELS-1:0] hit_j;           // j, delayed to the end of the hit pipeline
-  wire [FloatW-1:0] hit_t;           // t, delayed to the end of the hit pipeline
-  wire              hit_wall;        // wall, delayed to the end of the hit pipeline
-  wire              hit_limit;       // limit, delayed to the end of the hit pipeline
-  wire [15:0]       hit_steps;       // steps, delayed to the end of the hit pipeline
-  wire [15:0]       hit_crossings;   // crossings, delayed to the end of the hit pipeline
-  wire [15:0]       hit_ups;         // ups, delayed to the end of the hit pipeline
-  wire [TAG_W-1:0]  hit_tag;         // tag, delayed to the end of the hit pipeline
+  wire [LEVELS-1:0] hit_i;           // hit texel, column [texels]
+  wire [LEVELS-1:0] hit_j;           // hit texel, row [texels]
+  wire [FloatW-1:0] hit_t;           // ray parameter so far [float, height codes]
+  wire              hit_wall;        // the hit is on the side of a texel
+  wire              hit_limit;       // given up, or not a ray
+  wire [15:0]       hit_steps;       // nodes visited [iterations]
+  wire [15:0]       hit_crossings;   // iterations that crossed into a neighbour [iterations]
+  wire [15:0]       hit_ups;         // levels gone up [levels]
+  wire [TAG_W-1:0]  hit_tag;         // tag of the ray [bits]
   relief_hit_delay #(
     .W(2 * LEVELS + TAG_W + FloatW + 50), .LATENCY(7), .VARIANT(32'h0069384e)
   ) u_hit_delay (
@@ -275,17 +272,17 @@ module relief_traverse #(
     .out_data({hit_i, hit_j, hit_t, hit_wall, hit_limit, hit_steps, hit_crossings, hit_ups,
         hit_tag})
   );
-  wire [FRAC_W-1:0] result_fu;         // hit_fu, when hit_valid
-  wire [FRAC_W-1:0] result_fv;         // hit_fv, when hit_valid
-  wire [LEVELS-1:0] result_i;          // hit_i, when hit_valid
-  wire [LEVELS-1:0] result_j;          // hit_j, when hit_valid
-  wire [FloatW-1:0] result_t;          // hit_t, when hit_valid
-  wire              result_wall;       // hit_wall, when hit_valid
-  wire              result_limit;      // hit_limit, when hit_valid
-  wire [15:0]       result_steps;      // hit_steps, when hit_valid
-  wire [15:0]       result_crossings;  // hit_crossings, when hit_valid
-  wire [15:0]       result_ups;        // hit_ups, when hit_valid
-  wire [TAG_W-1:0]  result_tag;        // hit_tag, when hit_valid
+  wire [FRAC_W-1:0] result_fu;         // position inside the texel [1/2^FRAC_W texel]
+  wire [FRAC_W-1:0] result_fv;         // position inside the texel [1/2^FRAC_W texel]
+  wire [LEVELS-1:0] result_i;          // hit texel, column [texels]
+  wire [LEVELS-1:0] result_j;          // hit texel, row [texels]
+  wire [FloatW-1:0] result_t;          // ray parameter so far [float, height codes]
+  wire              result_wall;       // the hit is on the side of a texel
+  wire              result_limit;      // given up, or not a ray
+  wire [15:0]       result_steps;      // nodes visited [iterations]
+  wire [15:0]       result_crossings;  // iterations that crossed into a neighbour [iterations]
+  wire [15:0]       result_ups;        // levels gone up [levels]
+  wire [TAG_W-1:0]  result_tag;        // tag of the ray [bits]
   relief_spill_register #(
     .W(2 * FRAC_W + 2 * LEVELS + TAG_W + FloatW + 50), .VARIANT(32'h4b082ec9)
   ) u_hit_buffer (
@@ -468,7 +465,7 @@ module relief_traverse #(
     .address(s2_address)
   );
 
-  // ---- stage 2: step limit ------------------------------------------------------------
+  // ---- stage 2: end of the ray --------------------------------------------------------
   // A finished ray takes no more steps. One that ends without a hit is given up, in simulation also
   // one whose hit is unknown (x).
   wire        s2_moves = ~s2_done;
@@ -500,7 +497,7 @@ module relief_traverse #(
   end
 
   // ---- stage 3: height ----------------------------------------------------------------
-  wire [HEIGHT_W-1:0] s5_height;  // the word read, two clocks after its address [bits]
+  wire [HEIGHT_W-1:0] s5_height;  // highest code in the node [height codes]
   relief_height_banks #(
     .ADDR_W(2 * LEVELS + 1), .DATA_W(HEIGHT_W), .DEPTH(((1 << (2 * LEVELS + 2)) - 1) / 3),
     .BANK_W(13), .MEM_INIT(MEM_INIT)
@@ -513,14 +510,14 @@ module relief_traverse #(
   // ---- stage 3: plane parameters ------------------------------------------------------
   wire [FloatW-1:0] s11_t_x;  // infinity if never [float, height codes]
   relief_plane_time #(
-    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .LATENCY(8), .VARIANT(32'h005a549c)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .LATENCY(8), .VARIANT(32'h348ef61b)
   ) u_time_x (
     .clk(clk), .ce(1'b1), .plane(s3_x_plane), .p(s3_p_x), .r(s3_r_x), .never(s3_never_x),
     .t(s11_t_x)
   );
   wire [FloatW-1:0] s11_t_y;  // infinity if never [float, height codes]
   relief_plane_time #(
-    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .LATENCY(8), .VARIANT(32'h005a549c)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .LATENCY(8), .VARIANT(32'h348ef61b)
   ) u_time_y (
     .clk(clk), .ce(1'b1), .plane(s3_y_plane), .p(s3_p_y), .r(s3_r_y), .never(s3_never_y),
     .t(s11_t_y)
@@ -595,14 +592,14 @@ module relief_traverse #(
   // ---- stage 10: predicted hit --------------------------------------------------------
   wire [IdxW-1:0] s17_x_hit;  // signed coordinate [texels]
   relief_predicted_hit #(
-    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .LATENCY(7), .VARIANT(32'h05ebf093)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .LATENCY(7), .VARIANT(32'h4eb9b1c4)
   ) u_predict_x (
     .clk(clk), .ce(1'b1), .p_back(s10_pb_x), .d(s10_d_x), .m(s10_m),
     .e(s17_x_hit)
   );
   wire [IdxW-1:0] s17_y_hit;  // signed coordinate [texels]
   relief_predicted_hit #(
-    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .LATENCY(7), .VARIANT(32'h05ebf093)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .LATENCY(7), .VARIANT(32'h4eb9b1c4)
   ) u_predict_y (
     .clk(clk), .ce(1'b1), .p_back(s10_pb_y), .d(s10_d_y), .m(s10_m),
     .e(s17_y_hit)
@@ -618,7 +615,7 @@ module relief_traverse #(
 
   // ---- stage 11: node crossing --------------------------------------------------------
   wire              s13_is_inside;  // the height is met before the ray leaves
-  wire              s13_x_first;    // the u plane comes first, or both at once
+  wire              s13_x_first;    // the x plane comes first, or both at once
   // parameter after a crossing: that of the exit plane, at least t [float, height codes]
   wire [FloatW-1:0] s13_t_next;
   relief_node_crossing #(
@@ -685,8 +682,8 @@ module relief_traverse #(
 
   // ---- stage 17: multi-level down -----------------------------------------------------
   wire [LevelW-1:0] s17_level_down;  // level after the descent [levels]
-  wire [IdxW-1:0]   s17_x_down;      // predicted hit, kept between the two [texels]
-  wire [IdxW-1:0]   s17_y_down;      // predicted hit, kept between the two [texels]
+  wire [IdxW-1:0]   s17_x_down;      // predicted hit, kept between low and high [texels]
+  wire [IdxW-1:0]   s17_y_down;      // predicted hit, kept between low and high [texels]
   relief_multi_level_down #(
     .LEVELS(LEVELS), .IDX_W(IdxW), .LATENCY(0), .VARIANT(32'h44b45e20)
   ) u_down (
@@ -817,7 +814,7 @@ module relief_traverse #(
     .y_next(s18_y_next), .t_out(s18_t_after)
   );
 
-  // ---- stage 18: step limit -----------------------------------------------------------
+  // ---- stage 18: end of the ray -------------------------------------------------------
   // A finished ray takes no more steps. One that ends without a hit is given up, in simulation also
   // one whose hit is unknown (x).
   wire s18_ends_now = s18_hit | s18_last_step;
@@ -825,7 +822,7 @@ module relief_traverse #(
   wire s18_crossed_now = s18_crosses & s18_moves;
   wire s18_up_now = s18_up & s18_crossed_now;
 
-  // ---- state registers
+  // ---- state registers ----------------------------------------------------------------
   always @(posedge clk) begin
     s0_loop_tag_q       <= s18_tag;
     s0_loop_p_x_q       <= s18_p_x;

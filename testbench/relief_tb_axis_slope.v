@@ -54,7 +54,7 @@ module relief_tb_axis_slope #(
     .LEVELS(LEVELS),
     .HEIGHT_W(HEIGHT_W),
     .LATENCY(20),
-    .VARIANT(32'h1795c488)
+    .VARIANT(32'h63b7d248)
   ) dut (
     .clk(clk),
     .ce(ce),

@@ -84,7 +84,7 @@ module relief_tb_ray_setup #(
     .HEIGHT_W(HEIGHT_W),
     .TILE_W(TILE_W),
     .LATENCY(21),
-    .VARIANT(32'h726afe08)
+    .VARIANT(32'h0217077b)
   ) dut (
     .clk(clk),
     .ce(ce),

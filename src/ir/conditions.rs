@@ -8,9 +8,9 @@ use std::collections::{BTreeMap, BTreeSet};
 type Range = (i128, i128);
 
 /// Parameter values that are tried at most to see whether a condition follows; with more of them, bounds decide.
-const TRIED: i128 = 20_000;
+const TRIED: i128 = 2_000;
 
-/// Adds to `m` the conditions of its instances, in terms of its own parameters; those that follow from its own stay out.
+/// Adds to `m` the conditions of its instances, in terms of its own parameters; those that follow from others are left out.
 ///
 /// # Panics
 /// If a condition holds for no value of the parameters: the unit that instantiates gives a wrong one.
@@ -33,6 +33,13 @@ pub fn inherit(m: &mut Module) {
         match m.checks.iter_mut().find(|c| narrower(c)) {
             Some(weaker) => *weaker = check,
             None => m.checks.push(check),
+        }
+    }
+    // What follows from the others would never be seen to fail; bounds by numbers stay, as they are what the others are tried within.
+    for k in (0..m.checks.len()).rev().filter(|k| !is_bound(&m.checks[*k])).collect::<Vec<_>>() {
+        let check = m.checks.remove(k);
+        if !follows(&check, &m.checks) {
+            m.checks.insert(k, check);
         }
     }
 }

@@ -39,7 +39,7 @@ impl Module {
         let variant = Term {
             name: VARIANT,
             value: i64::from(self.variant()),
-            doc: "digest of all else it was generated for; checked",
+            doc: "digest of what it was generated for; checked",
         };
         latency.into_iter().chain([variant]).collect()
     }

@@ -23,6 +23,17 @@ impl<'b> Sig<'b> {
         self.b.st.borrow_mut().m.nodes[self.id.0 as usize].doc = Some(text.into());
         self
     }
+    /// What it is: as [`Sig::doc`] says, or the port that it comes from.
+    pub fn meaning(self) -> Option<String> {
+        let st = self.b.st.borrow();
+        let node = st.m.node(self.id);
+        let port = || match node.op {
+            Op::Input(p) => Some(st.m.ports[p].meaning()),
+            Op::InstOut(i, p) => Some(st.m.insts[i.0 as usize].module.ports[p].meaning()),
+            _ => None,
+        };
+        node.doc.clone().or_else(port)
+    }
     /// Marks a valid bit: its delays are cleared by reset.
     pub fn valid(self) -> Self {
         self.b.st.borrow_mut().m.nodes[self.id.0 as usize].valid = true;

@@ -12,8 +12,10 @@ pub struct Bundle {
     pub from: u32,
     /// Stage of the registers at the end, which have nets of their own.
     pub to: u32,
-    /// Reset clears all of it: valid bits.
+    /// Reset clears all of it.
     pub reset: bool,
+    /// Each value is one bit.
+    pub bits: bool,
     /// What enters, and the registers of its wait.
     pub values: Vec<(NodeId, Vec<NodeId>)>,
 }
@@ -55,7 +57,9 @@ impl Bundles {
             let to = names.stage[row[row.len() - 1].0 as usize];
             let (from, reset) = (to - row.len() as u32, resets(first) == Some(true));
             if row.len() > 1 {
-                let bundle = groups.entry((to, from, reset)).or_insert(Bundle { from, to, reset, values: vec![] });
+                let bundle =
+                    groups.entry((to, from, reset)).or_insert(Bundle { from, to, reset, bits: true, values: vec![] });
+                bundle.bits &= m.node(first).width.as_const() == Some(1);
                 bundle.values.push((m.node(first).args[0], row));
             }
         }
@@ -81,7 +85,13 @@ impl Bundle {
 
     /// Name of the registers between the first stage and the last.
     pub fn net(&self) -> String {
-        format!("s{}_to_s{}{}", self.from, self.to, if self.reset { "_valid" } else { "" })
+        // Words that are reset, such as those of a counter, are no valid bits.
+        let kind = match (self.reset, self.bits) {
+            (false, _) => "",
+            (true, true) => "_valid",
+            (true, false) => "_reset",
+        };
+        format!("s{}_to_s{}{kind}", self.from, self.to)
     }
 
     /// Bits of a stage; `named` gives a width by the name that it has in the text.

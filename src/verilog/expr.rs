@@ -109,7 +109,13 @@ impl Expressions for Names<'_> {
                 (
                     match (full, n.width.as_const()) {
                         (true, _) => net,
-                        (_, Some(1)) => format!("{net}[{}]", tight(lo)),
+                        (_, Some(1)) => {
+                            // The top bit by the width that has a name.
+                            let above = lo + 1;
+                            let by_name = named(self.m, &above);
+                            let at = if by_name == above { lo.clone() } else { by_name - 1 };
+                            format!("{net}[{}]", tight(&at))
+                        }
                         _ => format!("{net}[{}:{}]", tight(&hi), tight(lo)),
                     },
                     Binds::Primary,

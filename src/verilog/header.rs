@@ -132,6 +132,9 @@ impl Printer<'_> {
             if seen.contains(&name) {
                 continue;
             }
+            if let Some(doc) = &n.doc {
+                self.comment("  ", "", doc);
+            }
             // An integer has 32 bits, and a part-select beyond them is undefined.
             if is_wide(e) || n.width.as_const().is_some_and(|w| w > 32) {
                 self.out += &wrap(&format!("  localparam [63:0] {name} = {};", bare(&wide(e))));
@@ -155,7 +158,10 @@ impl Printer<'_> {
                 t.split('_').filter(|x| !x.is_empty()).collect::<Vec<_>>().join("_")
             };
             let sum = |e: &reliefrtl_ir::Expr| {
-                let text = e.to_string().replace("(1 << ", "(2 to the ");
+                let text = e
+                    .to_string()
+                    .replace("(1 << (EXP_W - 1)) - 1", "the exponent bias")
+                    .replace("(1 << ", "(2 to the ");
                 word(text.replace(" + ", " plus ").replace(" - ", " minus "))
             };
             let name = match c.lhs.as_const() {

@@ -58,16 +58,20 @@ impl Printer<'_> {
         self.out.push('\n');
     }
 
+    /// A heading.
+    pub fn rule(&mut self, text: &str) {
+        let head = format!("\n  // ---- {text} ");
+        self.line(&format!("{head}{}", "-".repeat(91usize.saturating_sub(head.len()))));
+    }
+
     /// The heading of a step of the body, and why it is done so.
     pub fn heading(&mut self, stage: u32, title: &str, reason: &str) {
-        self.out.push('\n');
         let text = match (self.names.staged, title) {
             (true, "") => format!("stage {stage}"),
             (true, t) => format!("stage {stage}: {t}"),
             (false, t) => t.to_string(),
         };
-        let head = format!("  // ---- {text} ");
-        self.line(&format!("{head}{}", "-".repeat(90usize.saturating_sub(head.len()))));
+        self.rule(&text);
         if !reason.is_empty() {
             self.comment("  ", "", reason);
         }

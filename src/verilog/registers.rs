@@ -21,13 +21,13 @@ impl Printer<'_> {
             return;
         }
         if !ids.is_empty() {
-            self.out += "\n  // ---- state registers, written at the end of the module\n";
+            self.rule("state registers, written at the end of the module");
         }
         for id in ids {
             self.declare_reg(id);
         }
         if !self.wires().is_empty() || !early.is_empty() {
-            self.out += "\n  // ---- nets that are driven further below\n";
+            self.rule("nets that are driven further below");
         }
         for (id, _) in self.wires() {
             let (net, node) = (self.names.net(id).expect("wires have names"), self.m.node(id));
@@ -114,7 +114,7 @@ impl Printer<'_> {
         if ids.is_empty() {
             return;
         }
-        self.out += "\n  // ---- state registers\n";
+        self.rule("state registers");
         let nets: Vec<(String, NodeId)> =
             ids.into_iter().map(|id| (self.names.net(id).unwrap_or_default(), id)).collect();
         self.clocked(&nets);

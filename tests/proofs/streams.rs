@@ -21,7 +21,7 @@ const SPOILED: [(&str, &str, &str); 13] = [
     // Unfair: the lowest always first; those that were served not last; the turn goes on without a transfer.
     ("arbiter", "(|preferred) ? preferred : in_valid", "in_valid"),
     ("arbiter", "~(grant | (grant - 4'd1))", "~grant"),
-    ("arbiter", "transfer ? above_grant : first_q", "above_grant"),
+    ("arbiter", "transfer ? above_grant : asked_first_q", "above_grant"),
     // The word of another.
     ("arbiter", "in_data[2*W-1:W]", "in_data[W-1:0]"),
 ];

@@ -51,14 +51,6 @@ fn words_in<'r>(line: &str, rules: &'r [Rule]) -> Vec<&'r Rule> {
     rules.iter().filter(|r| words.contains(&r.0.as_str())).collect()
 }
 
-/// As [`words_in`], without the sentences among a line's strings.
-fn words_of_code<'r>(line: &str, rules: &'r [Rule]) -> Vec<&'r Rule> {
-    let (code, comment) = line.split_once("//").unwrap_or((line, ""));
-    let part = |(k, part): (usize, &str)| (k % 2 == 0 || !part.contains(' ')).then(|| part.to_owned());
-    let kept: Vec<String> = code.split('"').enumerate().filter_map(part).collect();
-    words_in(&format!("{} {comment}", kept.join(" ")), rules)
-}
-
 /// The rules that a line breaks as text.
 fn phrases_in<'r>(line: &str, rules: &'r [Rule]) -> Vec<&'r Rule> {
     let whole = |phrase: &str| {
@@ -118,19 +110,12 @@ fn documents_use_the_fields_phrases() {
     assert!(found.is_empty(), "{} phrases:\n{}", found.len(), found.join("\n"));
 }
 
-/// The sentences that the text of a unit or a proof holds are read where they are emitted, in `rtl` and `testbench`: here their names and comments are.
 #[test]
 fn comments_and_messages_name_things() {
     let rules = rules("Words (");
     assert!(rules.len() >= 5, "{rules:?}");
-    let emits = |place: &str| ["src/units", "src/proofs/templates"].iter().any(|folder| place.starts_with(folder));
-    // The page of units prints their sentences.
-    let other = |place: &&String| !emits(place) && *place != "docs/units.md";
     let places = ["src", "rtl", "testbench", "tests", "benches", "examples", "docs", "README.md", "CONTRIBUTING.md"];
-    let mut found = findings(&places, &rules, words_in);
-    found.retain(|f| other(&&f.split(':').next().unwrap_or_default().to_owned()));
-    let units: Vec<String> = findings(&["src/units"], &rules, words_of_code);
-    found.extend(units.into_iter().filter(|f| f.contains(".rs:")));
+    let found = findings(&places, &rules, words_in);
     assert!(found.is_empty(), "{} words:\n{}", found.len(), found.join("\n"));
 }
 
@@ -139,10 +124,8 @@ fn the_rules_find_what_they_are_for() {
     let words = rules("Words (");
     for (word, _) in &words {
         for line in [format!("/// {word}, or so"), format!("let {word} = 1;"), format!("named(\"t_{word}\")")] {
-            assert_eq!((words_in(&line, &words).len(), words_of_code(&line, &words).len()), (1, 1), "{line}");
+            assert_eq!(words_in(&line, &words).len(), 1, "{line}");
         }
-        let sentence = format!("note(\"it is {word} it\")");
-        assert_eq!((words_in(&sentence, &words).len(), words_of_code(&sentence, &words).len()), (1, 0));
         assert!(words_in(&format!("{word}ever"), &words).is_empty());
     }
     let (names, phrases) = (rules("Names ("), rules("Phrases ("));

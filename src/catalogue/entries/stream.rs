@@ -107,7 +107,7 @@ static ARBITER: Unit = Unit {
         text: harness!("arbiter"),
         engine: INVARIANT,
         reach: Reach::Induction(1),
-        extra: Extra::Registers(&[("first", "dut.first_q"), ("kept", "dut.kept_q")]),
+        extra: Extra::Registers(&[("first", "dut.asked_first_q"), ("kept", "dut.kept_q")]),
         ..PROOF
     }],
     ..UNIT

@@ -58,7 +58,7 @@ module {{ prefix }}fv_arbiter (input wire clk);
       assume (in_valid[{{ k }}] && in_data[{{ 3 * k + 2 }}:{{ 3 * k }}] == was_words[{{ 3 * k + 2 }}:{{ 3 * k }}]);
 {%- endfor %}
     if (started) begin
-      // The claim: one grant, to who is valid, whenever someone is; only the granted input transfers, with its word;
+      // The claim: one grant, to a valid input, whenever there is one; only the granted input transfers, with its word;
       assert ((out_grant & (out_grant - 1'b1)) == 0 && (out_grant & ~in_valid) == 0);
       assert (out_valid == (in_valid != 0) && out_valid == (out_grant != 0));
       assert (in_ready == (out_ready ? out_grant : {{ n }}'d0));
@@ -67,7 +67,7 @@ module {{ prefix }}fv_arbiter (input wire clk);
 {%- endfor %}
       // stable until the transfer;
       if (was_stalled) assert (out_valid && out_grant == was_grant && out_data == was_data);
-      // and who waits sees each other input once at most.
+      // and an input that waits sees each other one once at most.
       assert (passed <= {{ n - 1 }});
       if (waits && transfer && (out_grant & other) != 0) assert (!passed_other);
       // Invariants that make the induction hold: first is the inputs from some one up; a kept grant is that of the clock before.

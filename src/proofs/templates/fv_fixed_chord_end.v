@@ -1,6 +1,6 @@
 // Proof harness: {{ claim }}.
 //
-// Setup, a plane's parameter and the chord's end at it. Chords grow with the parameter, so those of later ones end behind the plane as well.
+// Setup, a plane's parameter and the chord's end at it. Chords grow with the parameter, so those of later ones end beyond the plane as well.
 `default_nettype none
 module {{ prefix }}fv_fixed_chord_end (input wire clk);
   localparam integer F = {{ value("plane_time", "FRACTION_W") }};

@@ -26,7 +26,7 @@ module {{ prefix }}fv_fixed_predicted_hit (input wire clk);
   always @* begin
     // The most negative word is no travel; the other axis has no part in this.
     assume ((!s_du[F+T] || |s_du[F+T-1:0]) && s_dv == 0);
-    // A plane through the entry point is met at once, and one further off than this lies behind others that no estimate passes.
+    // A plane through the entry point is met at once, and one further off than this lies beyond others that no estimate passes.
     assume (away > 0 && away <= travel + (travel >> 4) + 2);
     if (clocks == {{ latency }} && p_t != 0) assert (!passed);
   end

@@ -29,8 +29,9 @@ pub fn arbiter(inputs: u32) -> Arc<Module> {
     let o_data = b.output("out_data", &w, "bits", "word of the granted input");
     let o_grant = b.output("out_grant", inputs, "bits", "the granted input, one-hot; 0 while no input is valid");
 
-    let first =
-        b.loop_reg("first_q", inputs, true).doc("the input that is asked first [one-hot; 0 after reset: input 0]");
+    let first = b
+        .loop_reg("asked_first_q", inputs, true)
+        .doc("the inputs above the last grant, which come first [mask; 0: from input 0 up]");
     let kept = b.loop_reg("kept_q", inputs, true).doc("the grant that waits for its transfer [one-hot; 0: none]");
 
     b.section(
@@ -49,7 +50,7 @@ pub fn arbiter(inputs: u32) -> Arc<Module> {
     let transfer = (valid & out_ready).named("transfer");
     let above = (!(grant | (grant - one))).named("above_grant");
     b.close(&[
-        (first, transfer.mux(above, first).named("first_next")),
+        (first, transfer.mux(above, first).named("asked_first_next")),
         (kept, (grant & !out_ready.rep(inputs)).named("kept_next")),
     ]);
 

@@ -14,8 +14,8 @@ pub const SLOTS: u32 = 1 << SLOT_W;
 /// Builds `credit_fifo` (parameter W).
 pub fn credit_fifo() -> Arc<Module> {
     let b = Builder::new("credit_fifo", file!(), "16-slot FIFO after a pipeline without a clock enable");
-    b.note("First in, first out. in_valid has no ready: issue a word only while credit is 1. Not ready in the first clock after reset.");
-    b.note("A slot is reserved from issue to pop. One credit is two words early, because credit is registered.");
+    b.note("First in, first out. in_valid has no ready: issue a word only while credit is 1. credit is 0 in the first clock after reset.");
+    b.note("A slot is reserved from issue to pop. credit falls when 14 slots are reserved: the two words that may be issued before that shows take the others.");
     b.throughput("one result in three clocks");
     let w = b.param("W", 8, "bits of a word");
     b.require(1, &w);
@@ -58,7 +58,7 @@ pub fn credit_fifo() -> Arc<Module> {
 
     b.section(
         "valid and credit",
-        "Credit is two cycles late, so two slots are held in reserve. After a pop the next word is valid three cycles later: count, then read.",
+        "Credit is two clocks late, so two slots are held in reserve. After a pop the next word is valid three clocks later: count, then read.",
     );
     let full = (reserved.slice(SLOT_W, 1) | reserved.slice(1, SLOT_W - 1).all()).named("almost_full");
     b.close(&[

@@ -45,8 +45,8 @@ pub struct Pipeline<'b> {
 impl<'b> Pipeline<'b> {
     /// Declares the pipeline `name`: the nets `<name>_valid`, and `<name>_ready` or, without anything that decouples, `<name>_ce`.
     pub fn declare(b: &'b Builder, name: &'static str, decoupling: Decoupling, out_ready: Sig<'b>) -> Self {
-        let valid =
-            b.wire(&format!("{name}_valid"), 1).doc(&format!("the last stage of the {name} pipeline holds a word"));
+        let last = if decoupling == Decoupling::Combinational { "last stage of" } else { "buffer after" };
+        let valid = b.wire(&format!("{name}_valid"), 1).doc(&format!("the {last} the {name} pipeline holds a word"));
         let ready = match decoupling {
             // All stages move while the last one is empty or its word transfers.
             Decoupling::Combinational => (!valid | out_ready).unstaged().named(&format!("{name}_ce")),
@@ -83,8 +83,7 @@ impl<'b> Pipeline<'b> {
         );
         let last_valid = o["out_valid"].rebase_stage(0);
         let delayed = beside.unbundle(o["out_data"].rebase_stage(0));
-        let words =
-            computed.and(delayed.map(|field, v| v.doc(&format!("{field}, delayed to the end of the {name} pipeline"))));
+        let words = computed.and(delayed.map(|field, v| like(v, beside[field])));
         if self.decoupling == Decoupling::Combinational {
             b.connect(self.valid, last_valid);
             return words.named(outer);
@@ -101,7 +100,11 @@ impl<'b> Pipeline<'b> {
         b.connect(self.ready, o[ready].unstaged());
         b.connect(self.valid, o["out_valid"].unstaged());
         let buffered = words.unbundle(o["out_data"]);
-        buffered
-            .map(|field, v| v.named(&format!("{outer}_{field}")).doc(&format!("{inner}_{field}, when {name}_valid")))
+        buffered.map(|field, v| like(v.named(&format!("{outer}_{field}")), words[field]))
     }
+}
+
+/// `v`, which is what `origin` was some clocks before.
+fn like<'b>(v: Sig<'b>, origin: Sig<'b>) -> Sig<'b> {
+    origin.meaning().map_or(v, |text| v.doc(&text))
 }

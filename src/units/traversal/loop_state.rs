@@ -135,7 +135,7 @@ pub fn level_state(s: &Sizes, d: &Design) -> Vec<Field> {
         Field::new("wall", &bit, Start::Zero).doc("the hit is on the side of a texel"),
         Field::new("limit", &bit, Start::Refused).doc("given up, or not a ray"),
         Field::new("steps", &counter, Start::Zero).doc("nodes visited [iterations]"),
-        Field::new("crossings", &counter, Start::Zero).doc("of these, node crossings [iterations]"),
+        Field::new("crossings", &counter, Start::Zero).doc("iterations that crossed into a neighbour [iterations]"),
         Field::new("ups", &counter, Start::Zero).doc("levels gone up [levels]"),
     ]);
     let finest = Field::new("lod", &s.level_w, Start::Setup("finest"));

@@ -42,7 +42,7 @@ pub fn multi_level_down(d: &Design) -> Arc<Module> {
     let out = b.output("level_down", &level_w, "levels", "level after the descent");
     let outs: Vec<usize> = axes
         .iter()
-        .map(|a| b.output(&format!("{}_down", a.0), &idx, "texels", "predicted hit, kept between the two"))
+        .map(|a| b.output(&format!("{}_down", a.0), &idx, "texels", "predicted hit, kept between low and high"))
         .collect();
 
     let one = b.lit(1, &level_w);

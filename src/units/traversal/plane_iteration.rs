@@ -194,7 +194,7 @@ fn write_back<'b>(
 ) -> Ray<'b> {
     let Decided { hit, crosses, below, grown, next } = decided;
     b.section(
-        "step limit",
+        "end of the ray",
         "A finished ray takes no more steps. One that ends without a hit is given up, in simulation also one whose hit is unknown (x).",
     );
     // Nor does one whose height is not there yet.

@@ -29,7 +29,7 @@ pub(super) fn result_fields<'a>(b: &Builder, s: &Sizes, d: &Design) -> Vec<(&'a 
     let visited = if windows { "iterations, each over all windows" } else { "nodes visited" };
     list.push(("steps", 16.into(), "iterations", visited));
     if !windows {
-        list.push(("crossings", 16.into(), "iterations", "of these, node crossings"));
+        list.push(("crossings", 16.into(), "iterations", "iterations that crossed into a neighbour"));
         list.push(("ups", 16.into(), "levels", "levels gone up"));
     }
     if d.mode.bilinear {
@@ -74,7 +74,12 @@ impl<'b> Result<'_, 'b> {
         // In a node of a coarser level, the hit position says which texel it is.
         let texel: Record<'b> = match self.d.mode.lod {
             true => Record::default(),
-            false => [("i", "x"), ("j", "y")].map(|(i, x)| (i, held.get(x).slice(0, &self.sizes.levels))).into(),
+            false => [("i", "x", "column"), ("j", "y", "row")]
+                .map(|(i, x, what)| {
+                    let texel = held.get(x).slice(0, &self.sizes.levels);
+                    (i, texel.doc(&format!("hit texel, {what} [texels]")))
+                })
+                .into(),
         };
         let carried = ["t", "wall", "limit", "steps", "crossings", "ups", "tag"];
         let carried = carried.into_iter().filter_map(|n| Some((n, held.find(n)?))).collect::<Record<'b>>();

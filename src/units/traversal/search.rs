@@ -42,7 +42,12 @@ pub static PYRAMID: Search = Search {
     loads: |b, s, _| {
         vec![Load {
             en: b.input_static("load_en", 1, "bit", "write a word of the pyramid (while idle is 1)"),
-            addr: b.input_static("load_addr", s.levels.clone() * 2 + 1, "words", "where: level 0 first, the root last"),
+            addr: b.input_static(
+                "load_addr",
+                s.levels.clone() * 2 + 1,
+                "words",
+                "address: level 0 first, the root last",
+            ),
             data: b.input_static("load_data", &s.height, "height codes", "largest height in that node"),
             words: pyramid_words(&s.levels),
             file: "",

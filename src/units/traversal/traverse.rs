@@ -68,7 +68,12 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
     let rays = ray_ports(&b, &s, d);
     let results = OutputStream::declare(&b, "out", &result_fields(&b, &s, d));
     let o_busy = b.output("slot_busy", 1, "bit", "the slot in stage 0 holds a ray; its mean is the loop's utilization");
-    let o_idle = b.output("idle", 1, "bit", "no ray in flight: none in setup, in the loop or waiting at the output");
+    let o_idle = b.output(
+        "idle",
+        1,
+        "bit",
+        "no ray in flight; falls one clock after an input transfer, rises two after the last output transfer",
+    );
 
     // Loop state, read in stage 0 and written by the last stage.
     let module = (path.setup)(d);
@@ -78,10 +83,7 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
     let (clocks_setup, clocks_hit) = ((path.setup_clocks)(d), (path.hit_clocks)(d));
     let finish = if d.mode.bilinear { bilinear_clocks(&d.latency) } else { clocks_hit };
 
-    b.section(
-        "retire",
-        "A finished ray retires when the output pipeline is ready; until then it recirculates unchanged.",
-    );
+    b.section("retire", "A finished ray retires when the hit pipeline is ready; until then it recirculates unchanged.");
     let decoupling = Decoupling::of(d.latency.handshake);
     let hit = Pipeline::declare(&b, "hit", decoupling, results.ready);
     // A registered decision is made one clock earlier: if both slots of the spill register are empty now, the output pipeline is ready then.
@@ -95,10 +97,7 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
     let returns = exchange.as_ref().map(|e| (slot_free & e.returns).named("returns"));
     let slot_ready = returns.map_or(slot_free, |returns| (slot_free & !returns).named("slot_ready"));
 
-    b.section(
-        "setup",
-        "The setup pipeline stalls while its last stage holds a ray and the slot in stage 0 is not free.",
-    );
+    b.section("setup", stalls(decoupling));
     let setup = Pipeline::declare(&b, "setup", decoupling, slot_ready);
     let credits = decoupling == Decoupling::CreditFifo;
     let issue = if credits { (rays.valid & setup.ready).named("issue") } else { rays.valid };
@@ -111,12 +110,7 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
     let accept = (setup.valid & slot_ready).named("accept");
 
     let memories_hold = search.leaving.is_some();
-    let choice = if registers_first(d, memories_hold) {
-        "A slot holds the new ray, or the one that recirculates. Both are registered before the choice: its select reaches every bit of a ray."
-    } else {
-        "A slot holds the new ray, or the one that recirculates."
-    };
-    b.section("slot", choice);
+    b.section("slot", choice(d, memories_hold));
     let memories = memories_hold.then(|| SlotMemory::new(&b, slots, accept, new.clone()));
     let new = heights.first(Ray::fresh(&b, &fields, |name| new[name], new["tag"]), accept);
     let (enters, entering) = match exchange.as_ref().zip(returns) {
@@ -182,6 +176,28 @@ struct Entry<'a, 'b> {
     slot_busy: Sig<'b>,
 }
 
+/// When the setup pipeline stalls.
+fn stalls(decoupling: Decoupling) -> &'static str {
+    match decoupling {
+        Decoupling::Combinational => {
+            "The pipeline stalls while its last stage holds a ray and the slot in stage 0 is not free."
+        }
+        Decoupling::SpillRegister => {
+            "The pipeline stalls, as a whole, while both words of the buffer after it are taken."
+        }
+        Decoupling::CreditFifo => "The pipeline never stalls: a ray is issued against a slot of the FIFO after it.",
+    }
+}
+
+/// How the ray of a slot is chosen.
+fn choice(d: &Design, in_memories: bool) -> &'static str {
+    if registers_first(d, in_memories) {
+        "A slot holds the new ray, or the one that recirculates. Both are registered before the choice: its select reaches every bit of a ray."
+    } else {
+        "A slot holds the new ray, or the one that recirculates."
+    }
+}
+
 /// Whether both rays, and the select, are registered before one of them is chosen. Where slot memories hold the constants, a new ray starts from
 /// zeros, and there is little to select.
 fn registers_first(d: &Design, in_memories: bool) -> bool {
@@ -224,7 +240,7 @@ fn idle<'b>(b: &'b Builder, in_transfer: Sig<'b>, out_transfer: Sig<'b>, most: u
     let entered = b.loop_reg("in_transfer_q", 1, true).doc("input transfer in the previous clock");
     let left = b.loop_reg("out_transfer_q", 1, true).doc("output transfer in the previous clock");
     let inside = b.loop_reg("in_flight", width, true).doc("rays in flight, counted one clock late [rays]");
-    let any = b.loop_reg("any_in_flight", 1, true).doc("in_flight is not 0");
+    let any = b.loop_reg("any_in_flight", 1, true).doc("rays are in flight");
     let down = (left & !entered).named("in_flight_down");
     let change = b.cat(&[down.rep(width - 1), entered ^ left]);
     let next = (inside + change).named("in_flight_next");

@@ -37,7 +37,7 @@ pub fn bilinear_hit(d: &Design) -> Arc<Module> {
     b.clock_enable();
     let load = [
         b.input_static("load_en", 1, "bit", "write a word of the pyramid"),
-        b.input_static("load_addr", levels.clone() * 2 + 1, "words", "where: level 0 first, the root last"),
+        b.input_static("load_addr", levels.clone() * 2 + 1, "words", "address: level 0 first, the root last"),
         b.input_static("load_data", &h, "height codes", "largest height in that node"),
     ];
     let axes = ["x", "y"].map(|a| Axis {

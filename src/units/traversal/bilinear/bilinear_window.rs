@@ -12,7 +12,7 @@ pub fn latency(l: &LatencyConfig) -> u32 {
 
 /// Builds `bilinear_window`.
 pub fn bilinear_window(d: &Design) -> Arc<Module> {
-    let b = Builder::new("bilinear_window", file!(), "parameters half a texel before and behind a hit, in [0, M]");
+    let b = Builder::new("bilinear_window", file!(), "parameters half a texel before and after a hit, in [0, M]");
     let f = FormatParams::declare(&b, d.format);
     let h = b.param("HEIGHT_W", d.traverse.height_bits, "bits of a height code; M is the largest one");
     b.require(2, &h);
@@ -25,7 +25,7 @@ pub fn bilinear_window(d: &Design) -> Arc<Module> {
     let r_y = b.input("r_y", &f.width, "float, height codes per texel", "v slope's reciprocal, of either sign");
     let t = b.input("t", &f.width, "float, height codes", "parameter of the hit");
     let o_begin = b.output("t_begin", &f.width, "float, height codes", "before the hit, not below +0");
-    let o_end = b.output("t_end", &f.width, "float, height codes", "behind the hit, not above M");
+    let o_end = b.output("t_end", &f.width, "float, height codes", "after the hit, not above M");
     let lt = fp_lt(d.format, d.latency.compare);
     let add = fp_add(d.format, d.latency.add);
 

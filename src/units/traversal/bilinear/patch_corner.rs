@@ -18,7 +18,7 @@ pub fn patch_corner(t: &TraverseConfig) -> Arc<Module> {
     b.require(&frac, 16);
     let texel = b.input("texel", &levels, "texels", "texel of the place, wrapped");
     let fraction = b.input("fraction", &frac, "1/2^FRAC_W texel", "position inside the texel");
-    let o_texel = b.output("corner", &levels, "texels", "texel whose centre is the last one not behind the place");
+    let o_texel = b.output("corner", &levels, "texels", "texel whose centre is the last one not beyond the place");
     let o_weight = b.output("weight", &frac, "1/2^FRAC_W texel", "distance from that centre");
     let wide = &levels + &frac;
     let half = b.lit(1, &wide).shift_left(b.konst(&frac - 1, 5).named("half_bit")).named("half");

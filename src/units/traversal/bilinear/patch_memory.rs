@@ -24,7 +24,8 @@ pub fn patch_memory(t: &TraverseConfig) -> Arc<Module> {
     b.clock();
     let ce = b.clock_enable();
     let load_en = b.input_static("load_en", 1, "bit", "write a word of the pyramid");
-    let load_addr = b.input_static("load_addr", levels.clone() * 2 + 1, "words", "where: level 0 first, the root last");
+    let load_addr =
+        b.input_static("load_addr", levels.clone() * 2 + 1, "words", "address: level 0 first, the root last");
     let load_data = b.input_static("load_data", &height, "height codes", "largest height in that node");
     let i = b.input("i", &levels, "texels", "first column of the patch; the other one is the next, wrapped");
     let j = b.input("j", &levels, "texels", "first row of the patch; the other one is the next, wrapped");

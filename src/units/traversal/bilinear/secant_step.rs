@@ -30,7 +30,7 @@ pub fn secant_step(d: &Design) -> Arc<Module> {
     let div = fp_div(d.format, &d.latency);
     let zero = b.zeros(&f.width);
 
-    b.section("signs", "Below at the begin: the root was before. Above at the end: it is behind.");
+    b.section("signs", "Below at the begin: the root was before. Above at the end: it comes after.");
     let below = b.inst(&lt, "u_below", &[], &[("a", g_begin), ("b", zero)])[0].named("is_below");
     let above = b.inst(&lt, "u_above", &[], &[("a", zero), ("b", g_end)])[0].named("is_above");
     let misses = (below | above).named("misses");

@@ -20,7 +20,7 @@ pub fn latency(l: &LatencyConfig) -> u32 {
 
 /// Builds `chord_end`.
 pub fn chord_end(d: &Design) -> Arc<Module> {
-    let b = Builder::new("chord_end", file!(), "texel coordinate at an exit, never behind the ray");
+    let b = Builder::new("chord_end", file!(), "texel coordinate at an exit, never short of the ray");
     let of = Params { b: &b, d };
     let f = of.fraction();
     let w = of.recip();

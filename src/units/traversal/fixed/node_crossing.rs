@@ -14,10 +14,10 @@ pub fn node_crossing(d: &Design) -> Arc<Module> {
     b.clock_enable();
     let t = b.input("t", &time, TIME, "parameter so far");
     let m = b.input("m", &time, TIME, "parameter at which the node's height is met");
-    let t_x = b.input("t_x", &time, TIME, "parameter of the u exit plane");
-    let t_y = b.input("t_y", &time, TIME, "parameter of the v exit plane");
+    let t_x = b.input("t_x", &time, TIME, "parameter of the x exit plane");
+    let t_y = b.input("t_y", &time, TIME, "parameter of the y exit plane");
     let inside = b.output("is_inside", 1, "bit", "the height is met before the ray leaves");
-    let x_first = b.output("x_first", 1, "bit", "the u plane comes first, or both at once");
+    let x_first = b.output("x_first", 1, "bit", "the x plane comes first, or both at once");
     let t_next = b.output("t_next", &time, TIME, "parameter after a crossing, at least t");
 
     b.section("compare", "All five comparisons at once; the selects follow.");

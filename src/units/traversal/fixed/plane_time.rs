@@ -26,7 +26,7 @@ pub fn plane_time(d: &Design) -> Arc<Module> {
     let time = b.local("TimeW", time_width(&f));
     b.clock();
     b.clock_enable();
-    let plane = b.input("plane", &idx, "texels", "coordinate of the plane, signed; not behind the ray");
+    let plane = b.input("plane", &idx, "texels", "coordinate of the plane, signed; not passed yet");
     let p = b.input("p", &f, LENGTH, "coordinate of the entry point");
     let neg = b.input("neg", 1, "bit", "the ray runs toward smaller coordinates");
     let r = b.input("r", &w, "a number of RECIP_W bits", "reciprocal of the travel");
@@ -51,7 +51,7 @@ pub fn plane_time(d: &Design) -> Arc<Module> {
     let far = count.lt(z).named("is_far");
     let moved = dist.shift_left(z).named("moved");
 
-    b.section("multiply", "A parameter behind the bottom plane stays at all ones.");
+    b.section("multiply", "A parameter beyond the bottom plane stays at all ones.");
     let prod = moved.product(r).named("prod");
     let below = &w + &tile - GUARD;
     b.unused(prod.slice(0, below.clone()));

@@ -90,7 +90,7 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     b.drive(o_ok, ok, Some(l));
     let gate = |v: Sig<'_>| -> NodeId { (v.at(l) & ok.rep(v.width())).id() };
     if let Some(o_level) = o_level {
-        b.section("level", "");
+        b.section("acceptance and level", "");
         let level = match (axes[0].last, axes[1].last) {
             (Some(x_end), Some(y_end)) => {
                 let first = |k: usize| axes[k].first.expect("with the nodes' level comes a first texel");

@@ -45,7 +45,7 @@ pub fn crossing_test(d: &Design) -> Arc<Module> {
     let past = b.inst(&lt, "u_end", &[], &[("a", one), ("b", t_exit)])[0].named("past_end");
     let grows = b.inst(&lt, "u_t_exit", &[], &[("a", t), ("b", t_exit)])[0].named("t_advances");
 
-    b.section("select", "A plane behind the end of the ray is never crossed.");
+    b.section("select", "A plane beyond the end of the ray is never crossed.");
     let l = latency(&d.latency);
     b.drive(crosses, ((beyond[0] | beyond[1]) & !past).named("leaves_node"), Some(l));
     b.drive(t_next, grows.mux(t_exit, t).named("t_after"), Some(l));

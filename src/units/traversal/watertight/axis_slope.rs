@@ -51,22 +51,27 @@ pub fn axis_slope(d: &Design) -> Arc<Module> {
     let o_back = b.output("p_back", &f.width, "float, texels", "entry point, biased against the direction");
     let o_d = b.output("d", &f.width, "float, texels per height code", "direction");
     let o_r = b.output("r", &f.width, "float, height codes per texel", "reciprocal direction");
-    let o_never = b.output("never", 1, "bit", "the ray does not move along this axis");
+    let o_never = b.output("never", 1, "bit", "the ray does not move along this axis: dn is zero, or M / dn overflows");
     let o_ahead = idx.as_ref().map(|idx| {
         let p = b.output("p_ahead", &f.width, "float, texels", "entry point, biased in the direction");
         (p, b.output("farthest", idx, "texels", "a texel that the ray does not get beyond"))
     });
     let l = latency(d);
 
-    b.section("slope", "Direction and its reciprocal per height code: dn / M and M / dn, with M = 2^HEIGHT_W - 1.");
+    b.section(
+        "slope",
+        "Direction dn * R, with R = 1 / M rounded to a float, and its reciprocal M / dn; M = 2^HEIGHT_W - 1.",
+    );
     let r = b.inst(&div, "u_div", &[], &[("a", bottom(&b, &f, &height)), ("b", dn)])[0];
     let by_bottom = recip_of_bottom(&b, &f, &height);
     let direction = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dn), ("b", by_bottom)])[0];
-    let r = r.named("height_per_texel").doc("M / dn [float]");
-    let direction = direction.named("direction").doc("dn / M [float]");
+    let r = r.named("height_per_texel").doc("M / dn [float, height codes per texel]");
+    let direction = direction.named("direction").doc("dn * R, rounded once more [float, texels per height code]");
     let dn_exp = dn.slice(f.man.clone(), f.exp.clone());
-    let is_zero = dn_exp.none().named("is_zero");
-    let never = (r.slice(f.man.clone(), f.exp.clone()).all() | is_zero).named("never_moves");
+    let is_zero = dn_exp.none().named("is_zero").doc("dn is zero");
+    let never = (r.slice(f.man.clone(), f.exp.clone()).all() | is_zero)
+        .named("never_moves")
+        .doc("dn is zero, or so small that M / dn overflows");
     b.drive(o_r, r, Some(l));
     b.drive(o_d, direction, Some(l));
     b.drive(o_never, never, Some(l));
@@ -79,7 +84,12 @@ pub fn axis_slope(d: &Design) -> Arc<Module> {
         let bias = b.cat(&[sign, bias_exp, b.zeros(&f.man)]).named(net);
         if d.latency.node > 0 { bias.reg() } else { bias }
     };
-    let back = b.inst(&add, "u_back", &[], &[("a", p), ("b", bias((!neg).named("forward"), "bias"))])[0];
+    let back = b.inst(
+        &add,
+        "u_back",
+        &[],
+        &[("a", p), ("b", bias((!neg).named("forward").doc("sign of the bias: against the direction"), "bias"))],
+    )[0];
     b.drive(o_back, back.named("moved_back").doc("p + bias [float]"), Some(l));
 
     if let Some((o_p, o_farthest)) = o_ahead {
@@ -105,27 +115,37 @@ pub fn axis_slope(d: &Design) -> Arc<Module> {
 
 /// M = 2^HEIGHT_W - 1, encoded: the ray parameter at the bottom plane.
 fn bottom<'b>(b: &'b Builder, f: &FormatParams, height: &Expr) -> Sig<'b> {
-    let exp = b.konst(f.bias() + height - 1, &f.exp).named("m_exp");
-    let frac = b.konst(f.man.pow2() - (&f.man - height + 1).pow2(), &f.man).named("m_frac");
+    let exp = b.konst(f.bias() + height - 1, &f.exp).named("m_exp").doc("exponent of M");
+    let frac = b.konst(f.man.pow2() - (&f.man - height + 1).pow2(), &f.man).named("m_frac").doc("fraction of M");
     b.cat(&[b.zeros(1), exp, frac])
 }
 
 /// 1 / M, encoded: its significand is rounded to nearest.
 fn recip_of_bottom<'b>(b: &'b Builder, f: &FormatParams, height: &Expr) -> Sig<'b> {
-    let exp = b.konst(f.bias() - height, &f.exp).named("recip_exp");
+    let exp = b.konst(f.bias() - height, &f.exp).named("recip_exp").doc("exponent of 1 / M");
     let two_m = height.pow2() * 2 - 2;
     let significand = ((height + &f.man + 1).pow2() + height.pow2() - 1).div(two_m);
-    b.cat(&[b.zeros(1), exp, b.konst(significand, &f.man).named("recip_frac")])
+    b.cat(&[
+        b.zeros(1),
+        exp,
+        b.konst(significand, &f.man)
+            .named("recip_sig")
+            .doc("significand of 1 / M: 2^(HEIGHT_W + MAN_W) / M, to nearest; never a tie"),
+    ])
 }
 
 /// Exponent of the bias: that of LEVELS + 2, or of 2^5 times the travel `dn`, less the bits of a significand.
 fn bias_exponent<'b>(b: &'b Builder, d: &Design, f: &FormatParams, levels: &Expr, dn_exp: Sig<'b>) -> Sig<'b> {
     let wide = &f.exp + 1;
     let step = |v: Sig<'b>| if d.latency.setup > 0 { v.reg() } else { v };
-    let least = b.konst(f.bias() + levels + 2, &wide).named("least_exp");
-    let error_exp = step((dn_exp.zext(&wide) + b.lit(5, &wide)).named("error_exp"));
-    let top = step(least.lt(error_exp).mux(error_exp, least).named("bias_top"));
-    let exp = (top - b.konst(&f.man + 1, &wide).named("sig_bits")).named("bias_exp");
+    let least = b
+        .konst(f.bias() + levels + 2, &wide)
+        .named("least_exp")
+        .doc("exponent of 2^(LEVELS + 2), four times the side of the map");
+    let error_exp = step((dn_exp.zext(&wide) + b.lit(5, &wide)).named("error_exp").doc("exponent of 2^5 dn"));
+    let top = step(least.lt(error_exp).mux(error_exp, least).named("bias_top").doc("the larger of the two exponents"));
+    let exp =
+        (top - b.konst(&f.man + 1, &wide).named("sig_w")).named("bias_exp").doc("exponent of the bias, never negative");
     b.unused(exp.msb());
     exp.slice(0, f.exp.clone())
 }

@@ -14,8 +14,11 @@ pub fn latency(l: &LatencyConfig) -> u32 {
 
 /// Builds `chord_end`.
 pub fn chord_end(d: &Design) -> Arc<Module> {
-    let b =
-        Builder::new("chord_end", file!(), "texel coordinate at an exit, never behind the ray: floor(p_ahead + d * t)");
+    let b = Builder::new(
+        "chord_end",
+        file!(),
+        "texel coordinate at an exit, never short of the ray: floor(p_ahead + d * t)",
+    );
     let f = FormatParams::declare(&b, d.format);
     let idx = index_width(&b, &d.traverse, None);
     b.require(2, &idx);
@@ -28,7 +31,7 @@ pub fn chord_end(d: &Design) -> Arc<Module> {
     let out = b.output("reach", &idx, "texels", "signed coordinate; the farthest one if t is infinite");
     b.section(
         "displacement",
-        "The position is rounded down to its texel; the bias keeps it from lying behind the ray.",
+        "The position is rounded down to its texel; the bias keeps it from falling short of the ray.",
     );
     let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", t)])[0].named("displacement");
     let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)])[0].named("position");

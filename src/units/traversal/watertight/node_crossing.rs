@@ -19,10 +19,10 @@ pub fn node_crossing(d: &Design) -> Arc<Module> {
     b.clock_enable();
     let t = b.input("t", &f.width, "float, height codes", "parameter so far");
     let m = b.input("m", &f.width, "float, height codes", "parameter at which the node's height is met");
-    let t_x = b.input("t_x", &f.width, "float, height codes", "parameter of the u exit plane");
-    let t_y = b.input("t_y", &f.width, "float, height codes", "parameter of the v exit plane");
+    let t_x = b.input("t_x", &f.width, "float, height codes", "parameter of the x exit plane");
+    let t_y = b.input("t_y", &f.width, "float, height codes", "parameter of the y exit plane");
     let inside = b.output("is_inside", 1, "bit", "the height is met before the ray leaves");
-    let x_first = b.output("x_first", 1, "bit", "the u plane comes first, or both at once");
+    let x_first = b.output("x_first", 1, "bit", "the x plane comes first, or both at once");
     let t_next = b.output(
         "t_next",
         &f.width,

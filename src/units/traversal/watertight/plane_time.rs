@@ -27,13 +27,18 @@ pub fn plane_time(d: &Design) -> Arc<Module> {
 
     b.section("distance", "");
     let from = fp_from_int(d.format, d.traverse.idx_bits(), d.latency.from_int);
-    let at = b.inst(&from, "u_from_int", &[("INT_W", idx)], &[("a", plane)])[0].named("plane_float");
+    let at = b.inst(&from, "u_from_int", &[("INT_W", idx)], &[("a", plane)])[0]
+        .named("plane_float")
+        .doc("the plane [float, texels]");
     let minus_p = b.cat(&[!p.msb(), p.slice(0, &f.width - 1)]).named("minus_p");
-    let dist =
-        b.inst(&fp_add(d.format, d.latency.add), "u_sub", &[], &[("a", at), ("b", minus_p)])[0].named("distance");
+    let dist = b.inst(&fp_add(d.format, d.latency.add), "u_sub", &[], &[("a", at), ("b", minus_p)])[0]
+        .named("distance")
+        .doc("plane - p [float, texels]");
 
     b.section("parameter", "");
-    let t = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dist), ("b", r)])[0].named("product");
+    let t = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dist), ("b", r)])[0]
+        .named("product")
+        .doc("distance * r [float, height codes]");
     let inf = b.cat(&[b.zeros(1), b.ones(&f.exp), b.zeros(&f.man)]);
     let t = never.mux(inf, t).named("when_met");
     let l = latency(&d.latency);

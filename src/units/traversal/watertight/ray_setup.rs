@@ -57,7 +57,7 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let outs = ["x", "y"].map(|a| outputs(&b, d, &f, &idx, a));
     let o_lod = d.mode.lod.then(|| b.output("finest", &levels.level_w, "levels", "finest level, in the pyramid"));
     let axes = [axis(&b, d, &idx, "x", u, du), axis(&b, d, &idx, "y", v, dv)];
-    b.section("level", "");
+    b.section("acceptance and level", "");
     let level = match (axes[0].last, axes[1].last) {
         (Some(x_end), Some(y_end)) => {
             let (x, y) = (axes[0].words["first"], axes[1].words["first"]);

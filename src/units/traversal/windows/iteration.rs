@@ -162,7 +162,7 @@ impl<'b> Ahead<'b> {
 /// Steps, and whether the ray ends in this iteration. A finished ray moves no more: its windows say the same once more.
 fn ended<'b>(b: &'b Builder, s: &Sizes, ray: &Ray<'b>, hit: Sig<'b>, below: Sig<'b>) -> Ray<'b> {
     b.section(
-        "step limit",
+        "end of the ray",
         "A finished ray takes no more steps. One that ends without a hit is given up: also in a simulation that does not know if it is one.",
     );
     let moves = (!ray.get("done")).named("moves");

@@ -37,7 +37,7 @@ fn loads<'b>(b: &'b Builder, s: &Sizes, d: &Design) -> Vec<Load<'b>> {
                 &format!("load_addr_{c}"),
                 address_width(&s.levels, &grid),
                 "words",
-                "where: row by row, a word each cell of the grid",
+                "address: row by row, a word each cell of the grid",
             ),
             data: b.input_static(&format!("load_data_{c}"), &s.height, "height codes", "highest code in that window"),
             words: ((&s.levels - &grid) * 2).pow2(),
@@ -71,7 +71,7 @@ const KEPT: [&str; 7] = ["tag", "p_x", "s_x", "neg_x", "p_y", "s_y", "neg_y"];
 fn leaving<'b>(b: &'b Builder, s: &Sizes, held: &Ray<'b>, slots: &SlotMemory<'b>) -> Ray<'b> {
     b.section(
         "texel of the result",
-        "By the planes that the ray has passed; on which tile, the position in the texel has to know.",
+        "The entry's texel moved by the planes passed, unwrapped: the position in the texel needs the tile, too.",
     );
     let kept: Record<'b> = KEPT.iter().map(|n| (*n, slots.new_words()[*n])).collect();
     let kept = slots.read_for_result("kept", &kept);

@@ -40,7 +40,7 @@ pub fn window_choice(d: &Design) -> Arc<Module> {
             exit: b.input(&format!("exit_{c}"), &time, TIME, "where the ray leaves the window"),
             x_first: bit("x_first", "by the plane of u"),
             fraction: bit("fraction", "the exit is no whole height code"),
-            is_in: bit("is_in", "the window can hold the hit; then all larger ones can"),
+            is_in: bit("is_in", "the window can hold the hit, and so can all larger ones"),
             depth: b.input(&format!("depth_{c}"), &h, "height codes", "of its highest code"),
         }
     };
@@ -50,8 +50,8 @@ pub fn window_choice(d: &Design) -> Arc<Module> {
     let o_first = b.output("x_first", 1, "bit", "by the plane of u");
     let o_fraction = b.output("fraction", 1, "bit", "the exit is no whole height code");
     let o_depth = b.output("depth", &h, "height codes", "of a hit, or of the next larger window");
-    let o_takes_exit = b.output("takes_exit", 1, "bit", "the ray is at the exit at least");
-    let o_takes_depth = b.output("takes_depth", 1, "bit", "the ray is at the depth at least");
+    let o_takes_exit = b.output("takes_exit", 1, "bit", "the exit counts: the ray is there at least");
+    let o_takes_depth = b.output("takes_depth", 1, "bit", "the depth counts: the ray is there at least");
     let o_crosses = b.output("crosses", 1, "bit", "the ray goes beyond the exit");
     let o_past =
         ["x", "y"].map(|a| b.output(&format!("past_{a}"), SPAN_W, "texels", "texels of the window beyond this one"));
@@ -67,9 +67,10 @@ pub fn window_choice(d: &Design) -> Arc<Module> {
             (_, Some(above)) => !one.is_in & above,
         };
         picks.push(pick.named(&format!("picks_{c}")).id());
-        above = Some(above.map_or(one.is_in, |a| a & one.is_in).named(&format!("all_in_from_{c}")));
+        if c > 0 {
+            above = Some(above.map_or(one.is_in, |a| a & one.is_in).named(&format!("all_in_from_{c}")));
+        }
     }
-    b.unused(above.expect("two sizes or more"));
     picks.reverse();
     let picks: Vec<Sig<'_>> = picks.into_iter().map(|id| b.sig(id)).collect();
     let l = latency(d);
@@ -94,8 +95,14 @@ pub fn window_choice(d: &Design) -> Arc<Module> {
     for ((a, border), out) in ["x", "y"].into_iter().zip(borders).zip(o_past) {
         let past = picked(&picks, &format!("{a}_past"), |c| {
             let w = set.sizes()[c];
-            let in_cell = (border & b.lit(u64::from(w.grid - 1), CELL_W)).zext(SPAN_W);
-            Some(in_cell | b.lit(u64::from(w.ahead()), SPAN_W))
+            // The texels in the cell and those ahead of it have no bit in common: "or" is their sum.
+            let in_cell = || (border & b.lit(u64::from(w.grid - 1), CELL_W)).zext(SPAN_W);
+            let ahead = || b.lit(u64::from(w.ahead()), SPAN_W);
+            match (w.grid, w.ahead()) {
+                (1, 0) => None,
+                (1, _) => Some(ahead()),
+                _ => Some(in_cell() | ahead()),
+            }
         });
         b.drive(out, past, Some(l));
     }

@@ -71,7 +71,7 @@ fn first_plane<'b>(
     let dist_w = &part + 1;
     let inside = (entry.slice(0, &dist_w) & b.konst(part.pow2() - 1, &dist_w).named("texel_mask")).named("in_texel");
     let dist = neg.mux(inside, b.konst(part.pow2(), &dist_w).named("texel") - inside).named("distance");
-    b.section("products", "Half of the reciprocal each, as multipliers are.");
+    b.section("products", "The reciprocal's low LowW bits and the rest of it, a product each.");
     let low_w = b.local("LowW", Expr::from(super::params::OPERAND).smaller(&p.w - 1));
     let low = dist.product(r.slice(0, &low_w)).named("low_product");
     let high = dist.product(r.slice(&low_w, &p.w - &low_w)).named("high_product");
