@@ -75,8 +75,8 @@ module relief_axis_scale #(
   wire [FloatW-1:0] d_scaled =
       {d_sign, {d_exp + Grow[EXP_W-1:0], d_frac} & {(EXP_W + MAN_W){~d_is_zero}}};
 
-  // Nets with bits that nothing reads at some parameter values, gathered so that the lint for unused
-  // bits stays on for all others.
+  // Nets with bits that nothing reads at some parameter values, gathered so that the lint for
+  // unused bits stays on for all others.
   // verilator lint_off UNUSED
   wire unused_0 = &{1'b0, p_is_inf, p_is_nan, d_is_inf, d_is_nan};
   // verilator lint_on UNUSED

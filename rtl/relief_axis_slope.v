@@ -146,8 +146,8 @@ module relief_axis_slope #(
   // dn is zero, or so small that M / dn overflows
   wire s20_never_moves = (&s20_height_per_texel[EXP_W+MAN_W-1:MAN_W]) | s20_is_zero;
 
-  // Nets with bits that nothing reads at some parameter values, gathered so that the lint for unused
-  // bits stays on for all others.
+  // Nets with bits that nothing reads at some parameter values, gathered so that the lint for
+  // unused bits stays on for all others.
   // verilator lint_off UNUSED
   wire unused_0 = &{1'b0, s0_bias_exp[EXP_W]};
   // verilator lint_on UNUSED

@@ -248,8 +248,8 @@ module relief_fp_add #(
     end
   end
 
-  // Nets with bits that nothing reads at some parameter values, gathered so that the lint for unused
-  // bits stays on for all others.
+  // Nets with bits that nothing reads at some parameter values, gathered so that the lint for
+  // unused bits stays on for all others.
   // verilator lint_off UNUSED
   wire unused_0 = &{1'b0, s1_wide_shift[0]};
   wire unused_1 = &{1'b0, s2_near_norm, s2_exp_less_lzc};

@@ -105,7 +105,7 @@ impl Printer<'_> {
         if m.unused.is_empty() && idle.is_empty() {
             return;
         }
-        self.out += "\n  // Nets with bits that nothing reads at some parameter values, gathered so that the lint for unused\n  // bits stays on for all others.\n";
+        self.out += "\n  // Nets with bits that nothing reads at some parameter values, gathered so that the lint for\n  // unused bits stays on for all others.\n";
         self.out += "  // verilator lint_off UNUSED\n";
         for (k, id) in m.unused.iter().enumerate() {
             let (e, _) = self.names.operand(*id);

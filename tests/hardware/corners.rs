@@ -14,7 +14,7 @@ use reliefrtl::units::{all, arithmetic, available};
 use reliefrtl::vectors::{Plan, set_files};
 use std::collections::BTreeSet;
 
-/// No width of a unit is larger.
+/// No width of a unit is larger, nor a word in a row of vectors.
 const WIDEST: i64 = 64;
 
 /// Values of each parameter to cross: the ends of what is legal beside the others' defaults, and beside the others' least values.
@@ -58,7 +58,11 @@ fn corners(m: &Module, most: usize) -> Vec<Binding> {
         .map(|k| all * 618 / 1000 + k)
         .find(|s| (1..=all).all(|p| p == 1 || s % p != 0 || !all.is_multiple_of(p)))
         .unwrap_or(1);
-    (0..all).map(|k| pick(k * stride.max(1) % all)).filter(|b| hold(&m.checks, b)).take(most).collect()
+    (0..all)
+        .map(|k| pick(k * stride.max(1) % all))
+        .filter(|b| hold(&m.checks, b) && m.ports.iter().all(|p| p.width.eval(b) <= WIDEST))
+        .take(most)
+        .collect()
 }
 
 /// What is wrong with a unit at its corners, and rows that were compared.

@@ -105,6 +105,9 @@ pub fn window_choice(d: &Design) -> Arc<Module> {
             }
         });
         b.drive(out, past, Some(l));
+        if set.sizes().iter().all(|w| w.grid == 1) {
+            b.unused(border);
+        }
     }
     b.finish(Some(l), &bindings())
 }
