@@ -5,6 +5,7 @@
 mod datapath;
 pub mod fixed;
 pub mod float;
+mod height_times;
 mod image;
 mod level;
 mod planes;

@@ -25,7 +25,10 @@ impl Checked {
             for b in std::iter::once(Binding::new()).chain(bindings(d, &m)) {
                 let set = vector_set(d, &m, &b, Plan { rows, seed: 7 });
                 let mut key = text.clone();
-                key.update(format!("{b:?} {:?} {:?}", set.stimulus, set.expected).as_bytes());
+                key.update(format!("{b:?}").as_bytes());
+                for word in set.stimulus.iter().chain(&set.expected).flatten() {
+                    key.update(&word.to_le_bytes());
+                }
                 if !self.seen.insert(key.finalize()) {
                     continue;
                 }

@@ -1,7 +1,9 @@
 //! The constants of a published design.
 use crate::float;
+use crate::height_times::height_times;
 use reliefrtl_base::error::{Error, Result};
 use reliefrtl_config::{Design, Trim};
+use std::sync::Arc;
 
 /// The published model of one design, with the design's constants at hand.
 #[derive(Clone, Debug)]
@@ -12,7 +14,7 @@ pub struct Published {
     /// 1, encoded: the ray parameter at the bottom plane.
     pub(super) one: u64,
     /// Encoded parameter at which a ray meets a node of maximum height code H, by H: (M - H) * (1 / M).
-    pub(super) tops: Vec<u64>,
+    pub(super) tops: Arc<[u64]>,
 }
 
 impl Published {
@@ -55,7 +57,7 @@ impl Published {
         let inv = float::recip_int(fmt, m);
         let top = |height: u64| float::mul(fmt, float::from_int(fmt, (m - height) as i64), inv);
         let one = float::from_int(fmt, 1);
-        Ok(Self { design: *design, idx_w: size.idx_bits(), one, tops: (0..=m).map(top).collect() })
+        Ok(Self { design: *design, idx_w: size.idx_bits(), one, tops: height_times(("published", fmt, h), top) })
     }
 
     /// Ray parameter where a node of maximum height code `height` is met.

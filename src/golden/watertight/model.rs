@@ -1,7 +1,9 @@
 //! The constants of a watertight design.
 use crate::float::{self, power_of_two};
+use crate::height_times::height_times;
 use reliefrtl_base::error::{Error, Result};
 use reliefrtl_config::{Design, Trim};
+use std::sync::Arc;
 
 /// The watertight model of one design, with the design's constants at hand.
 #[derive(Clone, Debug)]
@@ -20,7 +22,7 @@ pub struct Watertight {
     /// C = 1 / M, encoded.
     pub(super) inv_bottom: u64,
     /// Encoded parameter at which a ray meets a node of maximum height code H, by H.
-    pub(super) tops: Vec<u64>,
+    pub(super) tops: Arc<[u64]>,
 }
 
 impl Watertight {
@@ -65,7 +67,7 @@ impl Watertight {
             texels_per_tile: power_of_two(fmt, n as i32),
             bottom: float::from_int(fmt, m as i64),
             inv_bottom: float::recip_int(fmt, m),
-            tops: (0..=m).map(|height| float::from_int(fmt, (m - height) as i64)).collect(),
+            tops: height_times(("watertight", fmt, h), |height| float::from_int(fmt, (m - height) as i64)),
         })
     }
 }
