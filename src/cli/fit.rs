@@ -65,7 +65,7 @@ pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
     let tables = views.iter().filter(|v| v.set.camera(1, 1).is_none()).count();
     enough(budget, seen.rays.len(), each.saturating_mul(views.len() - tables), (views.len() - tables, tables))?;
     let bar = spinner(cli, "fitting");
-    let limits = Limits { resample: a.allow_resample };
+    let limits = Limits { resample: a.allow_resample, block_memories: a.block_memories };
     let found = fit_checked(&c.design(), seen, &truth, budget, limits, &|what| bar.set_message(what.to_string()));
     bar.finish_and_clear();
     let found = found?;
@@ -155,8 +155,8 @@ fn print(cli: &Cli, f: &Fit, check: &Trial, budget: Budget, by_view: &[(String, 
     println!("{} designs tried on {} rays ({}):", f.tried, f.chosen.rays, views.join(", "));
     f.reasons.iter().for_each(|r| println!("  {r}"));
     println!(
-        "size: {} bits of logic, {} of products, {} of registers; {} bits of memory",
-        c.logic, c.products, c.registers, c.memory
+        "size: {} bits of logic, {} of products, {} of registers; {} bits of memory, {} block memories of 18 kbit",
+        c.logic, c.products, c.registers, c.memory, c.blocks
     );
     println!(
         "fresh rays: {}; on the rays as the design reads them {} of {} wrong",

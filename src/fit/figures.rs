@@ -1,6 +1,6 @@
 //! What a search found, as numbers under names: what `fit --json` prints.
 use super::{Fit, Rejected, Trial};
-use crate::config::{DatapathConfig, ModeConfig, TraverseConfig};
+use crate::config::{DatapathConfig, ModeConfig, TraverseConfig, WindowsConfig};
 use crate::measure::Cost;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -59,6 +59,8 @@ pub struct FitFigures<'a> {
     pub mode: ModeConfig,
     /// Datapath and its widths.
     pub datapath: DatapathConfig,
+    /// Windows, where the search is by windows.
+    pub windows: WindowsConfig,
     /// Exponent bits.
     pub exp: u32,
     /// Fraction bits.
@@ -87,6 +89,7 @@ impl<'a> FitFigures<'a> {
             traverse: d.traverse,
             mode: d.mode,
             datapath: d.datapath,
+            windows: d.windows,
             exp: d.format.exp,
             man: d.format.man,
             bits: found.chosen.cost,

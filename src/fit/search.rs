@@ -11,6 +11,8 @@ use serde::Serialize;
 pub struct Limits {
     /// The map itself: fewer levels, fewer bits a height.
     pub resample: bool,
+    /// Block memories of 18 kbit that the heights may take; `None`: any.
+    pub block_memories: Option<u64>,
 }
 
 /// A design that was tried and not taken.
@@ -38,6 +40,7 @@ pub struct Fit {
 struct Search<'a> {
     truth: &'a Truth,
     budget: Budget,
+    limits: Limits,
     seen: &'a dyn Fn(&str),
     reasons: Vec<String>,
     rejected: Vec<Rejected>,
@@ -49,7 +52,7 @@ struct Search<'a> {
 /// # Errors
 /// No design keeps the budget; the sentence says what the best one does.
 pub fn fit(base: &Design, truth: &Truth, budget: Budget, limits: Limits, seen: &dyn Fn(&str)) -> Result<Fit> {
-    let mut s = Search { truth, budget, seen, reasons: Vec::new(), rejected: Vec::new(), tried: 0 };
+    let mut s = Search { truth, budget, limits, seen, reasons: Vec::new(), rejected: Vec::new(), tried: 0 };
     let mut d = *base;
     (d.traverse.levels, d.traverse.height_bits) = (truth.levels, truth.height_bits);
     s.tiles(&mut d)?;
@@ -59,7 +62,7 @@ pub fn fit(base: &Design, truth: &Truth, budget: Budget, limits: Limits, seen: &
     } else {
         s.reasons.push(format!("map kept: {0} x {0} texels of {1} bits", 1u32 << truth.levels, truth.height_bits));
     }
-    best = s.modes(best)?;
+    best = s.ways(best)?;
     best = s.rest(best)?;
     Ok(Fit { chosen: best, reasons: s.reasons, rejected: s.rejected, tried: s.tried })
 }
@@ -189,33 +192,54 @@ impl Search<'_> {
         Ok(best)
     }
 
-    /// The modes with the least bits times cycles; they never change a hit of the datapaths that are tried.
-    fn modes(&mut self, best: Trial) -> Result<Trial> {
+    /// The search with the least bits times iterations, by nodes or by windows, among those that the block memories hold; none changes a hit of
+    /// the datapaths that are tried.
+    fn ways(&mut self, best: Trial) -> Result<Trial> {
+        let (pyramid, others) = (ways(&best.design), (best.design.datapath.kind.facts().searches)(&best.design));
         let mut all: Vec<Trial> = Vec::new();
-        for d in ways(&best.design) {
+        for d in pyramid.chain(others) {
             if prepare(&d).is_ok() {
                 all.push(self.run(&d)?);
             }
         }
-        let product = |t: &Trial| t.cost.bits() as f64 * t.steps.mean;
         all.retain(|t| t.keeps_surely(self.budget));
+        let most = self.limits.block_memories.unwrap_or(u64::MAX);
+        let (mut all, large): (Vec<Trial>, Vec<Trial>) = all.into_iter().partition(|t| t.cost.blocks <= most);
+        let fewest = large.iter().map(|t| t.cost.blocks).min();
+        // Of modes of the pyramid that are all too large, one says so for them.
+        for t in first_of_each(&large) {
+            let why = format!("{} block memories, {most} are allowed", t.cost.blocks);
+            self.rejected.push(Rejected { what: t.design.way(), why });
+        }
         all.sort_by(|a, b| product(a).total_cmp(&product(b)));
-        let plain = all.iter().find(|t| t.design.mode == PLAIN).cloned();
-        let mut all = all.into_iter();
-        let Some(chosen) = all.next() else { return Ok(best) };
-        if let Some(next) = all.next() {
-            let why = format!("{:.2} steps, {} bits", next.steps.mean, next.cost.bits());
+        let Some(chosen) = all.first().cloned() else {
+            let Some(fewest) = fewest else { return Ok(best) };
+            return Err(Error::mismatch(format!(
+                "no search of {} keeps to {most} block memories: the fewest are {fewest}; fewer levels take a quarter each (--allow-resample)",
+                best.design.label()
+            )));
+        };
+        let plain = all.iter().find(|t| t.design.mode == PLAIN && is_pyramid(t)).cloned();
+        for next in first_of_each(&all[1..]).into_iter().filter(|t| t.design.way() != chosen.design.way()) {
+            let more = 100.0 * (product(&next) / product(&chosen) - 1.0);
+            let why = format!(
+                "{:.2} steps, {} bits, {} block memories: {more:.1} % more bits times steps",
+                next.steps.mean,
+                next.cost.bits(),
+                next.cost.blocks
+            );
             self.rejected.push(Rejected { what: next.design.way(), why });
         }
         let against =
             plain.map_or(String::new(), |p| format!("; without any {:.2} steps, {} bits", p.steps.mean, p.cost.bits()));
         self.reasons.push(format!(
-            "modes {}: {:.2} steps a ray (max {} at ray {}), {} bits{against}",
+            "{}: {:.2} steps a ray (max {} at ray {}), {} bits, {} block memories of 18 kbit{against}",
             chosen.design.way(),
             chosen.steps.mean,
             chosen.steps.max,
             chosen.steps.witness,
-            chosen.cost.bits()
+            chosen.cost.bits(),
+            chosen.cost.blocks
         ));
         Ok(chosen)
     }
@@ -243,6 +267,22 @@ impl Search<'_> {
         }
         Ok(best)
     }
+}
+
+/// What a search costs: bits times iterations.
+fn product(t: &Trial) -> f64 {
+    t.cost.bits() as f64 * t.steps.mean
+}
+
+/// Whether a trial reads the nodes of the pyramid.
+fn is_pyramid(t: &Trial) -> bool {
+    t.design.datapath.kind.facts().reads_nodes
+}
+
+/// Of all trials the first one in the pyramid, and every other.
+fn first_of_each(all: &[Trial]) -> Vec<Trial> {
+    let first = all.iter().position(is_pyramid);
+    all.iter().enumerate().filter(|(k, t)| Some(*k) == first || !is_pyramid(t)).map(|(_, t)| t.clone()).collect()
 }
 
 /// The modes that are tried; four levels down take more steps than three (PIDM-HW table 3).

@@ -17,6 +17,8 @@ pub struct Cost {
     pub registers: u64,
     /// Bits of the height pyramid and of tables.
     pub memory: u64,
+    /// Block memories of 18 kbit that the heights take.
+    pub blocks: u64,
 }
 
 impl Cost {
@@ -44,6 +46,7 @@ impl Cost {
             }
         }
         c.registers = net.regs.iter().map(|r| width(r.q)).sum();
+        c.blocks = net.mems.iter().map(|m| blocks(m.depth as u64, width(m.read_data))).sum();
         c.memory += net.mems.iter().map(|m| m.depth as u64 * width(m.read_data)).sum::<u64>();
         Ok(c)
     }
@@ -51,5 +54,29 @@ impl Cost {
     /// Logic, products and registers together: what competes for area besides the memory.
     pub const fn bits(&self) -> u64 {
         self.logic + self.products + self.registers
+    }
+}
+
+/// Words up to which a memory is made of look-up tables.
+const SMALL: u64 = 64;
+
+/// Shapes of a block memory of 18 kbit: words, bits of a word (Lattice FPGA-TN-02204, table 1; other vendors' are alike).
+const SHAPES: [(u64, u64); 6] = [(16384, 1), (8192, 2), (4096, 4), (2048, 9), (1024, 18), (512, 36)];
+
+/// Block memories of 18 kbit of so many words, in the shape that takes the fewest.
+fn blocks(words: u64, bits: u64) -> u64 {
+    let all = SHAPES.iter().map(|(depth, width)| words.div_ceil(*depth) * bits.div_ceil(*width));
+    if words > SMALL { all.min().unwrap_or(0) } else { 0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn blocks_are_those_that_a_part_has() {
+        // 256 x 256 codes; with all their levels; a slot memory; 65 words of two codes.
+        let all = [((65536, 8), 32), ((87381, 8), 43), ((12, 212), 0), ((65, 16), 1)];
+        assert_eq!(all.map(|((words, bits), _)| blocks(words, bits)), all.map(|(_, n)| n));
     }
 }

@@ -1,4 +1,5 @@
 //! `fit` finds designs that keep their budget on rays that it has not seen, and says what it left out.
+use crate::budget::share;
 use crate::program::run;
 use std::path::Path;
 
@@ -37,6 +38,31 @@ fn a_smooth_and_a_spiky_scene_get_different_hardware() {
         assert!(number(&smooth, keys) < number(&spiky, keys), "{keys:?}: {smooth} and {spiky}");
     }
     assert!(number(&smooth, ["bits", "products"]) * 5 < number(&spiky, ["bits", "products"]) * 4);
+}
+
+/// `docs/fit.md`, Which windows.
+#[test]
+fn three_scenes_get_three_sets() {
+    let dir = tempfile::tempdir().unwrap();
+    let of = |line: &[&str]| {
+        let found = fitted(dir.path(), &[&["--rays", "1000"], line].concat());
+        (found["windows"]["set"].as_str().unwrap_or("none").to_owned(), found["bits"]["blocks"].as_u64().unwrap())
+    };
+    let smooth = ["--views", "front,oblique", "--max-uv-error", "4", "--set", "map.kind=dunes"];
+    assert_eq!(of(&smooth), ("1 4 16".into(), 96));
+    assert_eq!(of(&[&smooth[..], &["--block-memories", "44"]].concat()), ("1 4@2 16@4".into(), 42));
+    let spiky = ["--views", "front,oblique,grazing", "--max-uv-error", "4", "--set", "map.kind=spikes"];
+    assert_eq!(of(&spiky), ("1 3 9 27".into(), 128));
+    let out = run(dir.path(), &[&["fit", "--rays", "1000", "--block-memories", "40"], &smooth[..]].concat());
+    let said = String::from_utf8_lossy(&out.stderr).into_owned();
+    assert_eq!(out.status.code(), Some(1), "{said}");
+    assert!(said.contains("keeps to 40 block memories: the fewest are 42"), "{said}");
+    // A map of 1024 texels a side takes as long as all of these.
+    if share(2) == 1 {
+        let large = ["--views", "front,oblique,grazing", "--max-uv-error", "1", "--set", "map.kind=spikes"];
+        let large = [&large[..], &["--set", "traverse.levels=10"]].concat();
+        assert_eq!(of(&large), ("1 4@2 12@4 24@8 64@16".into(), 682));
+    }
 }
 
 #[test]

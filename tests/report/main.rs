@@ -8,6 +8,8 @@ mod rates;
 mod synth;
 mod tables;
 
+#[path = "../support/budget.rs"]
+mod budget;
 #[path = "../support/files.rs"]
 mod files;
 #[path = "../support/program.rs"]

@@ -96,6 +96,9 @@ pub struct FitArgs {
     /// The map itself may become coarser: fewer levels, fewer bits a height.
     #[arg(long)]
     pub allow_resample: bool,
+    /// Block memories of 18 kbit that the heights may take, at most (an ECP5-85 has 208)
+    #[arg(long, value_name = "N")]
+    pub block_memories: Option<u64>,
     /// Where the configuration of the design goes.
     #[arg(long, value_name = "FILE.toml")]
     pub out: Option<PathBuf>,

@@ -58,6 +58,8 @@ pub struct DatapathFacts {
     pub has_mode: fn(&ModeConfig) -> bool,
     /// Other designs of the same widths that must find the same hits, those with these trims among them.
     pub ways: fn(&Design, &[Trim]) -> Vec<Design>,
+    /// Designs of the same numbers, and so of the same hits, that search otherwise.
+    pub searches: fn(&Design) -> Vec<Design>,
     /// The design whose hits it must equal: itself, where it answers to the oracle alone.
     pub reference: fn(&Design) -> Design,
     /// The same with all written out that the emitted text holds fast, whatever its parameters are.

@@ -1,6 +1,6 @@
 //! `datapath.kind = "fixed"` (`docs/fixed.md`).
 use super::facts::{DatapathFacts, Reads};
-use super::{float, pyramid};
+use super::{float, pyramid, windows};
 use crate::{Config, DatapathConfig, Design};
 use reliefrtl_base::format::Words;
 
@@ -40,6 +40,7 @@ pub(super) const FACTS: DatapathFacts = DatapathFacts {
     sentence: pyramid::sentence,
     has_mode: |_| true,
     ways: pyramid::ways,
+    searches: windows::searches,
     reference: |d| *d,
     settled: |d| *d,
     nets: pyramid::PLANE_NETS,

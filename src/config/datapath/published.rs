@@ -32,6 +32,7 @@ pub(super) const FACTS: DatapathFacts = DatapathFacts {
     sentence: pyramid::sentence,
     has_mode: |mode| matches!(mode.trim, Trim::None),
     ways: pyramid::ways,
+    searches: |_| Vec::new(),
     reference: |d| *d,
     settled: |d| *d,
     nets: NETS,

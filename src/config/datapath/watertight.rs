@@ -30,6 +30,7 @@ pub(super) const FACTS: DatapathFacts = DatapathFacts {
     sentence: pyramid::sentence,
     has_mode: |_| true,
     ways: pyramid::ways,
+    searches: |_| Vec::new(),
     reference: |d| *d,
     settled: |d| *d,
     nets: pyramid::PLANE_NETS,

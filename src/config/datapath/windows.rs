@@ -32,6 +32,7 @@ pub(super) const FACTS: DatapathFacts = DatapathFacts {
     sentence,
     has_mode: |mode| *mode == BEST,
     ways,
+    searches: |_| Vec::new(),
     reference,
     settled: |d| Design { windows: WindowsConfig { set: Some(d.window_set()) }, ..*d },
     // The texel is wrapped, as the memories see it.
@@ -62,6 +63,18 @@ fn ways(d: &Design, _: &[Trim]) -> Vec<Design> {
     let sets = WindowSet::named().into_iter().filter(|set| set.misfit(d.traverse.levels).is_none());
     let sets = sets.map(|set| Design { windows: WindowsConfig { set: Some(set) }, ..*d });
     [*d, reference(d)].into_iter().chain(sets).collect()
+}
+
+/// A search by each set that has a name and fits the map, with the numbers of a pyramid.
+pub(super) fn searches(d: &Design) -> Vec<Design> {
+    let sets = WindowSet::named().into_iter().filter(|set| set.misfit(d.traverse.levels).is_none());
+    let by = |set| Design {
+        datapath: DatapathConfig { kind: DatapathKind::Windows, ..d.datapath },
+        windows: WindowsConfig { set: Some(set) },
+        mode: ModeConfig { bilinear: d.mode.bilinear, ..ModeConfig::default() },
+        ..*d
+    };
+    sets.map(by).collect()
 }
 
 /// The same numbers with a search in the pyramid.
