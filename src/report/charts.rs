@@ -12,6 +12,8 @@ fn kind(d: &DesignSpec) -> usize {
         Some(0) => 3,
         // Other widths of a datapath that is compared in all of them.
         None if d.mode == BEST && d.man.is_some_and(|man| man != 16) => 4,
+        // Fixed point, however it searches.
+        _ if d.fraction_bits.is_some() => 2,
         _ => d.kind as usize,
     }
 }

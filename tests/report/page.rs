@@ -197,6 +197,13 @@ fn the_configured_design_leads_the_page_unless_it_is_a_usual_one() {
         plan.headlines.iter().map(|h| (h.name.clone(), h.design.label())).collect()
     };
     assert!(names(&c).iter().all(|n| n.0 != "configured"));
+    // The search by windows stands beside the modes of its datapath; where one mode is asked for, it does not.
+    assert!(names(&c).contains(&("windows".to_owned(), "windows Q.24".to_owned())), "{:?}", names(&c));
+    let windows = |modes| {
+        let designs = Selection { modes, ..Selection::default() }.designs(&c);
+        designs.iter().filter(|d| d.label().starts_with("windows")).count()
+    };
+    assert_eq!([None, Some(ModeSet::One), Some(ModeSet::All)].map(windows), [1, 0, 6]);
     (c.datapath.kind, c.datapath.fraction_bits, c.datapath.reciprocal_bits) = (DatapathKind::Fixed, 15, 13);
     assert_eq!(names(&c)[0], ("configured".to_owned(), "fixed Q.15, reciprocal 13".to_owned()));
 }

@@ -28,7 +28,14 @@ pub fn headlines(c: &Config, designs: &[DesignSpec]) -> Vec<Headline> {
         designs.iter().filter(same).find(known).or_else(|| designs.iter().find(same))
     };
     let mut out = Vec::new();
-    for kind in datapaths() {
+    // Searches that are no datapath of their own stand after the datapaths.
+    let mut kinds: Vec<DatapathKind> = datapaths().collect();
+    for d in designs {
+        if !kinds.contains(&d.kind) {
+            kinds.push(d.kind);
+        }
+    }
+    for kind in kinds {
         let word = kind.word();
         let both = [(word.to_owned(), usual.nudge_bits), (format!("{word}, no nudge"), 0)];
         let named = both.into_iter().take(if kind.facts().reads.nudge_bits { 2 } else { 1 });

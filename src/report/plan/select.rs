@@ -1,7 +1,7 @@
 //! What of all that could be measured is measured.
 use super::design::DesignSpec;
 use crate::config::modes::{BEST, combinations, deeper, published_rows, trimmed};
-use crate::config::{Config, DatapathConfig, DatapathKind, MapKind, ModeConfig, Trim, View, datapaths};
+use crate::config::{Config, DatapathConfig, DatapathKind, Design, MapKind, ModeConfig, Trim, View, datapaths};
 use crate::format::FloatFormat;
 use crate::scene::RaySet;
 use std::path::PathBuf;
@@ -124,6 +124,20 @@ impl Selection {
         }
         for kind in datapaths().filter(chosen) {
             self.modes().into_iter().filter(kind.facts().has_mode).for_each(|mode| add(at(kind, bits), one, mode));
+        }
+        // Another search of the same numbers: by its usual set, or by all.
+        let one_way = self.extent == Extent::Tiny || self.modes == Some(ModeSet::One);
+        for kind in datapaths().filter(chosen).filter(|_| !one_way) {
+            let design = Design { datapath: at(kind, bits), ..c.design() };
+            for other in (kind.facts().searches)(&design) {
+                let mut spec = DesignSpec::usual(c, other.datapath, one.exp, one.man, BEST);
+                if self.modes == Some(ModeSet::All) {
+                    spec.windows = other.windows.set;
+                }
+                if !out.contains(&spec) {
+                    out.push(spec);
+                }
+            }
         }
         let configured = configured(c);
         if self.extent != Extent::Tiny && !out.contains(&configured) {
