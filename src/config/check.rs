@@ -12,6 +12,8 @@ pub fn problem(key: &Key, value: &Value) -> Option<String> {
     let shown = show(value);
     match (legal, value) {
         (Legal::Whole(low, high), Value::Integer(number)) => range(path, &shown, legal, *number < low, *number > high),
+        (Legal::Numbers(list), Value::Integer(number)) if list.contains(number) => None,
+        (Legal::Numbers(_), _) => Some(format!("{path} = {shown} is neither of what is legal: {legal}")),
         (Legal::Whole(..), _) => Some(format!("{path} = {shown} is not a whole number: {legal} are legal")),
         (Legal::Real(low, high), Value::Integer(number)) => {
             let number = *number as f64;

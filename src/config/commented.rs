@@ -43,6 +43,7 @@ fn example(path: &str) -> String {
     match path {
         "datapath.search" => "\"pyramid\"".into(),
         "windows.set" => "\"1 4@2 12@4 40@8\"".into(),
+        "fetch.cells" | "mode.levels_down_after" => "1".into(),
         "map.file" => "\"map.png\"".into(),
         "map.range" => "[0.0, 100.0]".into(),
         "map.nodata" => "-9999.0".into(),

@@ -1,5 +1,5 @@
 //! What is to be generated: format, traversal parameters, modes, latencies.
-use super::{DatapathConfig, ExtraUnits, WindowsConfig};
+use super::{DatapathConfig, ExtraUnits, FetchConfig, WindowsConfig};
 use reliefrtl_base::format::FloatFormat;
 use serde::{Deserialize, Serialize};
 
@@ -44,6 +44,9 @@ pub struct ModeConfig {
     pub start_level: bool,
     /// Levels per descent until the first crossing, 1 to 4.
     pub levels_down: u32,
+    /// Levels per descent after it, 1 to 3; without it 1, and 2 where four cells are read at once ([`Design::levels_down_after`]).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub levels_down_after: Option<u32>,
     /// Level-up rule.
     pub level_up: LevelUp,
     /// Chord trim.
@@ -59,6 +62,7 @@ impl Default for ModeConfig {
         Self {
             start_level: true,
             levels_down: 2,
+            levels_down_after: None,
             level_up: LevelUp::Selective,
             trim: Trim::None,
             lod: false,
@@ -167,6 +171,8 @@ pub struct Design {
     pub format: FloatFormat,
     /// Sizes.
     pub traverse: TraverseConfig,
+    /// What one iteration reads.
+    pub fetch: FetchConfig,
     /// Modes.
     pub mode: ModeConfig,
     /// Latencies.
@@ -220,6 +226,7 @@ impl Default for Design {
         Self {
             format: FloatFormat::FP24,
             traverse: TraverseConfig::default(),
+            fetch: FetchConfig::default(),
             mode: ModeConfig::default(),
             latency: LatencyConfig::default(),
             datapath: DatapathConfig::default(),

@@ -2,7 +2,7 @@
 //!
 //! The commented file, the schema's ranges, the checks and their sentences all come from here.
 use super::{
-    Border, ByteOrder, DefaultNettype, Divider, ExtraUnit, LevelUp, MapKind, Rounding, Search, Specials, Subnormals,
+    Border, ByteOrder, DefaultNettype, Divider, ExtraUnit, FetchConfig, LevelUp, MapKind, Rounding, Search, Specials, Subnormals,
     Trim, View,
 };
 use std::fmt;
@@ -12,6 +12,8 @@ use std::fmt;
 pub enum Legal {
     /// A whole number, both ends included.
     Whole(i64, i64),
+    /// One of these whole numbers.
+    Numbers(&'static [i64]),
     /// A finite number, both ends included.
     Real(f64, f64),
     /// `true` or `false`.
@@ -47,6 +49,7 @@ impl fmt::Display for Legal {
         match self {
             Self::Whole(low, i64::MAX) => write!(f, "{low} to 2^63 - 1"),
             Self::Whole(low, high) => write!(f, "{low} to {high}"),
+            Self::Numbers(list) => f.write_str(&list.iter().map(i64::to_string).collect::<Vec<_>>().join(" and ")),
             Self::Real(low, high) => write!(f, "{low} to {high}"),
             Self::Flag => f.write_str("true or false"),
             Self::Word(words) | Self::Words(words) | Self::SomeWords(words) => f.write_str(&words.join(", ")),
@@ -79,6 +82,9 @@ impl Legal {
             Self::Real(low, high) => {
                 entry.insert("minimum".into(), low.into());
                 entry.insert("maximum".into(), high.into());
+            }
+            Self::Numbers(list) => {
+                entry.insert("enum".into(), list.into());
             }
             Self::Words(_) => {
                 entry.insert("minItems".into(), 1.into());
@@ -130,6 +136,7 @@ pub const SECTIONS: &[(&str, &str)] = &[
     ("traverse", "Sizes of the traverse unit; each is a Verilog parameter."),
     ("datapath", "Which arithmetic traces the rays."),
     ("windows", "The windows of datapath.search = \"windows\"."),
+    ("fetch", "How much of the pyramid one iteration reads."),
     (
         "mode",
         "Choices of the traversal. They change the number of steps, never the hit (of the published datapath: now and then).",
@@ -192,8 +199,22 @@ pub const KEYS: &[Key] = &[
         "side@grid in texels of each window, fine to coarse; without it 1 4@2 12@4 40@8, and with fewer than 3 levels 1 2@2",
         Legal::Set,
     ),
+    key(
+        "fetch.cells",
+        "cells that are read and judged in one iteration, one or four siblings; the hits are the same",
+        Legal::Numbers(FetchConfig::CELLS),
+    ),
     key("mode.start_level", "start at the lowest level whose node holds the whole ray, not at the root", Legal::Flag),
-    key("mode.levels_down", "levels per descent until the first crossing", Legal::Whole(1, 4)),
+    key(
+        "mode.levels_down",
+        "levels per descent until the first crossing; without it 2, with fetch.cells = 4 it is 3 and at most 3",
+        Legal::Whole(1, 4),
+    ),
+    key(
+        "mode.levels_down_after",
+        "levels per descent after the first crossing; without it 1, and 2 with fetch.cells = 4, where alone it may be other than 1",
+        Legal::Whole(1, 3),
+    ),
     key("mode.level_up", "when a crossing goes one level up", Legal::Word(LevelUp::WORDS)),
     key(
         "mode.trim",

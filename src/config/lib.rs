@@ -12,6 +12,7 @@ mod datapath;
 mod design;
 mod divider;
 mod extra;
+mod fetch;
 mod given;
 mod input;
 pub mod keys;
@@ -26,6 +27,7 @@ pub use clock::{Choice, Part, Scope, Timed, for_clock};
 pub use datapath::{DatapathConfig, DatapathFacts, DatapathKind, Reads, Search, datapaths, searches};
 pub use design::{ConvertConfig, Design, Divider, LatencyConfig, LevelUp, ModeConfig, TraverseConfig, Trim};
 pub use extra::{ExtraUnit, ExtraUnits};
+pub use fetch::FetchConfig;
 pub use given::Given;
 pub use input::{
     Auto, Border, ByteOrder, DefaultNettype, EmitConfig, FormatConfig, Generator, MapConfig, MapKind, MapRange,
@@ -50,6 +52,9 @@ pub struct Config {
     /// The windows of a search by windows.
     #[serde(skip_serializing_if = "is_default")]
     pub windows: WindowsConfig,
+    /// What one iteration reads.
+    #[serde(skip_serializing_if = "is_default")]
+    pub fetch: FetchConfig,
     /// Choices of the traversal.
     pub mode: ModeConfig,
     /// Clocks of each kind of unit.
@@ -79,6 +84,7 @@ impl Config {
         Design {
             format: self.format.float(),
             traverse: self.traverse,
+            fetch: self.fetch,
             mode: self.mode,
             latency: self.latency,
             datapath: self.datapath,
@@ -90,8 +96,14 @@ impl Config {
 
     /// The same with another datapath; what that one does not read is at its default, as if it had not been given.
     pub fn choose_datapath(&mut self, kind: DatapathKind) {
+        let usual = self.usual_levels_down();
         (self.datapath.kind, self.datapath.search) = (kind, Search::default());
         self.given = Given::default();
+        if !kind.facts().has_blocks {
+            self.mode.levels_down_after = None;
+            self.follow_cells(usual);
+            self.fetch = FetchConfig::default();
+        }
         (kind.facts().forget)(self);
     }
 

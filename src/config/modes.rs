@@ -2,7 +2,15 @@
 use super::{LevelUp, ModeConfig, Trim};
 
 const fn published(start_level: bool, levels_down: u32, level_up: LevelUp) -> ModeConfig {
-    ModeConfig { start_level, levels_down, level_up, trim: Trim::None, lod: false, bilinear: false }
+    ModeConfig {
+        start_level,
+        levels_down,
+        levels_down_after: None,
+        level_up,
+        trim: Trim::None,
+        lod: false,
+        bilinear: false,
+    }
 }
 
 /// The plain walk: from the root, one level down, never up.

@@ -62,6 +62,7 @@ impl Config {
             table.get(section).and_then(Value::as_table).is_some_and(|entries| entries.contains_key(entry))
         };
         keys::KEYS.iter().filter(written).for_each(|key| config.given.add(key.path));
+        config.follow_cells(Self::default().usual_levels_down());
         Ok(config)
     }
 
@@ -97,6 +98,7 @@ impl Config {
             }
             entries.insert(name.to_owned(), value);
         }
+        let usual = self.usual_levels_down();
         let mut given = std::mem::take(&mut self.given);
         let read = table
             .try_into()
@@ -108,6 +110,7 @@ impl Config {
             given.add(key.path)
         }
         self.given = given;
+        self.follow_cells(usual);
         Ok(())
     }
 

@@ -16,6 +16,7 @@ impl Config {
             self.convert_problem(&mut problems);
             self.datapath.kind.facts().limits.iter().for_each(|limit| limit(self, &mut problems));
             self.search_problems(&mut problems);
+            self.fetch_problems(&mut problems);
             self.mode_problems(&mut problems);
             self.bilinear_problems(&mut problems);
             self.map_problems(&mut problems);

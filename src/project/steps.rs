@@ -9,9 +9,13 @@ use crate::scene::{RaySet, ViewRay};
 use crate::trace::trace_golden;
 use serde::Serialize;
 
-/// The published rows, then those with fewer iterations, as far as the datapath has them.
+/// The published rows, then those with fewer iterations, as far as the datapath has them; of four cells at once, which have modes of their own, the one of
+/// the configuration.
 pub fn step_rows(c: &Config) -> Vec<(String, ModeConfig)> {
     let has_mode = c.datapath.kind.facts().has_mode;
+    if c.fetch.blocks() {
+        return vec![(c.design().way(), c.mode)];
+    }
     let row = |mode: ModeConfig| (Design { mode, ..c.design() }.way(), mode);
     published_rows().chain(trimmed()).filter(has_mode).map(row).collect()
 }

@@ -79,6 +79,8 @@ fn the_key_table_is_the_configuration() {
         "datapath.kind=fixed",
         "datapath.search=windows",
         "windows.set=1 4@2",
+        "fetch.cells=4",
+        "mode.levels_down_after=1",
     ]);
     let json = serde_json::to_value(&config).unwrap();
     let mut fields = Vec::new();

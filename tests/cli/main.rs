@@ -2,6 +2,7 @@
 mod bench;
 mod bounds;
 mod build;
+mod cells;
 mod check;
 mod clocks;
 mod config;

@@ -33,6 +33,8 @@ pub struct DatapathFacts {
     pub trim_fits: fn(FloatFormat) -> bool,
     /// It has `mode.lod`.
     pub has_lod: bool,
+    /// It can read four cells in one iteration (`fetch.cells`).
+    pub has_blocks: bool,
     /// It has `mode.bilinear`.
     pub has_bilinear: bool,
     /// Latencies for a clock follow from those of its units; without, from profiles that were placed whole.

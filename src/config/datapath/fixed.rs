@@ -24,6 +24,7 @@ pub(super) const FACTS: DatapathFacts = DatapathFacts {
     has_trim: true,
     trim_fits: |_| true,
     has_lod: true,
+    has_blocks: true,
     has_bilinear: false,
     clock_by_units: false,
     from_fixed: float::hit_word,

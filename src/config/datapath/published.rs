@@ -17,6 +17,7 @@ pub(super) const FACTS: DatapathFacts = DatapathFacts {
     has_trim: false,
     trim_fits: |_| false,
     has_lod: false,
+    has_blocks: false,
     has_bilinear: false,
     clock_by_units: false,
     from_fixed: |d| (d.traverse.idx_bits() + d.datapath.nudge_bits + 1, d.datapath.nudge_bits),

@@ -36,8 +36,13 @@ pub(super) fn sentence(mode: &ModeConfig, _: &WindowsConfig) -> String {
     mode.sentence()
 }
 
-/// Every mode with one of these trims.
+/// Every mode with one of these trims; of four cells at once those that they have, and one cell at a time.
 pub(super) fn ways(d: &Design, trims: &[Trim]) -> Vec<Design> {
+    if d.fetch.blocks() {
+        let one = Design { fetch: Default::default(), mode: ModeConfig { levels_down_after: None, ..d.mode }, ..*d };
+        let modes = d.block_modes(trims).into_iter().map(|mode| Design { mode, ..*d });
+        return [*d, one].into_iter().chain(modes).collect();
+    }
     combinations(d.mode, trims).into_iter().map(|mode| Design { mode, ..*d }).collect()
 }
 

@@ -78,6 +78,9 @@ impl Design {
 
     /// How hits are found, in a few words: the mode, or the windows.
     pub fn way(&self) -> String {
+        if self.fetch.blocks() {
+            return self.block_way();
+        }
         let windows = WindowsConfig { set: Some(self.window_set()) };
         (self.datapath.kind.facts().way)(&self.mode, &windows)
     }

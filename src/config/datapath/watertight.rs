@@ -18,6 +18,7 @@ pub(super) const FACTS: DatapathFacts = DatapathFacts {
     has_trim: true,
     trim_fits,
     has_lod: true,
+    has_blocks: true,
     has_bilinear: true,
     clock_by_units: true,
     from_fixed: float::hit_word,

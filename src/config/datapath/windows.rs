@@ -16,10 +16,12 @@ pub(super) const FACTS: DatapathFacts = DatapathFacts {
     has_trim: false,
     trim_fits: |_| false,
     has_lod: false,
+    has_blocks: false,
     limits: &[fixed::widths, set, ignored],
     ignores: &[
         ("mode.start_level", "has no levels to start on"),
         ("mode.levels_down", "has no levels to descend"),
+        ("mode.levels_down_after", "has no levels to descend"),
         ("mode.level_up", "has no levels to go up"),
         ("mode.trim", "has no nodes to trim"),
         ("mode.lod", "has no level of detail"),
