@@ -2,8 +2,8 @@
 //!
 //! The commented file, the schema's ranges, the checks and their sentences all come from here.
 use super::{
-    Border, ByteOrder, DefaultNettype, Divider, ExtraUnit, FetchConfig, LevelUp, MapKind, Rounding, Search, Specials, Subnormals,
-    Trim, View,
+    Border, ByteOrder, DefaultNettype, Divider, ExtraUnit, FetchConfig, LevelUp, MapKind, Rounding, Search, Specials,
+    Subnormals, Trim, View,
 };
 use std::fmt;
 

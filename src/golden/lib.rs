@@ -2,6 +2,7 @@
 //!
 //! It implements `docs/datapath.md`, `docs/published.md`, `docs/fixed.md`, `docs/windows.md` and `docs/bilinear.md` on its own: exact integers times a power of two and one rounding, no guard bits,
 //! no pipelines. It shares only the format's constants and the configuration with the units it judges.
+mod cells;
 mod datapath;
 pub mod fixed;
 pub mod float;

@@ -58,12 +58,19 @@ pub struct Setup<A> {
     pub lod: u32,
 }
 
-/// What setup says of both axes, and the first level of the walk: start level and level of detail, where the design has them.
+/// What setup says of both axes, and the first level of the walk: start level and level of detail, where the design has them. Of a block, its
+/// cells' level.
 pub(super) fn both<A: AxisView>(d: &Design, lod: u32, u: A, v: A) -> Setup<A> {
     let (n, idx_w) = (d.traverse.levels, d.traverse.idx_bits());
     let level = if d.mode.start_level { start_level(n, idx_w, u.entry(), v.entry(), u.end(), v.end()) } else { n };
-    let lod = if d.mode.lod { lod.min(n) } else { 0 };
+    let level = cells_level(d, level);
+    let lod = if d.mode.lod { lod.min(d.top_level()) } else { 0 };
     Setup { valid: true, u, v, level: level.max(lod), lod }
+}
+
+/// The level of what is read where the way lies in one node of a level: that node, or the cells of the block that it is.
+pub(super) fn cells_level(d: &Design, level: u32) -> u32 {
+    if d.fetch.blocks() { level.saturating_sub(1) } else { level }
 }
 
 /// Texel `to`, but still in the level-k node of `x`, and never before `x`.

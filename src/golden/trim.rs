@@ -1,6 +1,6 @@
 //! Chord trim: the smallest node that holds the rest of the ray inside the current one (`docs/datapath.md`, "Chord trim").
 use super::level::start_level;
-use super::planes::{AxisView, PlaneArithmetic, Setup, kept};
+use super::planes::{AxisView, PlaneArithmetic, Setup, cells_level, kept};
 use super::record::Chord;
 
 /// The chord from texel `(x, y)` to the exit of its level-k node, whose planes are met at `t_x` and `t_y`.
@@ -17,7 +17,7 @@ pub(super) fn chord<P: PlaneArithmetic>(
     let end_y = chord_end(planes, &s.v, k, y, x_first.then_some(t_x));
     let size = &planes.design().traverse;
     let level = start_level(size.levels, size.idx_bits(), x, y, end_x, end_y);
-    Chord { x: end_x, y: end_y, level: level.max(s.lod) }
+    Chord { x: end_x, y: end_y, level: cells_level(planes.design(), level).max(s.lod) }
 }
 
 /// Along one axis, a texel of the level-k node of `x` that the ray does not get beyond before it leaves the node. It leaves by a plane of

@@ -1,4 +1,5 @@
-//! The walk from node to node: the same for every datapath that compares parameters of planes; what it computes with is a [`PlaneArithmetic`].
+//! The walk from node to node, or from one block of four cells to the next: the same for every datapath that compares parameters of planes; what it computes with is a [`PlaneArithmetic`].
+use super::cells;
 use super::level::{Crossing, descend_levels, level_up, trim_return};
 use super::planes::{AxisView, PlaneArithmetic, Setup, kept};
 use super::pyramid::Pyramid;
@@ -46,7 +47,12 @@ fn walk_on<const RECORD: bool, P: PlaneArithmetic>(
     };
     let mut hit = RayHit::default();
     loop {
-        let it = iterate::<RECORD, P>(planes, pyramid, &setup, &state);
+        let (it, wall) = if planes.design().fetch.blocks() {
+            cells::iterate::<RECORD, P>(planes, pyramid, &setup, &state)
+        } else {
+            let it = iterate::<RECORD, P>(planes, pyramid, &setup, &state);
+            (it, planes.lt(it.t_v, it.t))
+        };
         if RECORD {
             see(&it);
         }
@@ -64,7 +70,7 @@ fn walk_on<const RECORD: bool, P: PlaneArithmetic>(
             descended: it.decision == Decision::Descend,
         };
         if it.decision == Decision::Hit {
-            hit.wall = planes.lt(it.t_v, it.t);
+            hit.wall = wall;
             break;
         }
         if hit.steps == size.step_limit {
@@ -163,31 +169,32 @@ fn iterate<const RECORD: bool, P: PlaneArithmetic>(
 
 /// What one iteration hands to the next.
 #[derive(Clone, Copy, Debug)]
-struct State {
-    level: u32,
-    x: i64,
-    y: i64,
-    t: u64,
+pub(super) struct State {
+    /// Level of the node, or of the block's cells.
+    pub(super) level: u32,
+    pub(super) x: i64,
+    pub(super) y: i64,
+    pub(super) t: u64,
     /// Something was crossed so far.
-    crossed: bool,
+    pub(super) crossed: bool,
     /// The last iteration crossed.
-    prev: bool,
+    pub(super) prev: bool,
     /// The last iteration descended.
     descended: bool,
 }
 
 /// The plane by which the ray can leave the level-k node of texel `x`.
-fn exit(axis: &impl AxisView, k: u32, x: i64) -> i64 {
+pub(super) fn exit(axis: &impl AxisView, k: u32, x: i64) -> i64 {
     let mask = (1i64 << k) - 1;
     if axis.neg() { x & !mask } else { (x | mask) + 1 }
 }
 
 /// The texel beyond plane `b`, seen along the ray.
-fn beyond(axis: &impl AxisView, b: i64) -> i64 {
+pub(super) fn beyond(axis: &impl AxisView, b: i64) -> i64 {
     if axis.neg() { b - 1 } else { b }
 }
 
 /// The map repeats.
-fn wrap(x: i64, n: u32) -> u32 {
+pub(super) fn wrap(x: i64, n: u32) -> u32 {
     x.rem_euclid(1 << n) as u32
 }

@@ -84,7 +84,8 @@ fn every_trim_equals_golden_and_hits_alike() {
                     if share(2) > 1 && odd % 2 == 1 {
                         continue;
                     }
-                    d.mode = ModeConfig { start_level, levels_down, level_up, trim, lod: true, bilinear: false };
+                    d.mode =
+                        ModeConfig { start_level, levels_down, level_up, trim, lod: true, ..ModeConfig::default() };
                     let g = Watertight::prepare(&d).unwrap();
                     let p = Pipeline::new(&d, &Binding::new()).unwrap();
                     let traffic = Traffic { gaps: 60, stalls: 90, resets: 2, seed: runs };

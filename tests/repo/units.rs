@@ -22,7 +22,15 @@ fn designs() -> Vec<Design> {
                     let [start_level, lod, bilinear] = [0, 1, 2].map(|k| mode >> k & 1 == 1);
                     let levels_down = if start_level { 3 } else { 1 };
                     let mut c = Config {
-                        mode: ModeConfig { start_level, levels_down, level_up, trim, lod, bilinear },
+                        mode: ModeConfig {
+                            start_level,
+                            levels_down,
+                            levels_down_after: None,
+                            level_up,
+                            trim,
+                            lod,
+                            bilinear,
+                        },
                         ..Config::default()
                     };
                     c.datapath = DatapathConfig { kind, ..c.datapath };

@@ -1,4 +1,5 @@
 //! The constants of a fixed-point design, and what its sizes may be.
+use crate::cells;
 use reliefrtl_base::error::{Error, Result};
 use reliefrtl_config::Design;
 
@@ -28,6 +29,7 @@ fn illegal(d: &Design) -> Option<&'static str> {
         (f + t.tile_bits <= 32, "fraction_bits + tile_bits is at most 32"),
         (f + t.tile_bits + w <= 63, "fraction_bits + tile_bits + reciprocal_bits is at most 63"),
         ((1..=4).contains(&d.mode.levels_down), "levels_down are 1 to 4"),
+        (cells::legal(d), "four cells have other modes (`docs/cells.md`)"),
         ((1..=65535).contains(&t.step_limit), "step_limit is 1 to 65535"),
         (!d.mode.bilinear, "mode.bilinear needs the watertight datapath"),
     ];

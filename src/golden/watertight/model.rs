@@ -1,4 +1,5 @@
 //! The constants of a watertight design.
+use crate::cells;
 use crate::float::{self, power_of_two};
 use crate::height_times::height_times;
 use reliefrtl_base::error::{Error, Result};
@@ -48,6 +49,7 @@ impl Watertight {
             && fmt.man <= bias + n
             && (1..=16).contains(&size.frac_bits)
             && (1..=4).contains(&design.mode.levels_down)
+            && cells::legal(design)
             && (1..=65535).contains(&size.step_limit)
             // A chord's end is estimated forward by more than all errors, what underflows included.
             && (design.mode.trim == Trim::None || fmt.man + 4 <= bias)

@@ -132,7 +132,7 @@ fn disagreements(base: Design, kind: usize, count: u64, seed: u64) -> (u64, u64,
 }
 
 /// Fraction bits, reciprocal bits, levels, height bits, tile bits: usual ones, and the ends of what is legal.
-const SIZES: [(u32, u32, u32, u32, u32); 14] = [
+pub const SIZES: [(u32, u32, u32, u32, u32); 14] = [
     (24, 24, 8, 8, 4),
     (24, 18, 6, 16, 4),
     (20, 18, 5, 8, 4),

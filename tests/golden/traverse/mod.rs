@@ -1,6 +1,7 @@
 //! The golden traversal: every mode finds the same texel, and it is the texel that exact arithmetic finds.
 //!
 //! `RELIEFRTL_RAYS` sets the rays per map; `RELIEFRTL_SEED` their seed.
+mod cells;
 mod fixed;
 mod scenes;
 mod windows;
@@ -18,8 +19,8 @@ fn modes(format: FloatFormat) -> Vec<ModeConfig> {
     for &trim in trims {
         for start_level in [false, true] {
             for levels_down in 1..=4 {
-                let mode =
-                    |level_up| ModeConfig { start_level, levels_down, level_up, trim, lod: true, bilinear: false };
+                let rest = ModeConfig { lod: true, ..ModeConfig::default() };
+                let mode = |level_up| ModeConfig { start_level, levels_down, level_up, trim, ..rest };
                 all.extend(LevelUp::ALL.map(mode));
             }
         }

@@ -54,7 +54,8 @@ fn every_trim_equals_golden_and_hits_alike() {
         for level_up in LevelUp::ALL {
             for levels_down in 1..=4 {
                 for start_level in [false, true] {
-                    d.mode = ModeConfig { start_level, levels_down, level_up, trim, lod: true, bilinear: false };
+                    d.mode =
+                        ModeConfig { start_level, levels_down, level_up, trim, lod: true, ..ModeConfig::default() };
                     let g = prepare(&d).unwrap();
                     let p = Pipeline::new(&d, &Binding::new()).unwrap();
                     let run =
