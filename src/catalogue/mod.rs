@@ -68,12 +68,13 @@ pub fn without_vectors(d: &Design, names: &[String]) -> String {
 }
 
 /// Settings that bring units which another configuration has not: those of the default, and those that another default would lack.
-pub const SETTINGS: [&str; 11] = [
+pub const SETTINGS: [&str; 12] = [
     "emit.units",
     "latency.divider=table",
     "mode.trim=always",
     "mode.lod=true",
     "mode.bilinear=true",
+    "fetch.cells=4",
     "latency.divider=rows",
     "latency.memory=1",
     "latency.memory=2",

@@ -16,7 +16,7 @@ pub struct RaySet {
     pub set: VectorSet,
     /// The pyramid, `$readmemh` text: a word a line; empty where the map has several memories.
     pub memory: String,
-    /// Where hits are refined, the words of the four memories of the map; of a map in several memories those of each; as `$readmemh` text.
+    /// Where hits are refined, the words of the four memories of the map; of four cells at once those of each of the four siblings; of a map in several memories those of each; as `$readmemh` text.
     pub banks: Vec<String>,
     /// Every iteration of every ray, CSV.
     pub trace: String,
@@ -110,11 +110,16 @@ pub fn ray_set_at(
     }
     let memory = images.pop().unwrap_or_default();
     let texels = 1usize << (2 * d.traverse.levels);
-    let bank = |k: usize| {
-        let head = format!("texels of the map: every fourth word of level 0, from word {k} on");
-        image(&head, &mut pyramid.memory()[..texels].iter().skip(k).step_by(4))
+    // Of four cells all but the root, of a refined hit the map alone.
+    let (words, of) = match d.fetch.blocks() {
+        true => (pyramid.memory().len() - 1, "height pyramid: every fourth word"),
+        false => (texels, "texels of the map: every fourth word of level 0"),
     };
-    let banks = if d.mode.bilinear { (0..4).map(bank).collect() } else { Vec::new() };
+    let bank = |k: usize| {
+        let head = format!("{of}, from word {k} on");
+        image(&head, &mut pyramid.memory()[..words].iter().skip(k).step_by(4))
+    };
+    let banks = if d.mode.bilinear || d.fetch.blocks() { (0..4).map(bank).collect() } else { Vec::new() };
     Ok(RaySet { set, memory, banks, trace })
 }
 

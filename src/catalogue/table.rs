@@ -7,13 +7,14 @@ use crate::proofs::Proof;
 use std::sync::Arc;
 
 /// Every unit that a design may have, by area; proofs are listed in this order.
-pub static UNITS: [&[&Unit]; 9] = [
+pub static UNITS: [&[&Unit]; 10] = [
     entries::integer::UNITS,
     entries::traversal::UNITS,
     entries::float::UNITS,
     entries::watertight::UNITS,
     entries::fixed::UNITS,
     entries::windows::UNITS,
+    entries::cells::UNITS,
     entries::published::UNITS,
     entries::bilinear::UNITS,
     entries::stream::UNITS,

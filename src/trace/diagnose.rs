@@ -124,7 +124,7 @@ pub fn diagnose_in(p: &Pipeline, design: &Design, pyramid: &Pyramid, ray: &RayIn
 /// The earliest stage in which a net of that base name stands.
 fn find(net: &Netlist, name: &str) -> (u32, String, Slot) {
     let named = |s: u32| format!("s{s}_{name}");
-    let hit = (0..64).find_map(|s| net.names.get(&named(s)).map(|slot| (s, named(s), *slot)));
+    let hit = (0..256).find_map(|s| net.names.get(&named(s)).map(|slot| (s, named(s), *slot)));
     hit.unwrap_or_else(|| panic!("traverse has no net {name}"))
 }
 

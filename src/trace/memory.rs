@@ -13,7 +13,7 @@ pub fn image(d: &Design, pyramid: &Pyramid) -> Vec<u64> {
 const BANKS: usize = 4;
 
 /// The words of each memory of `net` that all copies of it share, after the words of the image went through the load ports: one memory's after the
-/// other's where that is the whole image; else the image itself, then the banks of each copy of the map, which hold every fourth word of its begin.
+/// other's where that is the whole image; every fourth word where each of four siblings has a memory of its own; else the image itself, then the banks of each copy of the map, which hold every fourth word of its begin.
 ///
 /// # Panics
 /// If a memory is neither.
@@ -27,6 +27,12 @@ pub fn images(net: &Netlist, image: &[u64]) -> Vec<Arc<Vec<u64>>> {
             Arc::new(words.to_vec())
         };
         return shared().map(|m| m.depth).map(next).collect();
+    }
+    let depth = image.len() / BANKS;
+    if shared().count() == BANKS && shared().all(|m| m.depth == depth) {
+        // Siblings in memories of their own; the root is in none.
+        let sibling = |k: usize| Arc::new(image.iter().skip(k).step_by(BANKS).take(depth).copied().collect());
+        return (0..BANKS).map(sibling).collect();
     }
     let mut banks: Vec<Option<Arc<Vec<u64>>>> = vec![None; BANKS];
     let mut of = |k: usize, depth: usize| {

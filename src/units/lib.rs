@@ -46,7 +46,7 @@ pub fn all(d: &Design) -> Vec<Arc<Module>> {
     let nodes = d.datapath.kind.facts().reads_nodes;
     list.extend((nodes && (d.mode.start_level || trims)).then(|| traversal::start_level(t)));
     if d.mode.lod {
-        list.extend([traversal::finest_level(t), traversal::node_hit(t)]);
+        list.extend([traversal::finest_level(d), traversal::node_hit(t)]);
     }
     let indices = path.level_decision.is_some();
     list.extend(nodes.then(|| traversal::height_address(t)));
@@ -56,7 +56,11 @@ pub fn all(d: &Design) -> Vec<Arc<Module>> {
         list.push(traversal::chord_trim(d));
         list.extend((d.mode.level_up != reliefrtl_config::LevelUp::None).then(|| traversal::trim_return(d)));
     }
-    list.extend(indices.then(|| traversal::multi_level_down(d)));
+    if d.fetch.blocks() {
+        list.extend([traversal::cells::block_middle(d), traversal::cells::block_descent(d)]);
+    } else {
+        list.extend(indices.then(|| traversal::multi_level_down(d)));
+    }
     list.extend(traversal::level_up(d, (path.level_up_clocks)(d)).filter(|_| nodes));
     list.extend(path.level_decision.map(|unit| unit(d)));
     list.extend([(path.setup)(d), (path.hit)(d), traversal::memory(d)]);

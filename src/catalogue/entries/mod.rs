@@ -8,6 +8,7 @@ macro_rules! harness {
 }
 
 pub mod bilinear;
+pub mod cells;
 pub mod fixed;
 pub mod float;
 pub mod integer;

@@ -42,11 +42,11 @@ static START_LEVEL: Unit = Unit {
 static FINEST_LEVEL: Unit = Unit {
     name: "finest_level",
     model: Some(|c, row, out| {
-        let finest = row["lod"].min(c.levels());
+        let finest = row["lod"].min(u64::from(c.design.top_level()));
         out["finest"] = finest;
         out["level"] = row["start"].max(finest);
     }),
-    legal: Some(|c, row| some_level(c, row, "start")),
+    legal: Some(|c, row| row["start"] %= u64::from(c.design.top_level()) + 1),
     ..UNIT
 };
 
@@ -233,6 +233,8 @@ static CHORD_TRIM: Unit = Unit {
         let y_end = end(["y_low", "y_high", "y_neg", "y_reach", "y_last"], !x_first);
         let (x, y) = (c.signed(row["x_at"]), c.signed(row["y_at"]));
         let tight = u64::from(start_level(c.design.traverse.levels, c.idx_w, x, y, x_end, y_end));
+        // Of a block, its cells' level.
+        let tight = if c.design.fetch.blocks() { tight.saturating_sub(1) } else { tight };
         let trims = c.design.mode.trim == Trim::Always || row.is_set("descended");
         out["x_chord"] = c.index(x_end);
         out["y_chord"] = c.index(y_end);

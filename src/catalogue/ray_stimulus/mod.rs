@@ -131,6 +131,19 @@ pub fn both_axes(s: &RaySample, port: &str) -> Option<u64> {
     })
 }
 
+/// Parameters of a ray and of the planes of a block: some of them equal.
+pub fn block_planes(s: &RaySample, port: &str) -> Option<u64> {
+    let [u, v] = &s.axes;
+    Some(match port {
+        "t" => s.t,
+        "far_x" => u.t_plane,
+        "far_y" => v.t_plane,
+        "mid_x" => s.m,
+        "mid_y" if s.level % 2 == 0 => u.t_plane,
+        _ => return None,
+    })
+}
+
 /// As [`both_axes`]; coordinates are positions.
 pub fn both_positions(s: &RaySample, port: &str) -> Option<u64> {
     let a = &s.axes[usize::from(port.starts_with('y'))];

@@ -3,6 +3,7 @@
 //! The chord runs from the current texel to the last one before the node's exit. That one is exact along the axis by whose plane the ray leaves;
 //! along the other it is an estimate that may lie ahead of the ray and never short of it. The smallest node of both then has the same exit, and its
 //! height is no larger (`docs/datapath.md`, "Chord trim").
+use super::cells::cells_level;
 use super::params::{LevelParams, bindings, index_width};
 use super::start_level::start_level;
 use reliefrtl_config::{Design, Trim};
@@ -44,6 +45,7 @@ pub fn chord_trim(d: &Design) -> Arc<Module> {
     let ends = [axes[0].far(x_first), axes[1].far(!x_first)];
     let ins = [("x", axes[0].at), ("y", axes[1].at), ("x_end", ends[0]), ("y_end", ends[1])];
     let tight = b.inst(&start_level(t), "u_start_level", &[("IDX_W", idx)], &ins)[0].named("tight");
+    let tight = if d.fetch.blocks() { cells_level(tight) } else { tight };
     let kept = lod.map_or(tight, |lod| tight.lt(lod).mux(lod, tight).named("kept"));
     let read = enable.map_or(kept, |e| e.mux(kept, level).named("level_chosen"));
     if enable.is_none() {

@@ -1,4 +1,5 @@
 //! The state of a ray in the loop.
+use super::cells;
 use crate::float::FormatParams;
 use reliefrtl_config::{Design, LevelUp, Trim};
 use reliefrtl_ir::{Builder, Expr, Module, Sig};
@@ -122,14 +123,23 @@ pub fn tag(s: &Sizes) -> Field {
     Field::new("tag", &s.tag, Start::Tag).doc("tag of the ray [bits]")
 }
 
-/// The state that an iteration over nodes changes.
+/// Whether a descent asks if something was crossed.
+fn reads_crossed(d: &Design) -> bool {
+    if d.fetch.blocks() { cells::reads_crossed(d) } else { d.mode.levels_down > 1 }
+}
+
+/// The state that an iteration over nodes, or over blocks of four cells, changes.
 pub fn level_state(s: &Sizes, d: &Design) -> Vec<Field> {
     let bit = Expr::from(1);
     let counter = Expr::from(16);
+    let blocks = d.fetch.blocks();
+    let node = if blocks { "block" } else { "node" };
     let mut list = Vec::from([
-        Field::new("level", &s.level_w, Start::Setup("level")).doc("level of the node [levels]"),
-        Field::new("x", &s.idx, Start::Setup("first_x")).doc("a texel of the node, column, unwrapped [texels]"),
-        Field::new("y", &s.idx, Start::Setup("first_y")).doc("a texel of the node, row, unwrapped [texels]"),
+        Field::new("level", &s.level_w, Start::Setup("level"))
+            .doc(format!("level of {} [levels]", if blocks { "the block's cells" } else { "the node" })),
+        Field::new("x", &s.idx, Start::Setup("first_x"))
+            .doc(format!("a texel of the {node}, column, unwrapped [texels]")),
+        Field::new("y", &s.idx, Start::Setup("first_y")).doc(format!("a texel of the {node}, row, unwrapped [texels]")),
         Field::new("t", &s.numbers.time.0, Start::Zero).doc(format!("ray parameter so far [{}]", s.numbers.time.1)),
         Field::new("done", &bit, Start::Refused).doc("finished: recirculates until it retires"),
         Field::new("wall", &bit, Start::Zero).doc("the hit is on the side of a texel"),
@@ -142,7 +152,7 @@ pub fn level_state(s: &Sizes, d: &Design) -> Vec<Field> {
     list.extend(d.mode.lod.then(|| finest.doc("finest level at which the ray may end [levels]")));
     // Only several levels down ask for the first, only coherent level-up for the second, only the trim of descents for the third.
     let flags = [
-        (d.mode.levels_down > 1, "crossed", "has_crossed", "a node boundary was crossed already"),
+        (reads_crossed(d), "crossed", "has_crossed", "a node boundary was crossed already"),
         (d.mode.level_up == LevelUp::Coherent, "prev", "just_crossed", "the iteration before was a crossing"),
         (d.mode.trim == Trim::Descent, "descended", "just_descended", "the iteration before was a descent"),
     ];

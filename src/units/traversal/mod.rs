@@ -1,6 +1,8 @@
 //! The traversal's units, one file each, and `traverse` on top. Units of one datapath stand in a folder of its name.
 pub mod bilinear;
+pub mod cells;
 mod chord_trim;
+mod climb;
 mod datapath;
 mod finest_level;
 pub mod fixed;
@@ -31,6 +33,7 @@ mod trim;
 mod trim_return;
 pub mod watertight;
 pub mod windows;
+mod write_back;
 
 pub use chord_trim::chord_trim;
 pub use datapath::Datapath;

@@ -70,7 +70,8 @@ pub fn multi_level_down(d: &Design) -> Arc<Module> {
     b.finish(Some(clocks), &bindings())
 }
 
-fn clamp<'b>(e: Sig<'b>, low: Sig<'b>, high: Sig<'b>, axis: &str, clocks: u32) -> Sig<'b> {
+/// Estimate `e`, kept between two texels, `clocks` later.
+pub(super) fn clamp<'b>(e: Sig<'b>, low: Sig<'b>, high: Sig<'b>, axis: &str, clocks: u32) -> Sig<'b> {
     let below = e.slt(low).named(&format!("{axis}_is_below")).at(clocks);
     let above = high.slt(e).named(&format!("{axis}_is_above")).at(clocks);
     below.mux(low, above.mux(high, e)).named(&format!("{axis}_child"))

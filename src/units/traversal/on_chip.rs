@@ -1,4 +1,5 @@
 //! All heights on chip: a height source that never misses. One to four clocks a read, as `latency.memory` says.
+use super::cells::block_memory;
 use super::height_banks::{bank_bits, height_banks};
 use super::height_memory::height_memory;
 use super::height_source::{HeightPort, HeightSource, Heights, Load, Place};
@@ -7,7 +8,7 @@ use reliefrtl_config::Design;
 use reliefrtl_ir::{Module, Sig};
 use std::sync::Arc;
 
-/// The whole pyramid in memory on chip, of one node a word; or the windows of each size in one of its own.
+/// The whole pyramid in memory on chip, of one node a word, or of four siblings in four memories; or the windows of each size in one of its own.
 pub struct OnChip;
 
 impl HeightSource for OnChip {
@@ -31,7 +32,8 @@ impl<'b> HeightPort<'b> for Port<'b> {
 /// The memory of a design: from two clocks on, banks with a register after each.
 pub fn memory(d: &Design) -> Arc<Module> {
     let n = d.traverse.levels;
-    let (addr, depth) = (2 * n + 1, ((1 << (2 * n + 2)) - 1) / 3);
+    let nodes = (2 * n + 1, ((1 << (2 * n + 2)) - 1) / 3);
+    let (addr, depth) = if d.fetch.blocks() { block_memory(d) } else { nodes };
     if d.latency.memory > 1 {
         height_banks(addr, d.traverse.height_bits, depth)
     } else {

@@ -27,6 +27,12 @@ pub struct PlaneUnits {
     pub leaves_y: for<'b> fn(&'b Builder, &Design, Pair<'b>) -> Sig<'b>,
     /// Hit or exit.
     pub node_crossing: fn(&Design) -> Arc<Module>,
+    /// Where four cells are judged at once: the order of the parameters of a block's planes.
+    pub plane_order: fn(&Design) -> Arc<Module>,
+    /// Of four cells: a plane's parameter as a height code.
+    pub depth_limit: fn(&Design) -> Arc<Module>,
+    /// Of four cells: the one that is hit, or the last one.
+    pub cell_choice: fn(&Design) -> Arc<Module>,
     /// Hit, descend or cross.
     pub level_decision: fn(&Design) -> Arc<Module>,
 }

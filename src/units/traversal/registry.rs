@@ -7,6 +7,8 @@ impl Datapath {
     /// The datapath of a design.
     pub fn of(d: &Design) -> &'static Self {
         match d.datapath.kind {
+            DatapathKind::Watertight if d.fetch.blocks() => &watertight::BLOCKS,
+            DatapathKind::Fixed if d.fetch.blocks() => &fixed::BLOCKS,
             DatapathKind::Watertight => &watertight::DATAPATH,
             DatapathKind::Published => &published::DATAPATH,
             DatapathKind::Fixed => &fixed::DATAPATH,

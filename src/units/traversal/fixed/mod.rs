@@ -1,24 +1,29 @@
 //! The fixed-point datapath: parameters of integer planes, compared as unsigned integers (`docs/fixed.md`).
 mod chord_end;
+mod depth_limit;
 mod height_test;
 mod hit_position;
 mod node_crossing;
 pub(super) mod params;
+mod plane_order;
 mod plane_time;
 mod predicted_hit;
 mod ray_setup;
 mod reciprocal;
 
 pub use chord_end::chord_end;
+pub use depth_limit::depth_limit;
 pub use height_test::height_test;
 pub use hit_position::hit_position;
 pub use node_crossing::node_crossing;
+pub use plane_order::plane_order;
 pub use plane_time::plane_time;
 pub use predicted_hit::predicted_hit;
 pub use ray_setup::latency as setup_clocks;
 pub use ray_setup::ray_setup;
 pub use reciprocal::reciprocal;
 
+use super::cells::{self, block_iteration, cell_choice};
 use super::datapath::Datapath;
 use super::level_decision::{TimeWord, level_decision};
 use super::level_up::latency as level_up_clocks;
@@ -70,6 +75,20 @@ pub(in crate::traversal) static DATAPATH: Datapath = Datapath {
     },
 };
 
+/// The same with four cells an iteration.
+pub(in crate::traversal) static BLOCKS: Datapath = Datapath {
+    search: &cells::BLOCKS,
+    steps: |d| {
+        let mut list = (DATAPATH.steps)(d);
+        // The choice of a cell says what a node's crossing does.
+        list.retain(|m| m.name != node_crossing(d).name);
+        list.extend([plane_order(d), depth_limit(d), (UNITS.cell_choice)(d)]);
+        list
+    },
+    iteration: |b, s, d, ray, source, _| block_iteration(b, s, d, ray, source, &UNITS),
+    ..DATAPATH
+};
+
 const UNITS: PlaneUnits = PlaneUnits {
     plane_time,
     plane_inputs: &[("p", "p"), ("neg", "neg"), ("r", "r"), ("z", "z")],
@@ -81,6 +100,9 @@ const UNITS: PlaneUnits = PlaneUnits {
     // One comparison beside a multiplication.
     leaves_y: |_, _, [t_x, t_y]| t_y.lt(t_x),
     node_crossing,
+    plane_order,
+    depth_limit,
+    cell_choice: |d| cell_choice(d, &TIME_WORD),
     level_decision: |d| level_decision(d, &TIME_WORD),
 };
 

@@ -4,6 +4,8 @@
 //! level. What each is, to the bit: `docs/fixed.md`, "Once per ray".
 use super::params::{LENGTH, Params, bindings, shift_width};
 use super::reciprocal::reciprocal;
+use crate::traversal::cells::cells_level;
+use crate::traversal::finest_level::finest_doc;
 use crate::traversal::{finest_level, start_level};
 use reliefrtl_config::{Design, Trim};
 use reliefrtl_ir::{Builder, Expr, Module, NodeId, Sig};
@@ -59,7 +61,7 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let v = b.input("v", &f, LENGTH, "entry point at the top plane");
     let du = b.input("du", &reach + 1, LENGTH, "u travelled while the height falls from 1 to 0, signed");
     let dv = b.input("dv", &reach + 1, LENGTH, "v travelled while the height falls from 1 to 0, signed");
-    let lod = d.mode.lod.then(|| b.input("lod", &level_w, "levels", "finest level; above LEVELS it is LEVELS"));
+    let lod = d.mode.lod.then(|| b.input("lod", &level_w, "levels", finest_doc(d)));
     let o_ok = b.output("ok", 1, "bit", "the ray can be traced: no travel is the most negative word");
     // A search by windows knows no level, and takes the first texel from the entry point.
     let nodes = d.datapath.kind.facts().reads_nodes;
@@ -100,9 +102,9 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
             }
             _ => b.konst(&s.n, &level_w).named("root"),
         };
-        let mut level = level;
+        let mut level = if d.fetch.blocks() { cells_level(level) } else { level };
         if let Some((lod, o_lod)) = lod.zip(o_lod) {
-            let o = b.inst(&finest_level(&d.traverse), "u_finest", &[], &[("lod", lod), ("start", level)]);
+            let o = b.inst(&finest_level(d), "u_finest", &[], &[("lod", lod), ("start", level)]);
             level = o[1].named("first_level");
             b.drive(o_lod, b.sig(gate(o[0].named("finest"))), Some(l));
         }

@@ -3,9 +3,11 @@ mod axis_ends;
 mod axis_scale;
 mod axis_slope;
 mod chord_end;
+mod depth_limit;
 mod height_test;
 mod hit_position;
 mod node_crossing;
+mod plane_order;
 mod plane_time;
 mod predicted_hit;
 mod ray_setup;
@@ -14,13 +16,16 @@ pub use axis_ends::axis_ends;
 pub use axis_scale::axis_scale;
 pub use axis_slope::axis_slope;
 pub use chord_end::chord_end;
+pub use depth_limit::depth_limit;
 pub use height_test::height_test;
 pub use hit_position::hit_position;
 pub use node_crossing::node_crossing;
+pub use plane_order::plane_order;
 pub use plane_time::plane_time;
 pub use predicted_hit::predicted_hit;
 pub use ray_setup::ray_setup;
 
+use super::cells::{self, block_iteration, cell_choice};
 use super::datapath::Datapath;
 use super::level_decision::{TimeWord, level_decision};
 use super::level_up::latency as level_up_clocks;
@@ -35,7 +40,7 @@ use reliefrtl_config::{Design, Trim};
 use reliefrtl_ir::{Expr, Module};
 use std::sync::Arc;
 
-pub(super) static DATAPATH: Datapath = Datapath {
+pub(in crate::traversal) static DATAPATH: Datapath = Datapath {
     search: &PYRAMID,
     arithmetic,
     steps: |d| {
@@ -80,6 +85,20 @@ pub(super) static DATAPATH: Datapath = Datapath {
     },
 };
 
+/// The same with four cells an iteration.
+pub(in crate::traversal) static BLOCKS: Datapath = Datapath {
+    search: &cells::BLOCKS,
+    steps: |d| {
+        let mut list = (DATAPATH.steps)(d);
+        // The choice of a cell says what a node's crossing does.
+        list.retain(|m| m.name != node_crossing(d).name);
+        list.extend([plane_order(d), depth_limit(d), (UNITS.cell_choice)(d)]);
+        list
+    },
+    iteration: |b, s, d, ray, source, _| block_iteration(b, s, d, ray, source, &UNITS),
+    ..DATAPATH
+};
+
 const UNITS: PlaneUnits = PlaneUnits {
     plane_time,
     plane_inputs: &[("p", "p"), ("r", "r"), ("never", "never")],
@@ -93,6 +112,9 @@ const UNITS: PlaneUnits = PlaneUnits {
         b.inst(&lt, "u_exit_order", &[], &[("a", t_y), ("b", t_x)])[0]
     },
     node_crossing,
+    plane_order,
+    depth_limit,
+    cell_choice: |d| cell_choice(d, &TIME),
     level_decision: |d| level_decision(d, &TIME),
 };
 

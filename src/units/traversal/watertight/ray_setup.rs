@@ -6,6 +6,8 @@ use super::axis_ends::{self, axis_ends};
 use super::axis_scale::axis_scale;
 use super::axis_slope::{self, axis_slope};
 use crate::float::{FormatParams, fp_to_int};
+use crate::traversal::cells::cells_level;
+use crate::traversal::finest_level::finest_doc;
 use crate::traversal::params::{LevelParams, ray_conditions};
 use crate::traversal::{finest_level, start_level};
 use reliefrtl_config::{Design, LatencyConfig, Trim};
@@ -51,7 +53,7 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let v = b.input("v", &f.width, "float, tiles", "entry point at the top plane, 0 <= v < 1");
     let du = b.input("du", &f.width, "float, tiles", "u travelled while the height falls from 1 to 0");
     let dv = b.input("dv", &f.width, "float, tiles", "v travelled while the height falls from 1 to 0");
-    let lod = d.mode.lod.then(|| b.input("lod", &levels.level_w, "levels", "finest level; above LEVELS it is LEVELS"));
+    let lod = d.mode.lod.then(|| b.input("lod", &levels.level_w, "levels", finest_doc(d)));
     let o_ok = b.output("ok", 1, "bit", "the ray can be traced: finite, entry in the tile, direction below 2^TILE_W");
     let o_level = b.output("level", &levels.level_w, "levels", "level of the first iteration");
     let outs = ["x", "y"].map(|a| outputs(&b, d, &f, &idx, a));
@@ -72,9 +74,9 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let ok = (axes[0].ok & axes[1].ok).named("is_ok").decided(false).at(l);
     b.drive(o_ok, ok, Some(l));
     let gate = |v: Sig<'_>| -> reliefrtl_ir::NodeId { (v.at(l) & ok.rep(v.width())).id() };
-    let mut level = level;
+    let mut level = if d.fetch.blocks() { cells_level(level) } else { level };
     if let Some((lod, o_lod)) = lod.zip(o_lod) {
-        let o = b.inst(&finest_level(t), "u_finest", &[], &[("lod", lod), ("start", level)]);
+        let o = b.inst(&finest_level(d), "u_finest", &[], &[("lod", lod), ("start", level)]);
         level = o[1].named("first_level");
         b.drive(o_lod, b.sig(gate(o[0].named("finest"))), Some(l));
     }
