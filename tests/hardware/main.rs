@@ -1,6 +1,7 @@
 //! The hardware: operations, units and whole traversals in the interpreter, Icarus and Verilator against the golden model.
 mod bench_faults;
 mod bilinear_rtl;
+mod cells;
 mod checked;
 mod corners;
 mod cut_out;

@@ -112,11 +112,12 @@ pub(super) fn extent<'b>(
         let names = ["low", "high", "plane", "beyond", "even"];
         let reg = |v: Sig<'b>| if d.latency.node > 0 { v.reg() } else { v };
         let word = |(v, n): (&Sig<'b>, &str)| {
+            let v = v.named(&format!("{axis}_{n}"));
             if !bounds && ["low", "high"].contains(&n) {
-                b.unused(*v);
-                return *v;
+                b.unused(v);
+                return v;
             }
-            reg(v.named(&format!("{axis}_{n}")))
+            reg(v)
         };
         o.iter().zip(names).map(word).collect()
     })

@@ -50,7 +50,7 @@ pub fn block_iteration<'b>(
         let names = ["middle", "past", "first_far"];
         o.iter().zip(names).map(|(v, n)| reg(v.named(&format!("{axis}_{n}")))).collect::<Vec<_>>()
     });
-    let cell = node_address(b, s, d, "u_address", ray, read);
+    let cell = node_address(b, s, d, "u_address", ray, read).named("cell_address");
     b.unused(cell.slice(0, 2));
     let address = cell.slice(2, block_address(&s.levels)).named("address");
     b.section("height", "");
@@ -73,7 +73,8 @@ pub fn block_iteration<'b>(
         let axis = AXES[k];
         let ins = [("level", read), ("x", starts[k]), ("neg", ray.get(&format!("neg_{axis}")))];
         let o = b.inst(&node_planes(d, reads_parity(d)), &format!("u_cell_{axis}"), &idx(), &ins);
-        o[2..].iter().for_each(|v| b.unused(*v));
+        let unused = ["plane", "beyond", "even"];
+        o[2..].iter().zip(unused).for_each(|(v, n)| b.unused(v.named(&format!("{axis}_cell_{n}"))));
         [o[0].named(&format!("{axis}_cell_low")), o[1].named(&format!("{axis}_cell_high"))]
     });
 
