@@ -36,6 +36,12 @@ pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
             )));
         }
     }
+    if c.fetch.blocks() {
+        return Err(Error::input(format!(
+            "fit chooses among designs that read one cell an iteration: leave out fetch.cells = {}",
+            c.fetch.cells
+        )));
+    }
     if let Some(out) = &a.out {
         let named = super::views::inputs(&a.scene);
         let inputs = named.iter().map(|p| Some(p.as_path())).chain([c.map.file.as_deref(), cli.config.as_deref()]);

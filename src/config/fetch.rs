@@ -26,28 +26,41 @@ impl FetchConfig {
     pub const fn blocks(self) -> bool {
         self.cells > 1
     }
+
+    /// Levels of a descent after the first crossing: of four cells two where nothing else is asked for.
+    pub fn levels_down_after(self, mode: &ModeConfig) -> u32 {
+        mode.levels_down_after.unwrap_or(if self.blocks() { 2 } else { 1 })
+    }
+
+    /// A mode with four cells in a few words; `None` with one.
+    pub fn way(self, mode: &ModeConfig) -> Option<String> {
+        let start = if mode.start_level { "start level" } else { "from root" };
+        let (down, after) = (mode.levels_down, self.levels_down_after(mode));
+        let trim = if mode.trim == Trim::None { String::new() } else { format!(" + trim {}", mode.trim) };
+        self.blocks().then(|| format!("four cells, {start}, {down} then {after} down, up {}{trim}", mode.level_up))
+    }
+
+    /// The same in a sentence, without its subject.
+    pub fn sentence(self, mode: &ModeConfig) -> Option<String> {
+        let after = self.levels_down_after(mode);
+        let told =
+            || format!("{}; after that crossing {after} down; four siblings are judged at once", mode.sentence());
+        self.blocks().then(told)
+    }
 }
 
 /// Levels per descent that four cells allow.
 const DOWN: std::ops::RangeInclusive<u32> = 1..=3;
 
 impl Design {
-    /// Levels of a descent after the first crossing: of four cells two where nothing else is asked for.
+    /// [`FetchConfig::levels_down_after`].
     pub fn levels_down_after(&self) -> u32 {
-        self.mode.levels_down_after.unwrap_or(if self.fetch.blocks() { 2 } else { 1 })
+        self.fetch.levels_down_after(&self.mode)
     }
 
     /// The coarsest level whose cells are read: with four cells at once the root is never looked at.
     pub const fn top_level(&self) -> u32 {
         self.traverse.levels - if self.fetch.blocks() { 1 } else { 0 }
-    }
-
-    /// The mode of a design that reads four cells, in a few words.
-    pub(super) fn block_way(&self) -> String {
-        let start = if self.mode.start_level { "start level" } else { "from root" };
-        let (down, after) = (self.mode.levels_down, self.levels_down_after());
-        let trim = if self.mode.trim == Trim::None { String::new() } else { format!(" + trim {}", self.mode.trim) };
-        format!("four cells, {start}, {down} then {after} down, up {}{trim}", self.mode.level_up)
     }
 
     /// Every combination of start level, levels down before and after the first crossing and level-up rule that four cells allow, with each of `trims`

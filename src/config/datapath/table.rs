@@ -78,8 +78,8 @@ impl Design {
 
     /// How hits are found, in a few words: the mode, or the windows.
     pub fn way(&self) -> String {
-        if self.fetch.blocks() {
-            return self.block_way();
+        if let Some(way) = self.fetch.way(&self.mode) {
+            return way;
         }
         let windows = WindowsConfig { set: Some(self.window_set()) };
         (self.datapath.kind.facts().way)(&self.mode, &windows)

@@ -1,7 +1,8 @@
 //! A design as the report names it.
 use crate::config::modes::BEST;
 use crate::config::{
-    Config, DatapathConfig, DatapathKind, Design, MapConfig, ModeConfig, TraverseConfig, WindowSet, WindowsConfig,
+    Config, DatapathConfig, DatapathKind, Design, FetchConfig, MapConfig, ModeConfig, TraverseConfig, WindowSet,
+    WindowsConfig,
 };
 use crate::error::Result;
 use crate::format::FloatFormat;
@@ -26,6 +27,9 @@ pub struct DesignSpec {
     /// The set of a search by windows.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub windows: Option<WindowSet>,
+    /// What one iteration reads.
+    #[serde(default, skip_serializing_if = "reads_one")]
+    pub fetch: FetchConfig,
     /// TILE_W.
     pub tile_bits: u32,
     /// FRAC_W.
@@ -39,11 +43,17 @@ pub struct DesignSpec {
 /// Iterations after which a ray without nudge is given up: more than any ray of the usual maps needs.
 const STUCK_LIMIT: u32 = 511;
 
+/// Whether an iteration reads one node.
+fn reads_one(fetch: &FetchConfig) -> bool {
+    !fetch.blocks()
+}
+
 impl DesignSpec {
     /// The configuration's design, with its own tile bits, fraction bits and step limit.
     pub fn new(c: &Config, datapath: DatapathConfig, exp: u32, man: u32, mode: ModeConfig) -> Self {
         let windows = datapath.kind.facts().reads.window_set.then_some(c.windows.set).flatten();
-        Self { windows, ..Self::sized(&c.traverse, datapath, exp, man, mode) }
+        let fetch = if datapath.kind.facts().has_blocks { c.fetch } else { FetchConfig::default() };
+        Self { windows, fetch, ..Self::sized(&c.traverse, datapath, exp, man, mode) }
     }
 
     /// A design that is compared with others: positions and step limit are the usual ones, for what a configuration (of `fit`, say) needs of
@@ -70,6 +80,7 @@ impl DesignSpec {
             fraction_bits: facts.reads.fraction_bits.then_some(datapath.fraction_bits),
             reciprocal_bits: facts.reads.fraction_bits.then_some(datapath.reciprocal_bits),
             windows: None,
+            fetch: FetchConfig::default(),
             tile_bits: t.tile_bits,
             frac_bits: t.frac_bits,
             step_limit: t.step_limit.min(cap),
@@ -80,7 +91,7 @@ impl DesignSpec {
     /// The configuration of this design on a map of 2^levels texels.
     pub fn config(&self, base: &Config, levels: u32) -> Config {
         let mut c = base.clone();
-        (c.map, c.mode) = (MapConfig::default(), self.mode);
+        (c.map, c.mode, c.fetch) = (MapConfig::default(), self.mode, self.fetch);
         (c.traverse.levels, c.traverse.tile_bits, c.traverse.frac_bits) = (levels, self.tile_bits, self.frac_bits);
         // A map eight times as wide is eight times as far to walk; a ray that is stuck is stuck on any map.
         let wider = if self.nudge_bits == Some(0) { 0 } else { levels.saturating_sub(8).min(4) };
@@ -130,12 +141,14 @@ impl DesignSpec {
 
     /// How hits are found, in a few words: the mode, or the windows.
     pub fn way(&self) -> String {
-        (self.kind.facts().way)(&self.mode, &WindowsConfig { set: self.windows })
+        let by_node = || (self.kind.facts().way)(&self.mode, &WindowsConfig { set: self.windows });
+        self.fetch.way(&self.mode).unwrap_or_else(by_node)
     }
 
     /// The same in a sentence.
     pub fn sentence(&self) -> String {
-        (self.kind.facts().sentence)(&self.mode, &WindowsConfig { set: self.windows })
+        let by_node = || (self.kind.facts().sentence)(&self.mode, &WindowsConfig { set: self.windows });
+        self.fetch.sentence(&self.mode).unwrap_or_else(by_node)
     }
 
     /// Bits of a word of a ray's entry point.

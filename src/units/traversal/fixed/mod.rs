@@ -86,6 +86,10 @@ pub(in crate::traversal) static BLOCKS: Datapath = Datapath {
         list
     },
     iteration: |b, s, d, ray, source, _| block_iteration(b, s, d, ray, source, &UNITS),
+    difference: |row| match row {
+        "stages" => "planes of a block, then their order and the choice of a cell; nothing is divided",
+        _ => (DATAPATH.difference)(row),
+    },
     ..DATAPATH
 };
 

@@ -96,6 +96,12 @@ pub(in crate::traversal) static BLOCKS: Datapath = Datapath {
         list
     },
     iteration: |b, s, d, ray, source, _| block_iteration(b, s, d, ray, source, &UNITS),
+    difference: |row| match row {
+        "comparators" => "twelve put the planes of a block in order, two meet a height",
+        "multipliers" => "four planes times a reciprocal, and the hit",
+        "stages" => "planes of a block, then their order and the choice of a cell; no division",
+        _ => (DATAPATH.difference)(row),
+    },
     ..DATAPATH
 };
 
