@@ -55,7 +55,13 @@ fn every_case(c: &Config, largest: u32) {
             let (k, margin) = (f.accuracy.wrong.len(), f.largest_margin());
             println!("{}: {k} of {rays} wrong texels, {} on a tie, margin up to {margin:.1e}", case.name, f.ties);
         }
-        assert_eq!(f.modes, if c.mode.trim == Trim::None { 40 } else { 80 });
+        let all = match (c.fetch.blocks(), c.mode.trim) {
+            // Itself, one cell, and 36 a trim.
+            (true, trim) => 2 + if trim == Trim::None { 36 } else { 72 },
+            (false, Trim::None) => 40,
+            (false, _) => 80,
+        };
+        assert_eq!(f.modes, all);
         assert!(f.keeps_promises(), "{}: {:?} {:?}", case.name, f.differ.first(), f.accuracy);
         for w in &f.accuracy.wrong {
             assert!(w.margin <= bound(&f.design) || stands(&f, w.ray), "{}: {w:?} {:x?}", case.name, f.rays[w.ray]);
@@ -107,6 +113,13 @@ fn chord_trims() {
             9,
         );
     }
+}
+
+/// Beside the walk by one cell.
+#[test]
+fn four_cells() {
+    every_case(&config(&["fetch.cells=4"]), 9);
+    every_case(&config(&["fetch.cells=4", "datapath.kind=fixed", "mode.trim=always"]), 9);
 }
 
 #[test]

@@ -55,8 +55,12 @@ fn units(set: &str, seen: &mut BTreeSet<String>) -> Vec<Arc<Module>> {
 const HEAD: &str = "| unit | clocks | parameters | what it does | only with |\n| --- | --- | --- | --- | --- |\n";
 
 /// The other datapaths, by what asks for them.
-const OTHERS: [&str; 3] =
-    ["datapath.kind=published", "datapath.kind=fixed", "datapath.kind=fixed datapath.search=windows"];
+const OTHERS: [&str; 4] = [
+    "datapath.kind=published",
+    "datapath.kind=fixed",
+    "datapath.kind=fixed fetch.cells=4",
+    "datapath.kind=fixed datapath.search=windows",
+];
 
 /// The watertight units with what settings add, and for each other datapath the units that are not the same there.
 fn table() -> String {

@@ -3,8 +3,8 @@
 use reliefrtl::catalogue::{RaySample, UNITS, Unit, entry, unit_entries};
 use reliefrtl::config::keys::SECTIONS;
 use reliefrtl::config::{
-    Config, DatapathConfig, DatapathKind, Design, Divider, ExtraUnit, ExtraUnits, LatencyConfig, LevelUp, ModeConfig,
-    Trim,
+    Config, DatapathConfig, DatapathKind, Design, Divider, ExtraUnit, ExtraUnits, FetchConfig, LatencyConfig, LevelUp,
+    ModeConfig, Trim,
 };
 use reliefrtl::ir::Module;
 use reliefrtl::units::{all, arithmetic, available};
@@ -39,6 +39,14 @@ fn designs() -> Vec<Design> {
                     }
                 }
             }
+        }
+    }
+    for kind in [DatapathKind::Watertight, DatapathKind::Fixed] {
+        for trim in [Trim::None, Trim::Always] {
+            let mut c = Config { fetch: FetchConfig::BLOCK, ..Config::default() };
+            (c.datapath.kind, c.mode.trim, c.mode.lod) = (kind, trim, trim == Trim::Always);
+            c.validate().unwrap();
+            list.push(c.design());
         }
     }
     // A search by windows has none of the modes.
