@@ -2,8 +2,8 @@
 //!
 //! The commented file, the schema's ranges, the checks and their sentences all come from here.
 use super::{
-    Border, ByteOrder, DefaultNettype, Divider, ExtraUnit, FetchConfig, LevelUp, MapKind, Rounding, Search, Specials,
-    Subnormals, Trim, View,
+    Border, ByteOrder, DefaultNettype, Divider, ExtraUnit, LevelUp, MapKind, Rounding, Search, Specials, Subnormals,
+    Trim, View,
 };
 use std::fmt;
 
@@ -202,7 +202,7 @@ pub const KEYS: &[Key] = &[
     key(
         "fetch.cells",
         "cells that are read and judged in one iteration, one or four siblings; the hits are the same",
-        Legal::Numbers(FetchConfig::CELLS),
+        Legal::Numbers(&[1, 4]),
     ),
     key("mode.start_level", "start at the lowest level whose node holds the whole ray, not at the root", Legal::Flag),
     key(

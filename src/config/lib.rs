@@ -3,6 +3,7 @@
 //! A [`Config`] comes from its defaults, a TOML file ([`Config::load`]) and `--set key=value` ([`Config::apply_set`]), in this order.
 //! Both check names, types and ranges where the place of the mistake is still known; what holds between keys is
 //! checked once by [`Config::validate`].
+mod cells;
 pub mod check;
 #[macro_use]
 mod words;

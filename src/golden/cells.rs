@@ -5,8 +5,8 @@ use super::level::{Crossing, level_up, trim_return};
 use super::planes::{AxisView, PlaneArithmetic, Setup, kept};
 use super::pyramid::Pyramid;
 use super::record::{Decision, Iteration};
+use super::state::{State, beyond, exit, wrap};
 use super::trim::chord;
-use super::walk::{State, beyond, exit, wrap};
 use reliefrtl_config::{Design, LevelUp, Trim};
 
 /// Whether four cells go with the modes of a design, if it reads them.

@@ -14,6 +14,7 @@ mod published;
 mod pyramid;
 mod record;
 mod registry;
+mod state;
 mod trim;
 mod walk;
 mod watertight;

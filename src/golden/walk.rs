@@ -4,6 +4,7 @@ use super::level::{Crossing, descend_levels, level_up, trim_return};
 use super::planes::{AxisView, PlaneArithmetic, Setup, kept};
 use super::pyramid::Pyramid;
 use super::record::{Decision, Iteration, RayHit, RayInput};
+use super::state::{State, beyond, exit, wrap};
 use super::trim::chord;
 use reliefrtl_config::{LevelUp, Trim};
 
@@ -165,36 +166,4 @@ fn iterate<const RECORD: bool, P: PlaneArithmetic>(
     let c = |level| Crossing { level, plane, x: s.x, y: s.y, e_x, e_y, previous: s.prev };
     it.next_level = if r < k { trim_return(rule, k, &c(r)) } else { n.min(k + u32::from(level_up(rule, &c(k)))) };
     it
-}
-
-/// What one iteration hands to the next.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct State {
-    /// Level of the node, or of the block's cells.
-    pub(super) level: u32,
-    pub(super) x: i64,
-    pub(super) y: i64,
-    pub(super) t: u64,
-    /// Something was crossed so far.
-    pub(super) crossed: bool,
-    /// The last iteration crossed.
-    pub(super) prev: bool,
-    /// The last iteration descended.
-    descended: bool,
-}
-
-/// The plane by which the ray can leave the level-k node of texel `x`.
-pub(super) fn exit(axis: &impl AxisView, k: u32, x: i64) -> i64 {
-    let mask = (1i64 << k) - 1;
-    if axis.neg() { x & !mask } else { (x | mask) + 1 }
-}
-
-/// The texel beyond plane `b`, seen along the ray.
-pub(super) fn beyond(axis: &impl AxisView, b: i64) -> i64 {
-    if axis.neg() { b - 1 } else { b }
-}
-
-/// The map repeats.
-pub(super) fn wrap(x: i64, n: u32) -> u32 {
-    x.rem_euclid(1 << n) as u32
 }

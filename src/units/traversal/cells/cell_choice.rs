@@ -48,7 +48,8 @@ pub fn cell_choice(d: &Design, time: &TimeWord) -> Arc<Module> {
     for (name, first, second) in ORDER {
         order.push((name, b.input(name, 1, "bit", &format!("{first} is less than {second}"))));
     }
-    let less = |name: &str| order.iter().find(|o| o.0 == name).expect("a comparison").1;
+    let order = Order(order);
+    let less = |name: &str| order.less(name);
     let flag = |name: &str, doc: &str| b.input(name, 1, "bit", doc);
     let past = ["x", "y"].map(|a| flag(&format!("past_{a}"), "the ray is in the far half already"));
     let neg = ["x", "y"].map(|a| flag(&format!("neg_{a}"), "the ray runs toward smaller coordinates"));
@@ -71,39 +72,11 @@ pub fn cell_choice(d: &Design, time: &TimeWord) -> Arc<Module> {
         "A cell that the ray is in for a while: each plane of its entry comes before each of its exit.",
     );
     let [past_x, past_y] = past;
-    let before_x = (past_x | less("mid_x_far_x")).named("x_halves_differ");
-    let before_y = (past_y | less("mid_y_far_y")).named("y_halves_differ");
-    let on_way = [
-        !past_x & !past_y & less("t_mid_x") & less("t_mid_y"),
-        !past_y & less("t_far_x") & less("t_mid_y") & (past_x | less("mid_x_mid_y")) & before_x,
-        !past_x & less("t_mid_x") & less("t_far_y") & (past_y | less("mid_y_mid_x")) & before_y,
-        less("t_far_x")
-            & less("t_far_y")
-            & before_x
-            & before_y
-            & (past_x | less("mid_x_far_y"))
-            & (past_y | less("mid_y_far_x")),
-    ];
+    let on_way = order.on_way(past);
 
     b.section("heights", "In the order of the memory: the lower half along an axis is the near one, or the far one.");
-    let halves = [0, 1].map(|k| {
-        let axis = ["x", "y"][k];
-        let low = neg[k].mux(far[k], mid[k]).named(&format!("{axis}_limit_low"));
-        [low, neg[k].mux(mid[k], far[k]).named(&format!("{axis}_limit_high"))]
-    });
-    let met: Vec<Sig<'_>> = (0..4)
-        .map(|cell| {
-            let depth = (!heights[cell]).zext(&h + 1).named(&format!("depth_{cell}"));
-            (depth.lt(halves[0][cell % 2]) & depth.lt(halves[1][cell / 2])).named(&format!("is_met_{cell}"))
-        })
-        .collect();
-    // Along the ray: the bits of the place in memory turn where it runs toward smaller coordinates.
-    let [near_0, far_0] = near_far(met[0], met[1], neg[0]);
-    let [near_1, far_1] = near_far(met[2], met[3], neg[0]);
-    let [nn, nf] = near_far(near_0, near_1, neg[1]);
-    let [fn_, ff] = near_far(far_0, far_1, neg[1]);
+    let met = met(heights, [mid, far], neg);
     let names = ["hit_nn", "hit_fn", "hit_nf", "hit_ff"];
-    let met = [nn, fn_, nf, ff];
     let hits: Vec<Sig<'_>> = (0..4).map(|k| (on_way[k] & met[k]).named(names[k])).collect();
 
     b.section("choice", "The first diagonal with a hit; without one, the cell at which the ray leaves.");
@@ -147,4 +120,52 @@ pub fn cell_choice(d: &Design, time: &TimeWord) -> Arc<Module> {
 /// What holds of the near half and of the far one, seen along the ray, of what holds of the lower and of the upper one.
 fn near_far<'b>(low: Sig<'b>, high: Sig<'b>, minus: Sig<'b>) -> [Sig<'b>; 2] {
     [minus.mux(high, low), minus.mux(low, high)]
+}
+
+/// The comparisons, by their names.
+struct Order<'b>(Vec<(&'static str, Sig<'b>)>);
+
+impl<'b> Order<'b> {
+    fn less(&self, name: &str) -> Sig<'b> {
+        self.0.iter().find(|o| o.0 == name).expect("a comparison").1
+    }
+
+    /// Whether the ray is in a cell for a while: of nn, fn, nf and ff.
+    fn on_way(&self, [past_x, past_y]: [Sig<'b>; 2]) -> [Sig<'b>; 4] {
+        let less = |name: &str| self.less(name);
+        let before_x = (past_x | less("mid_x_far_x")).named("x_halves_differ");
+        let before_y = (past_y | less("mid_y_far_y")).named("y_halves_differ");
+        [
+            !past_x & !past_y & less("t_mid_x") & less("t_mid_y"),
+            !past_y & less("t_far_x") & less("t_mid_y") & (past_x | less("mid_x_mid_y")) & before_x,
+            !past_x & less("t_mid_x") & less("t_far_y") & (past_y | less("mid_y_mid_x")) & before_y,
+            less("t_far_x")
+                & less("t_far_y")
+                & before_x
+                & before_y
+                & (past_x | less("mid_x_far_y"))
+                & (past_y | less("mid_y_far_x")),
+        ]
+    }
+}
+
+/// Whether the height of a cell is met before the planes of its exit: of nn, fn, nf and ff, along the ray. `limits`: of the middle planes, and of the
+/// exit planes.
+fn met<'b>(heights: [Sig<'b>; 4], limits: [[Sig<'b>; 2]; 2], neg: [Sig<'b>; 2]) -> [Sig<'b>; 4] {
+    let [mid, far] = limits;
+    let halves = [0, 1].map(|k| {
+        let axis = ["x", "y"][k];
+        let low = neg[k].mux(far[k], mid[k]).named(&format!("{axis}_limit_low"));
+        [low, neg[k].mux(mid[k], far[k]).named(&format!("{axis}_limit_high"))]
+    });
+    let met = [0, 1, 2, 3].map(|cell| {
+        let limit: [Sig<'b>; 2] = [halves[0][cell % 2], halves[1][cell / 2]];
+        let depth = (!heights[cell]).zext(limit[0].width()).named(&format!("depth_{cell}"));
+        (depth.lt(limit[0]) & depth.lt(limit[1])).named(&format!("is_met_{cell}"))
+    });
+    // The bits of the place in memory turn where the ray runs toward smaller coordinates.
+    let [near_0, far_0] = near_far(met[0], met[1], neg[0]);
+    let [near_1, far_1] = near_far(met[2], met[3], neg[0]);
+    let ([nn, nf], [fn_, ff]) = (near_far(near_0, near_1, neg[1]), near_far(far_0, far_1, neg[1]));
+    [nn, fn_, nf, ff]
 }

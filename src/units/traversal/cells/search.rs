@@ -2,7 +2,7 @@
 use super::{block_address, block_words};
 use crate::traversal::height_source::Load;
 use crate::traversal::loop_state::{Sizes, level_state};
-use crate::traversal::search::Search;
+use crate::traversal::search::{PYRAMID, Search};
 use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Sig};
 
@@ -13,12 +13,8 @@ pub(in crate::traversal) static BLOCKS: Search = Search {
     summary: "traces rays against a height field: a looping pipeline, a block of four cells a clock",
     throughput: "one iteration (four cells) per clock; a ray takes as many iterations as its path needs",
     choices: |d| {
-        vec![
-            ("cells", d.fetch.cells.to_string()),
-            ("levels_down", d.mode.levels_down.to_string()),
-            ("levels_down_after", d.levels_down_after().to_string()),
-            ("level_up", d.mode.level_up.word().to_string()),
-        ]
+        let after = ("levels_down_after", d.levels_down_after().to_string());
+        [("cells", d.fetch.cells.to_string())].into_iter().chain((PYRAMID.choices)(d)).chain([after]).collect()
     },
     image: |_| {
         "with .0 to .3 after its name, files for $readmemh of every fourth word of the pyramid; \"\": none".to_string()
