@@ -35,9 +35,8 @@ pub fn depth_limit(d: &Design) -> Arc<Module> {
     b.unused(above);
 
     b.section("shift", "");
-    let wide = b.cat(&[b.zeros(&h), b.lit(1, 1), t.frac]).named("significand");
+    let wide = b.cat(&[b.zeros(&h - 1), b.lit(1, 1), t.frac]).named("significand");
     let moved = wide.shift_left(by).named("moved");
-    b.unused(moved.msb());
 
     b.section("round up", "");
     let rest = moved.slice(0, f.man.clone()).any().named("has_fraction");
