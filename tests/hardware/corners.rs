@@ -5,7 +5,7 @@ use crate::simulators::skip;
 use rayon::prelude::*;
 use reliefrtl::bench::{Simulator, bench_files, run_bench};
 use reliefrtl::catalogue::{check_interp, find, units, vector_set};
-use reliefrtl::config::{Config, DatapathKind, Design, ExtraUnits, ModeConfig, Profile, Trim};
+use reliefrtl::config::{Config, DatapathKind, Design, ExtraUnits, FetchConfig, ModeConfig, Profile, Trim};
 use reliefrtl::emit;
 use reliefrtl::format::{FloatFormat, Rounding, Specials, Subnormals};
 use reliefrtl::ir::{Binding, Module, hold};
@@ -114,6 +114,8 @@ fn designs() -> Vec<Design> {
         of(DatapathKind::Published),
         mode(ModeConfig { trim: Trim::Always, lod: true, ..base.mode }),
         mode(ModeConfig { bilinear: true, ..base.mode }),
+        Design { fetch: FetchConfig::BLOCK, ..base },
+        Design { fetch: FetchConfig::BLOCK, ..of(DatapathKind::Fixed) },
     ]
 }
 

@@ -139,7 +139,7 @@ pub fn block_planes(s: &RaySample, port: &str) -> Option<u64> {
         "far_x" => u.t_plane,
         "far_y" => v.t_plane,
         "mid_x" => s.m,
-        "mid_y" if s.level % 2 == 0 => u.t_plane,
+        "mid_y" if s.level.is_multiple_of(2) => u.t_plane,
         _ => return None,
     })
 }
