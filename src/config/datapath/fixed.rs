@@ -1,6 +1,6 @@
 //! `datapath.kind = "fixed"` (`docs/fixed.md`).
 use super::facts::{DatapathFacts, Reads};
-use super::{float, pyramid, windows};
+use super::{by_windows, float, pyramid};
 use crate::{Config, DatapathConfig, Design};
 use reliefrtl_base::format::Words;
 
@@ -41,7 +41,7 @@ pub(super) const FACTS: DatapathFacts = DatapathFacts {
     sentence: pyramid::sentence,
     has_mode: |_| true,
     ways: pyramid::ways,
-    searches: windows::searches,
+    searches: by_windows::searches,
     reference: |d| *d,
     settled: |d| *d,
     nets: pyramid::PLANE_NETS,

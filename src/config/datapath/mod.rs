@@ -1,4 +1,5 @@
 //! The datapaths: what each of them has, reads and promises, in one table. Its arithmetic stands in `golden`, its hardware in `units`.
+mod by_windows;
 mod facts;
 mod fixed;
 mod float;

@@ -67,18 +67,6 @@ fn ways(d: &Design, _: &[Trim]) -> Vec<Design> {
     [*d, reference(d)].into_iter().chain(sets).collect()
 }
 
-/// A search by each set that has a name and fits the map, with the numbers of a pyramid.
-pub(super) fn searches(d: &Design) -> Vec<Design> {
-    let sets = WindowSet::named().into_iter().filter(|set| set.misfit(d.traverse.levels).is_none());
-    let by = |set| Design {
-        datapath: DatapathConfig { kind: DatapathKind::Windows, ..d.datapath },
-        windows: WindowsConfig { set: Some(set) },
-        mode: ModeConfig { bilinear: d.mode.bilinear, ..ModeConfig::default() },
-        ..*d
-    };
-    sets.map(by).collect()
-}
-
 /// The same numbers with a search in the pyramid.
 fn reference(d: &Design) -> Design {
     Design { datapath: DatapathConfig { kind: DatapathKind::Fixed, ..d.datapath }, ..*d }
