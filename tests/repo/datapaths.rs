@@ -132,6 +132,11 @@ fn a_level_up_rule_stands_where_contributing_says() {
     let mut found = naming("LevelUp::Coherent", &files());
     // The enumeration itself says `Self::Coherent`.
     found.push("config/design.rs".into());
+    // A proof of a rule that its harness does not name has no claim, and does not compile.
+    let harness = "proofs/templates/fv_level_up.v";
+    let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("src").join(harness)).expect("text");
+    assert!(text.contains("rule == \"coherent\"") && !text.contains("{%- else %}\n  wire want"), "{text}");
+    found.push(harness.into());
     found.sort();
     let mut said = said_of("a level-up rule");
     said.sort();

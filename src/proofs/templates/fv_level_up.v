@@ -14,7 +14,7 @@ module {{ prefix }}fv_level_up{% if latency > 0 %} (input wire clk){% endif %};
   wire want = even;
 {%- elif rule == "coherent" %}
   wire want = prev_crossed;
-{%- else %}
+{%- elif rule == "always" %}
   wire want = 1'b1;
 {%- endif %}
 {%- if latency > 0 %}
