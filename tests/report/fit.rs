@@ -57,6 +57,11 @@ fn three_scenes_get_three_sets() {
     let said = String::from_utf8_lossy(&out.stderr).into_owned();
     assert_eq!(out.status.code(), Some(1), "{said}");
     assert!(said.contains("keeps to 40 block memories: the fewest are 42"), "{said}");
+    for wrong in ["-3", "1.5", "0"] {
+        let out = run(dir.path(), &["fit", "--block-memories", wrong, "--max-uv-error", "4"]);
+        assert_eq!(out.status.code(), Some(2));
+        assert!(String::from_utf8_lossy(&out.stderr).contains("1 or more, as 208"), "{wrong}");
+    }
     // A map of 1024 texels a side takes as long as all of these.
     if share(2) == 1 {
         let large = ["--views", "front,oblique,grazing", "--max-uv-error", "1", "--set", "map.kind=spikes"];

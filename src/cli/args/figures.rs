@@ -79,6 +79,12 @@ fn float(text: &str) -> Result<FloatFormat, String> {
     }
 }
 
+/// Reads a number of block memories.
+fn block_memories(text: &str) -> Result<u64, String> {
+    let found = text.parse().ok().filter(|n| *n > 0);
+    found.ok_or_else(|| "a whole number of block memories is needed, 1 or more, as 208".to_owned())
+}
+
 /// Options of `fit`.
 #[derive(Args, Debug)]
 pub struct FitArgs {
@@ -97,7 +103,7 @@ pub struct FitArgs {
     #[arg(long)]
     pub allow_resample: bool,
     /// Block memories of 18 kbit that the heights may take, at most (an ECP5-85 has 208)
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = block_memories, allow_negative_numbers = true)]
     pub block_memories: Option<u64>,
     /// Where the configuration of the design goes.
     #[arg(long, value_name = "FILE.toml")]

@@ -30,7 +30,8 @@ pub fn headlines(c: &Config, designs: &[DesignSpec]) -> Vec<Headline> {
     let mut out = Vec::new();
     // Searches that are no datapath of their own stand after the datapaths.
     let mut kinds: Vec<DatapathKind> = datapaths().collect();
-    for d in designs {
+    let own = configured(c);
+    for d in designs.iter().filter(|d| **d != own) {
         if !kinds.contains(&d.kind) {
             kinds.push(d.kind);
         }
@@ -41,7 +42,6 @@ pub fn headlines(c: &Config, designs: &[DesignSpec]) -> Vec<Headline> {
         let named = both.into_iter().take(if kind.facts().reads.nudge_bits { 2 } else { 1 });
         out.extend(named.filter_map(|(name, nudge)| Some(Headline { name, design: find(kind, nudge)?.clone() })));
     }
-    let own = configured(c);
     if designs.contains(&own) && out.iter().all(|h| h.design != own) {
         out.insert(0, Headline { name: "configured".to_owned(), design: own });
     }
