@@ -5,7 +5,7 @@ use super::level::{Crossing, level_up, trim_return};
 use super::planes::{AxisView, PlaneArithmetic, Setup, kept};
 use super::pyramid::Pyramid;
 use super::record::{Decision, Iteration};
-use super::state::{State, beyond, exit, wrap};
+use super::state::{State, cross, exit, wrap};
 use super::trim::chord;
 use reliefrtl_config::{Design, LevelUp, Trim};
 
@@ -176,14 +176,7 @@ pub(super) fn iterate<const RECORD: bool, P: PlaneArithmetic>(
         (it.next_x, it.next_y) = (kept(&setup.u, r, x, e_x), kept(&setup.v, r, y, e_y));
         return (it, false);
     }
-    let (t_e, plane) = if x_first { (t_x, b_x) } else { (t_y, b_y) };
-    if x_first {
-        it.decision = Decision::CrossX;
-        it.next_x = beyond(&setup.u, b_x);
-    } else {
-        it.decision = Decision::CrossY;
-        it.next_y = beyond(&setup.v, b_y);
-    }
+    let (t_e, plane) = cross(&mut it, setup, x_first);
     it.next_t = planes.max(s.t, t_e);
     it.next_level = across(d.top_level(), rule, k, r, &Crossing { level: r, plane, x, y, e_x, e_y, previous: s.prev });
     (it, false)

@@ -1,5 +1,6 @@
 //! Where a ray is between two iterations, and integer planes around it.
-use super::planes::AxisView;
+use super::planes::{AxisView, Setup};
+use super::record::{Decision, Iteration};
 
 /// What one iteration hands to the next.
 #[derive(Clone, Copy, Debug)]
@@ -26,6 +27,19 @@ pub(super) fn exit(axis: &impl AxisView, k: u32, x: i64) -> i64 {
 /// The texel beyond plane `b`, seen along the ray.
 pub(super) fn beyond(axis: &impl AxisView, b: i64) -> i64 {
     if axis.neg() { b - 1 } else { b }
+}
+
+/// Lets the ray go on beyond the exit plane of u if `x_first`, else of v; parameter and coordinate of that plane.
+pub(super) fn cross<A: AxisView>(it: &mut Iteration, setup: &Setup<A>, x_first: bool) -> (u64, i64) {
+    if x_first {
+        it.decision = Decision::CrossX;
+        it.next_x = beyond(&setup.u, it.b_x);
+        (it.t_x, it.b_x)
+    } else {
+        it.decision = Decision::CrossY;
+        it.next_y = beyond(&setup.v, it.b_y);
+        (it.t_y, it.b_y)
+    }
 }
 
 /// The map repeats.

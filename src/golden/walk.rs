@@ -4,7 +4,7 @@ use super::level::{Crossing, descend_levels, level_up, trim_return};
 use super::planes::{AxisView, PlaneArithmetic, Setup, kept};
 use super::pyramid::Pyramid;
 use super::record::{Decision, Iteration, RayHit, RayInput};
-use super::state::{State, beyond, exit, wrap};
+use super::state::{State, cross, exit, wrap};
 use super::trim::chord;
 use reliefrtl_config::{LevelUp, Trim};
 
@@ -154,14 +154,7 @@ fn iterate<const RECORD: bool, P: PlaneArithmetic>(
     }
     // x goes first on a tie.
     let x_first = !planes.lt(t_y, t_x);
-    let (t_e, plane) = if x_first { (t_x, b_x) } else { (t_y, b_y) };
-    if x_first {
-        it.decision = Decision::CrossX;
-        it.next_x = beyond(&setup.u, b_x);
-    } else {
-        it.decision = Decision::CrossY;
-        it.next_y = beyond(&setup.v, b_y);
-    }
+    let (t_e, plane) = cross(&mut it, setup, x_first);
     it.next_t = planes.max(s.t, t_e);
     let c = |level| Crossing { level, plane, x: s.x, y: s.y, e_x, e_y, previous: s.prev };
     it.next_level = if r < k { trim_return(rule, k, &c(r)) } else { n.min(k + u32::from(level_up(rule, &c(k)))) };

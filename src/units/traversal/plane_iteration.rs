@@ -6,7 +6,7 @@ use super::loop_state::{Ray, Sizes};
 use super::multi_level_down::multi_level_down;
 use super::node_address::node_address;
 use super::node_planes::node_planes;
-use super::plane_units::PlaneUnits;
+use super::plane_units::{Pair, PlaneUnits};
 use super::trim;
 use super::write_back::Found;
 use reliefrtl_config::{Design, Trim};
@@ -30,11 +30,7 @@ pub fn plane_iteration<'b>(
     let [px, py] = extent(b, s, d, ray, ray.get("level"), true);
     let plane_times = || {
         b.section("plane parameters", "");
-        let when = |axis: &str, plane: Sig<'b>| {
-            let ins = [vec![("plane", plane)], ray.constants(axis, units.plane_inputs)].concat();
-            b.inst(&(units.plane_time)(d), &format!("u_time_{axis}"), &idx(), &ins)[0].named(&format!("t_{axis}")).id()
-        };
-        [b.sig(when("x", px[2])), b.sig(when("y", py[2]))].map(|t| t.id())
+        times(b, s, d, ray, units, ["time", "t"], [px[2], py[2]]).map(|t| t.id())
     };
     let (heights, [t_x, t_y], read) = if d.mode.trim == Trim::None {
         let heights = read_heights(b, s, d, ray, source, ray.get("level"));
@@ -120,5 +116,23 @@ pub(super) fn extent<'b>(
             reg(v)
         };
         o.iter().zip(names).map(word).collect()
+    })
+}
+
+/// Parameters of the planes along x and along y; instances and nets are named by axis.
+pub(super) fn times<'b>(
+    b: &'b Builder,
+    s: &Sizes,
+    d: &Design,
+    ray: &Ray<'b>,
+    units: &PlaneUnits,
+    [instance, net]: [&str; 2],
+    planes: Pair<'b>,
+) -> Pair<'b> {
+    [0, 1].map(|k| {
+        let axis = ["x", "y"][k];
+        let ins = [vec![("plane", planes[k])], ray.constants(axis, units.plane_inputs)].concat();
+        let o = b.inst(&(units.plane_time)(d), &format!("u_{instance}_{axis}"), &[("IDX_W", s.idx.clone())], &ins);
+        o[0].named(&format!("{net}_{axis}"))
     })
 }

@@ -8,7 +8,7 @@ use crate::traversal::level_up::reads_parity;
 use crate::traversal::loop_state::{Ray, Sizes};
 use crate::traversal::node_address::node_address;
 use crate::traversal::node_planes::node_planes;
-use crate::traversal::plane_iteration::extent;
+use crate::traversal::plane_iteration::{extent, times};
 use crate::traversal::plane_units::{Pair, PlaneUnits};
 use crate::traversal::trim;
 use crate::traversal::write_back::Found;
@@ -108,24 +108,6 @@ pub fn block_iteration<'b>(
     let beyond = [px[3], py[3]];
     let found = Found { inside, x_first, below, m, t_next, read, across, grown, level_down, at: starts, down, beyond };
     found.decide(b, s, d, ray, units, heights.missed)
-}
-
-/// Parameters of the planes along x and along y.
-fn times<'b>(
-    b: &'b Builder,
-    s: &Sizes,
-    d: &Design,
-    ray: &Ray<'b>,
-    units: &PlaneUnits,
-    [instance, net]: [&str; 2],
-    planes: Pair<'b>,
-) -> Pair<'b> {
-    [0, 1].map(|k| {
-        let axis = AXES[k];
-        let ins = [vec![("plane", planes[k])], ray.constants(axis, units.plane_inputs)].concat();
-        let o = b.inst(&(units.plane_time)(d), &format!("u_{instance}_{axis}"), &[("IDX_W", s.idx.clone())], &ins);
-        o[0].named(&format!("{net}_{axis}"))
-    })
 }
 
 /// What is known of a block's planes, x first.
