@@ -69,7 +69,7 @@ pub fn cell_choice(d: &Design, time: &TimeWord) -> Arc<Module> {
 
     b.section(
         "cells on the way",
-        "A cell that the ray is in for a while: each plane of its entry comes before each of its exit.",
+        "A cell that the ray is in for a while: each plane of its entry comes before each of its exit. Letters name a cell by its half, near or far, along x and then along y: nn, fn, nf, ff.",
     );
     let [past_x, past_y] = past;
     let on_way = order.on_way(past);
