@@ -3,17 +3,27 @@ use super::eval::eval;
 use super::netlist::*;
 use reliefrtl_base::error::{Error, Result};
 use reliefrtl_ir::Binding;
-use std::collections::{BTreeMap, HashMap};
+use rustc_hash::FxHashMap;
+use std::collections::BTreeMap;
+
+/// Where a value comes from.
+#[derive(Clone, Copy)]
+enum Origin {
+    Const(u64),
+    /// The operation at this place in the list.
+    Op(usize),
+    /// A port, a register, a memory, or a copy.
+    Source,
+}
 
 /// Growing flat design. Values are numbered in order of creation first and renumbered by `levelize`.
 #[derive(Default)]
 pub(super) struct Flat {
     widths: Vec<u32>,
-    consts: HashMap<(u64, u32), Slot>,
-    const_of: HashMap<Slot, u64>,
+    consts: FxHashMap<(u64, u32), Slot>,
+    origins: Vec<Origin>,
     ops: Vec<(Slot, FlatOp)>,
-    made_by: HashMap<Slot, FlatOp>,
-    shared: HashMap<FlatOp, Slot>,
+    shared: FxHashMap<FlatOp, Slot>,
     pub regs: Vec<FlatReg>,
     pub mems: Vec<FlatMem>,
     pub names: BTreeMap<String, Slot>,
@@ -22,7 +32,11 @@ pub(super) struct Flat {
 impl Flat {
     /// A value that no operation computes.
     pub fn source(&mut self, width: u32) -> Slot {
+        self.value_of(width, Origin::Source)
+    }
+    fn value_of(&mut self, width: u32, origin: Origin) -> Slot {
         self.widths.push(width);
+        self.origins.push(origin);
         self.widths.len() as Slot - 1
     }
     /// Names a value.
@@ -35,20 +49,25 @@ impl Flat {
     }
     /// Its value, if it is a constant.
     pub fn value(&self, s: Slot) -> Option<u64> {
-        self.const_of.get(&s).copied()
+        match self.origins[s as usize] {
+            Origin::Const(v) => Some(v),
+            _ => None,
+        }
     }
     /// The operation that computes a value.
     pub fn made_by(&self, s: Slot) -> Option<FlatOp> {
-        self.made_by.get(&s).copied()
+        match self.origins[s as usize] {
+            Origin::Op(i) => Some(self.ops[i].1),
+            _ => None,
+        }
     }
     /// A constant.
     pub fn constant(&mut self, v: u64, width: u32) -> Slot {
         if let Some(s) = self.consts.get(&(v, width)) {
             return *s;
         }
-        let s = self.source(width);
+        let s = self.value_of(width, Origin::Const(v));
         self.consts.insert((v, width), s);
-        self.const_of.insert(s, v);
         s
     }
     /// Lets the source `to` carry the value `from`.
@@ -72,9 +91,8 @@ impl Flat {
         if let Some(s) = self.shared.get(&op) {
             return *s;
         }
-        let s = self.source(width);
+        let s = self.value_of(width, Origin::Op(self.ops.len()));
         self.ops.push((s, op));
-        self.made_by.insert(s, op);
         self.shared.insert(op, s);
         s
     }
@@ -142,7 +160,7 @@ impl Flat {
             depth: m.depth,
             own: m.own,
         };
-        let mut consts: Vec<(Slot, u64)> = self.const_of.iter().map(|(s, v)| (at(*s), *v)).collect();
+        let mut consts: Vec<(Slot, u64)> = self.consts.iter().map(|((v, _), s)| (at(*s), *v)).collect();
         consts.sort_unstable();
         Ok(Netlist {
             binding,

@@ -6,12 +6,14 @@ use super::eval::eval;
 use super::netlist::{FlatOp, Kind};
 use reliefrtl_base::bits::mask;
 
-/// Lanes of a block. All values of a block together should fit the second-level cache.
+/// Lanes of a large block. All values of a block together should fit the second-level cache.
 pub const BLOCK: usize = 128;
+/// Lanes of a small block: what a few copies need. It takes a fifth of the time of a large one.
+pub const FEW: usize = 16;
 /// A value of up to 32 bits in every lane.
-pub type Narrow = [u32; BLOCK];
+pub type Narrow<const L: usize> = [u32; L];
 /// A value of up to 64 bits in every lane.
-pub type Wide = [u64; BLOCK];
+pub type Wide<const L: usize> = [u64; L];
 
 /// An operation, or two of them in one.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -31,19 +33,19 @@ pub enum Code {
 /// One assignment in every lane. (Closures would be compiled without the vector instructions of their caller.)
 macro_rules! each {
     ($out:ident, |$x:ident in $a:ident| $e:expr) => {
-        for i in 0..BLOCK {
+        for i in 0..L {
             let $x = $a[i];
             $out[i] = $e;
         }
     };
     ($out:ident, |$x:ident in $a:ident, $y:ident in $b:ident| $e:expr) => {
-        for i in 0..BLOCK {
+        for i in 0..L {
             let ($x, $y) = ($a[i], $b[i]);
             $out[i] = $e;
         }
     };
     ($out:ident, |$x:ident in $a:ident, $y:ident in $b:ident, $z:ident in $c:ident| $e:expr) => {
-        for i in 0..BLOCK {
+        for i in 0..L {
             let ($x, $y, $z) = ($a[i], $b[i], $c[i]);
             $out[i] = $e;
         }
@@ -52,7 +54,14 @@ macro_rules! each {
 
 /// An operation whose operands and result have up to 32 bits.
 #[inline(always)]
-pub fn narrow(code: Code, op: &FlatOp, out: &mut Narrow, a: &Narrow, b: &Narrow, c: &Narrow) {
+pub fn narrow<const L: usize>(
+    code: Code,
+    op: &FlatOp,
+    out: &mut Narrow<L>,
+    a: &Narrow<L>,
+    b: &Narrow<L>,
+    c: &Narrow<L>,
+) {
     let (w, aw, aux) = (op.width, op.arg_width, op.aux & 31);
     let (m, sign) = (mask(w) as u32, 1u32 << ((aw - 1) & 31));
     let up = (32 - aw) & 31;
@@ -90,8 +99,8 @@ pub fn narrow(code: Code, op: &FlatOp, out: &mut Narrow, a: &Narrow, b: &Narrow,
         Kind::Rep => each!(out, |x in a| 0u32.wrapping_sub(x) & m),
         Kind::Lzc => each!(out, |x in a| x.leading_zeros() + aw - 32),
         Kind::Interleave => each!(out, |x in a, y in b| eval(op, u64::from(x), u64::from(y), 0) as u32),
-        Kind::DivRem => divide(op, a, b, out, &mut [0; BLOCK]),
-        Kind::DivQuot => divide(op, a, b, &mut [0; BLOCK], out),
+        Kind::DivRem => divide(op, a, b, out, &mut [0; L]),
+        Kind::DivQuot => divide(op, a, b, &mut [0; L], out),
         Kind::RecipTable => each!(out, |x in a| eval(op, u64::from(x), 0, 0) as u32),
     }
 }
@@ -99,10 +108,16 @@ pub fn narrow(code: Code, op: &FlatOp, out: &mut Narrow, a: &Narrow, b: &Narrow,
 /// Remainder and quotient of rows of division with operands and results of up to 32 bits; a few lanes at a time, so
 /// that they stay in registers from row to row.
 #[inline(always)]
-pub fn divide(op: &FlatOp, rem: &Narrow, div: &Narrow, rem_out: &mut Narrow, quot: &mut Narrow) {
+pub fn divide<const L: usize>(
+    op: &FlatOp,
+    rem: &Narrow<L>,
+    div: &Narrow<L>,
+    rem_out: &mut Narrow<L>,
+    quot: &mut Narrow<L>,
+) {
     const GROUP: usize = 16;
     let m = mask(op.arg_width) as u32;
-    for g in (0..BLOCK).step_by(GROUP) {
+    for g in (0..L).step_by(GROUP) {
         let (mut r, mut q, mut d) = ([0u32; GROUP], [0u32; GROUP], [0u32; GROUP]);
         r.copy_from_slice(&rem[g..g + GROUP]);
         d.copy_from_slice(&div[g..g + GROUP]);
@@ -120,7 +135,7 @@ pub fn divide(op: &FlatOp, rem: &Narrow, div: &Narrow, rem_out: &mut Narrow, quo
 
 /// Any operation: `eval` with the kind pulled out of the loop.
 #[inline(always)]
-pub fn wide(op: &FlatOp, out: &mut Wide, a: &Wide, b: &Wide, c: &Wide) {
+pub fn wide<const L: usize>(op: &FlatOp, out: &mut Wide<L>, a: &Wide<L>, b: &Wide<L>, c: &Wide<L>) {
     macro_rules! kinds {
         ($($each:ident: $($k:ident),*;)*) => {
             match op.kind {
@@ -149,49 +164,54 @@ pub fn wide(op: &FlatOp, out: &mut Wide, a: &Wide, b: &Wide, c: &Wide) {
 
 /// A narrow slice of wide words.
 #[inline(always)]
-pub fn slice(op: &FlatOp, out: &mut Narrow, a: &Wide) {
+pub fn slice<const L: usize>(op: &FlatOp, out: &mut Narrow<L>, a: &Wide<L>) {
     let (aux, m) = (op.aux & 63, mask(op.width));
     each!(out, |x in a| ((x >> aux) & m) as u32);
 }
 /// The wide product of narrow words.
 #[inline(always)]
-pub fn product(op: &FlatOp, out: &mut Wide, a: &Narrow, b: &Narrow) {
+pub fn product<const L: usize>(op: &FlatOp, out: &mut Wide<L>, a: &Narrow<L>, b: &Narrow<L>) {
     let m = mask(op.width);
     each!(out, |x in a, y in b| (u64::from(x) * u64::from(y)) & m);
 }
 
 /// Narrow words as wide ones.
 #[inline(always)]
-pub fn widen(out: &mut Wide, a: &Narrow) {
+pub fn widen<const L: usize>(out: &mut Wide<L>, a: &Narrow<L>) {
     each!(out, |x in a| u64::from(x));
 }
 /// Wide words that fit as narrow ones.
 #[inline(always)]
-pub fn truncate(out: &mut Narrow, a: &Wide) {
+pub fn truncate<const L: usize>(out: &mut Narrow<L>, a: &Wide<L>) {
     each!(out, |x in a| x as u32);
 }
 
 /// What registers hold next: `d` where they are enabled, 0 where they are reset.
 macro_rules! next {
-    ($name:ident, $word:ty, $row:ty) => {
+    ($name:ident, $word:ty) => {
         #[inline(always)]
-        pub fn $name(q: &mut $row, d: &$row, enable: Option<&Narrow>, reset: Option<&Narrow>) {
+        pub fn $name<const L: usize>(
+            q: &mut [$word; L],
+            d: &[$word; L],
+            enable: Option<&Narrow<L>>,
+            reset: Option<&Narrow<L>>,
+        ) {
             match (enable, reset) {
                 (None, None) => *q = *d,
                 (Some(e), None) => {
-                    for i in 0..BLOCK {
+                    for i in 0..L {
                         // As masks: a choice of what to load would be a choice of addresses.
                         let on = (0 as $word).wrapping_sub(<$word>::from(e[i]));
                         q[i] = (d[i] & on) | (q[i] & !on);
                     }
                 }
                 (None, Some(r)) => {
-                    for i in 0..BLOCK {
+                    for i in 0..L {
                         q[i] = d[i] & <$word>::from(r[i]).wrapping_sub(1);
                     }
                 }
                 (Some(e), Some(r)) => {
-                    for i in 0..BLOCK {
+                    for i in 0..L {
                         let on = (0 as $word).wrapping_sub(<$word>::from(e[i]));
                         q[i] = ((d[i] & on) | (q[i] & !on)) & <$word>::from(r[i]).wrapping_sub(1);
                     }
@@ -200,5 +220,5 @@ macro_rules! next {
         }
     };
 }
-next!(next_narrow, u32, Narrow);
-next!(next_wide, u64, Wide);
+next!(next_narrow, u32);
+next!(next_wide, u64);

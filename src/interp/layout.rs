@@ -3,14 +3,14 @@ use super::fuse::fuse;
 use super::kernel::Code;
 use super::netlist::*;
 use super::program::{Program, Read, Row, Step, Update};
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 /// Lays out `net`. With `share`, words that are neither ports nor registers share rows as soon as nothing needs them any
 /// more: then most of what is computed stays in the first-level cache.
 pub(super) fn layout(net: &Netlist, share: bool) -> Program {
     let shapes = if share { fuse(net) } else { net.ops.iter().map(|op| Some((Code::Plain, *op))).collect() };
     let uses = uses(net, &shapes);
-    let mut l = Layout { p: Program::default(), uses, left: HashMap::new(), free: [vec![], vec![]], share };
+    let mut l = Layout { p: Program::default(), uses, left: FxHashMap::default(), free: [vec![], vec![]], share };
     l.p.rows = vec![None; net.widths.len()];
     for s in 0..net.first_op {
         let row = l.row(net.widths[s as usize]);
@@ -42,7 +42,7 @@ struct Layout {
     /// Operands that each slot is, in all operations; at least [`KEPT`] where it is needed beyond them.
     uses: Vec<u32>,
     /// Of these, those to come, for all slots of a row.
-    left: HashMap<Row, u32>,
+    left: FxHashMap<Row, u32>,
     free: [Vec<Row>; 2],
     share: bool,
 }
@@ -153,7 +153,7 @@ fn update(p: &Program, r: &FlatReg) -> Update {
 /// themselves, read copies of what was there.
 fn order(net: &Netlist, p: &mut Program, mut regs: Vec<Update>) {
     let reads = |r: &Update| [Some(r.d), r.enable.map(Row::Narrow), r.reset.map(Row::Narrow)].into_iter().flatten();
-    let owner: HashMap<Row, usize> = regs.iter().enumerate().map(|(i, r)| (r.q, i)).collect();
+    let owner: FxHashMap<Row, usize> = regs.iter().enumerate().map(|(i, r)| (r.q, i)).collect();
     let sources = |i: usize, r: &Update| {
         reads(r).filter_map(|row| owner.get(&row).copied()).filter(|o| *o != i).collect::<Vec<_>>()
     };
@@ -171,7 +171,7 @@ fn order(net: &Netlist, p: &mut Program, mut regs: Vec<Update>) {
         }
     }
     let ring: Vec<usize> = (0..regs.len()).filter(|i| readers[*i] > 0).collect();
-    let mut copies = HashMap::new();
+    let mut copies = FxHashMap::default();
     for i in 0..regs.len() {
         let q = regs[i].q;
         if readers[i] > 0 || reads(&regs[i]).any(|row| row == q) {

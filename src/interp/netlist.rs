@@ -114,7 +114,7 @@ pub struct Netlist {
     pub regs: Vec<FlatReg>,
     /// Memories: first those that all copies share, then those of each copy.
     pub mems: Vec<FlatMem>,
-    /// Hierarchical names (`u_add.s1_sum`) of slots, for waveforms and mismatch reports.
+    /// Hierarchical names (`u_add.s1_sum`) of slots, for waveforms and mismatch reports; none once it is optimized.
     pub names: BTreeMap<String, Slot>,
 }
 

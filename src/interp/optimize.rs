@@ -1,11 +1,11 @@
 //! The same design with less to compute: what nothing reads is left out, copies and equal registers are merged.
 use super::flat::Flat;
 use super::netlist::*;
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 impl Netlist {
     /// The netlist with the same ports and the same values on them, clock by clock from registers at zero, but without
-    /// what no output depends on. Names of values that are gone are dropped; equal values share a slot.
+    /// what no output depends on, and without names: equal values share a slot.
     pub fn optimized(&self) -> Netlist {
         let mut net = round(self);
         // Each round merges the registers after those that the round before merged.
@@ -22,7 +22,7 @@ impl Netlist {
     /// Slots that an output or a memory depends on. Memories stay even if nothing reads them: they are loaded by number.
     fn live(&self) -> Vec<bool> {
         let mut live = vec![false; self.widths.len()];
-        let regs: HashMap<Slot, &FlatReg> = self.regs.iter().map(|r| (r.q, r)).collect();
+        let regs: FxHashMap<Slot, &FlatReg> = self.regs.iter().map(|r| (r.q, r)).collect();
         let mut todo: Vec<Slot> = self.outputs.iter().map(|p| p.slot).collect();
         todo.extend(self.mems.iter().flat_map(|m| [m.write_en, m.write_addr, m.write_data, m.read_addr, m.read_data]));
         while let Some(s) = todo.pop() {
@@ -54,7 +54,7 @@ fn round(net: &Netlist) -> Netlist {
     for m in &net.mems {
         map[m.read_data as usize] = f.source(net.widths[m.read_data as usize]);
     }
-    let mut first: HashMap<(Slot, Option<Slot>, Option<Slot>), Slot> = HashMap::new();
+    let mut first: FxHashMap<(Slot, Option<Slot>, Option<Slot>), Slot> = FxHashMap::default();
     let mut kept = Vec::new();
     for r in net.regs.iter().filter(|r| is_live(r.q)) {
         let same = *first.entry((r.d, r.enable, r.reset)).or_insert(r.q);
@@ -90,7 +90,6 @@ fn round(net: &Netlist) -> Netlist {
             own: m.own,
         })
         .collect();
-    f.names = net.names.iter().filter(|(_, s)| at(**s) != Slot::MAX).map(|(n, s)| (n.clone(), at(*s))).collect();
     let port = |p: &FlatPort| FlatPort { slot: at(p.slot), ..p.clone() };
     let (inputs, outputs) = (net.inputs.iter().map(port).collect(), net.outputs.iter().map(port).collect());
     f.levelize(net.binding.clone(), inputs, outputs).expect("a netlist has no loop")

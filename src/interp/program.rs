@@ -60,10 +60,10 @@ pub(super) struct Program {
     pub reads: Vec<Read>,
 }
 
-/// The values of [`BLOCK`] lanes.
-pub(super) struct Block {
-    narrow: Vec<Narrow>,
-    wide: Vec<Wide>,
+/// The values of `L` lanes.
+pub(super) struct Block<const L: usize> {
+    narrow: Vec<Narrow<L>>,
+    wide: Vec<Wide<L>>,
 }
 
 impl Program {
@@ -76,17 +76,16 @@ impl Program {
         self.rows[s as usize].expect("only ports and registers can be read where rows are shared")
     }
     /// Values of registers and inputs at zero.
-    pub fn block(&self) -> Block {
-        let mut b =
-            Block { narrow: vec![[0; BLOCK]; self.sizes.0 as usize], wide: vec![[0; BLOCK]; self.sizes.1 as usize] };
+    pub fn block<const L: usize>(&self) -> Block<L> {
+        let mut b = Block { narrow: vec![[0; L]; self.sizes.0 as usize], wide: vec![[0; L]; self.sizes.1 as usize] };
         for (row, v) in &self.consts {
-            (0..BLOCK).for_each(|lane| b.set(*row, lane, *v));
+            (0..L).for_each(|lane| b.set(*row, lane, *v));
         }
         b
     }
 
     /// Runs all operations.
-    pub fn eval(&self, b: &mut Block) {
+    pub fn eval<const L: usize>(&self, b: &mut Block<L>) {
         #[cfg(target_arch = "x86_64")]
         if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("lzcnt") {
             // SAFETY: the processor has the instructions that the function is compiled with.
@@ -95,7 +94,7 @@ impl Program {
         self.eval_any(b);
     }
     /// Clocks all registers; memories' words have been put aside before.
-    pub fn clock(&self, b: &mut Block) {
+    pub fn clock<const L: usize>(&self, b: &mut Block<L>) {
         #[cfg(target_arch = "x86_64")]
         if std::arch::is_x86_feature_detected!("avx2") {
             // SAFETY: the processor has the instructions that the function is compiled with.
@@ -105,18 +104,18 @@ impl Program {
     }
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2,lzcnt")]
-    fn eval_avx2(&self, b: &mut Block) {
+    fn eval_avx2<const L: usize>(&self, b: &mut Block<L>) {
         self.eval_any(b);
     }
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2")]
-    fn clock_avx2(&self, b: &mut Block) {
+    fn clock_avx2<const L: usize>(&self, b: &mut Block<L>) {
         self.clock_any(b);
     }
 
     #[inline(always)]
-    fn eval_any(&self, block: &mut Block) {
-        let mut x: [Wide; 3] = [[0; BLOCK]; 3];
+    fn eval_any<const L: usize>(&self, block: &mut Block<L>) {
+        let mut x: [Wide<L>; 3] = [[0; L]; 3];
         for step in &self.steps {
             match step {
                 Step::Narrow { code, op, out, args } => {
@@ -125,7 +124,7 @@ impl Program {
                 }
                 Step::Divide { op, rem, quot, args } => {
                     let [a, b] = args.map(|a| block.narrow[a as usize]);
-                    let (mut r, mut q) = ([0; BLOCK], [0; BLOCK]);
+                    let (mut r, mut q) = ([0; L], [0; L]);
                     divide(op, &a, &b, &mut r, &mut q);
                     (block.narrow[*rem as usize], block.narrow[*quot as usize]) = (r, q);
                 }
@@ -147,7 +146,7 @@ impl Program {
                             Row::Wide(a) => *x = block.wide[*a as usize],
                         }
                     }
-                    let mut y = [0; BLOCK];
+                    let mut y = [0; L];
                     wide(op, &mut y, &x[0], &x[1], &x[2]);
                     match out {
                         Row::Narrow(i) => truncate(&mut block.narrow[*i as usize], &y),
@@ -159,7 +158,7 @@ impl Program {
     }
 
     #[inline(always)]
-    fn clock_any(&self, b: &mut Block) {
+    fn clock_any<const L: usize>(&self, b: &mut Block<L>) {
         for (from, hold) in &self.aside {
             b.copy(*from, *hold);
         }
@@ -171,28 +170,28 @@ impl Program {
 }
 
 /// All rows but one.
-struct Others<'b, T> {
-    before: &'b [[T; BLOCK]],
-    after: &'b [[T; BLOCK]],
+struct Others<'b, T, const L: usize> {
+    before: &'b [[T; L]],
+    after: &'b [[T; L]],
 }
 
 /// A row to write, and the others to read.
 #[inline(always)]
-fn apart<T>(rows: &mut [[T; BLOCK]], out: u32) -> (&mut [T; BLOCK], Others<'_, T>) {
+fn apart<T, const L: usize>(rows: &mut [[T; L]], out: u32) -> (&mut [T; L], Others<'_, T, L>) {
     let (before, rest) = rows.split_at_mut(out as usize);
     let (out, after) = rest.split_first_mut().expect("the row exists");
     (out, Others { before, after })
 }
 
-impl<'b, T> Others<'b, T> {
+impl<'b, T, const L: usize> Others<'b, T, L> {
     #[inline(always)]
-    fn row(&self, i: u32) -> &'b [T; BLOCK] {
+    fn row(&self, i: u32) -> &'b [T; L] {
         let i = i as usize;
         if i < self.before.len() { &self.before[i] } else { &self.after[i - self.before.len() - 1] }
     }
 }
 
-impl Block {
+impl<const L: usize> Block<L> {
     /// One lane of a row.
     pub fn get(&self, row: Row, lane: usize) -> u64 {
         match row {

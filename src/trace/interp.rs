@@ -81,7 +81,7 @@ impl Pipeline {
         })
     }
 
-    /// Runs `rays` through `lanes` copies; multiples of [`BLOCK`] are fastest.
+    /// Runs `rays` through `lanes` copies; up to 16, and multiples of [`BLOCK`], are fastest.
     ///
     /// # Errors
     /// A ray that gets lost, or a result that is not waited for.

@@ -109,7 +109,7 @@ fn the_pipeline_equals_the_model_at_three_widths_of_each_datapath() {
             let (d, traffic) = (c.design(), Traffic { gaps: 60, stalls: 90, resets: 2, seed: m as u64 });
             let (pyramid, rays) = hard(&c, 140, 3 + k as u64);
             let g = prepare(&d).unwrap();
-            let run = Pipeline::new(&d, &Binding::new()).unwrap().run(&pyramid, &rays, 8, traffic).unwrap();
+            let run = Pipeline::new(&d, &Binding::new()).unwrap().run(&pyramid, &rays, 16, traffic).unwrap();
             for (n, (h, r)) in run.results.iter().zip(&rays).enumerate() {
                 assert_eq!(hit(h), g.trace(&pyramid, r), "ray {n}, {r:x?}, of {} {:?}", d.label(), d.mode);
                 checked += 1;
@@ -164,7 +164,7 @@ fn other_parameters_equal_golden() {
             rays
         };
         let g = prepare(&d).unwrap();
-        let run = Pipeline::new(&base.design(), &at).unwrap().run(&pyramid, &rays, 8, Traffic::default()).unwrap();
+        let run = Pipeline::new(&base.design(), &at).unwrap().run(&pyramid, &rays, 16, Traffic::default()).unwrap();
         for (n, (h, r)) in run.results.iter().zip(&rays).enumerate() {
             assert_eq!(hit(h), g.trace(&pyramid, r), "ray {n} at {values}");
         }

@@ -57,7 +57,7 @@ fn in_mode(given: &[&Given], mode: ModeConfig) -> Vec<Vec<RayHit>> {
         let d = Design { mode, ..g.design };
         let golden = prepare(&d).unwrap();
         let p = pipelines.entry(d.traverse).or_insert_with(|| Pipeline::new(&d, &Binding::new()).unwrap());
-        let run = p.run(&g.pyramid, &g.rays, 8, Traffic::default()).unwrap();
+        let run = p.run(&g.pyramid, &g.rays, 16, Traffic::default()).unwrap();
         let hits: Vec<RayHit> = run.results.iter().map(|r| hit(r)).collect();
         assert_eq!(hits.len(), g.rays.len());
         for (k, (got, ray)) in hits.iter().zip(&g.rays).enumerate() {

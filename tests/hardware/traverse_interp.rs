@@ -50,7 +50,7 @@ fn every_mode_equals_golden_and_hits_alike() {
                 let g = Watertight::prepare(&d).unwrap();
                 let p = Pipeline::new(&d, &Binding::new()).unwrap();
                 let traffic = Traffic { gaps: 60, stalls: 90, resets: 2, seed: runs };
-                let run = p.run(&pyramid, &rays, 8, traffic).unwrap();
+                let run = p.run(&pyramid, &rays, 16, traffic).unwrap();
                 let hits: Vec<RayHit> = run.results.iter().map(|r| hit(r)).collect();
                 for (k, (h, r)) in hits.iter().zip(&rays).enumerate() {
                     assert_eq!(*h, g.trace(&pyramid, r), "ray {k} in {:?}", d.mode);
@@ -89,7 +89,7 @@ fn every_trim_equals_golden_and_hits_alike() {
                     let g = Watertight::prepare(&d).unwrap();
                     let p = Pipeline::new(&d, &Binding::new()).unwrap();
                     let traffic = Traffic { gaps: 60, stalls: 90, resets: 2, seed: runs };
-                    let run = p.run(&pyramid, &rays, 8, traffic).unwrap();
+                    let run = p.run(&pyramid, &rays, 16, traffic).unwrap();
                     let hits: Vec<RayHit> = run.results.iter().map(|r| hit(r)).collect();
                     for (k, (h, r)) in hits.iter().zip(&rays).enumerate() {
                         assert_eq!(*h, g.trace(&pyramid, r), "ray {k} in {:?}", d.mode);
@@ -218,7 +218,7 @@ fn other_formats_equal_golden() {
             [("EXP_W", exp), ("MAN_W", man), ("LEVELS", levels)].map(|(n, v)| (n.to_string(), v)).into();
         let at = design_at(&d, &over);
         let (pyramid, rays) = hard(&at, 5);
-        let run = Pipeline::new(&d, &over).unwrap().run(&pyramid, &rays, 8, Traffic::default()).unwrap();
+        let run = Pipeline::new(&d, &over).unwrap().run(&pyramid, &rays, 16, Traffic::default()).unwrap();
         let g = Watertight::prepare(&at).unwrap();
         for (k, (got, r)) in run.results.iter().zip(&rays).enumerate() {
             assert_eq!(hit(got), g.trace(&pyramid, r), "ray {k} at {over:?}");

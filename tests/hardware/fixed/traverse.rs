@@ -20,7 +20,7 @@ fn every_mode_equals_golden_and_hits_alike() {
                 d.mode = ModeConfig { start_level, levels_down, level_up, ..ModeConfig::default() };
                 let g = prepare(&d).unwrap();
                 let p = Pipeline::new(&d, &Binding::new()).unwrap();
-                let run = p.run(&pyramid, &rays, 8, Traffic { gaps: 60, stalls: 90, resets: 2, seed: runs }).unwrap();
+                let run = p.run(&pyramid, &rays, 16, Traffic { gaps: 60, stalls: 90, resets: 2, seed: runs }).unwrap();
                 let hits: Vec<RayHit> = run.results.iter().map(|r| hit(r)).collect();
                 for (k, (h, r)) in hits.iter().zip(&rays).enumerate() {
                     assert_eq!(*h, g.trace(&pyramid, r), "ray {k} in {:?}", d.mode);
@@ -59,7 +59,7 @@ fn every_trim_equals_golden_and_hits_alike() {
                     let g = prepare(&d).unwrap();
                     let p = Pipeline::new(&d, &Binding::new()).unwrap();
                     let run =
-                        p.run(&pyramid, &rays, 8, Traffic { gaps: 60, stalls: 90, resets: 2, seed: runs }).unwrap();
+                        p.run(&pyramid, &rays, 16, Traffic { gaps: 60, stalls: 90, resets: 2, seed: runs }).unwrap();
                     let hits: Vec<RayHit> = run.results.iter().map(|r| hit(r)).collect();
                     for (k, (h, r)) in hits.iter().zip(&rays).enumerate() {
                         assert_eq!(*h, g.trace(&pyramid, r), "ray {k} in {:?}", d.mode);

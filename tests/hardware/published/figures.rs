@@ -93,7 +93,7 @@ fn faults_are_diagnosed() {
             _ => continue,
         };
         // A fault may lose rays; those that come out wrong are diagnosed.
-        let Ok(run) = p.run(&pyramid, &rays, 8, Traffic::default()) else { continue };
+        let Ok(run) = p.run(&pyramid, &rays, 16, Traffic::default()) else { continue };
         let Some(k) = (0..rays.len()).find(|k| hit(&run.results[*k]).steps != g.trace(&pyramid, &rays[*k]).steps)
         else {
             continue;

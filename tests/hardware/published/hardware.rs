@@ -41,7 +41,7 @@ fn equal(d: &Design, count: usize, traffic: Traffic) -> usize {
     let (pyramid, rays) = hard(d, count, 3);
     let g = prepare(d).unwrap();
     let p = Pipeline::new(d, &Binding::new()).unwrap();
-    let run = p.run(&pyramid, &rays, 8, traffic).unwrap();
+    let run = p.run(&pyramid, &rays, 16, traffic).unwrap();
     for (k, (r, ray)) in run.results.iter().zip(&rays).enumerate() {
         assert_eq!(hit(r), g.trace(&pyramid, ray), "ray {k} {ray:x?} at {d:?}");
     }

@@ -12,7 +12,7 @@ fn equal(base: &Design, over: &Binding, count: usize, traffic: Traffic) -> usize
     let d = design_at(base, over);
     let (pyramid, rays) = hard(&d, count, 3);
     let g = prepare(&d).unwrap();
-    let run = Pipeline::new(base, over).unwrap().run(&pyramid, &rays, 8, traffic).unwrap();
+    let run = Pipeline::new(base, over).unwrap().run(&pyramid, &rays, 16, traffic).unwrap();
     for (k, (h, r)) in run.results.iter().zip(&rays).enumerate() {
         assert_eq!(hit(h), g.trace(&pyramid, r), "ray {k}, {r:x?}, at {over:?} of {}", d.window_set());
     }
