@@ -13,7 +13,7 @@ pub mod report;
 pub mod synth;
 pub mod trace;
 pub mod vectors;
-pub use reliefrtl_base::{bits, error, files, format, measured, process};
+pub use reliefrtl_base::{alike, bits, error, files, format, measured, process};
 pub use reliefrtl_config as config;
 pub use reliefrtl_golden as golden;
 pub use reliefrtl_interp as interp;

@@ -28,6 +28,7 @@ pub use row::{Context, Row};
 pub use table::{UNITS, entry, proofs, timed, unit_entries};
 pub use unit::{Counted, Legal, Model, Stimulus, Unit};
 
+use crate::alike::nearest;
 use crate::config::{Config, Design, searches};
 use crate::error::{Error, Result};
 use crate::ir::{Binding, Module, Port};
@@ -99,17 +100,18 @@ fn setting_of(d: &Design, name: &str) -> Option<String> {
 /// A unit by name.
 ///
 /// # Errors
-/// An unknown name; the sentence offers the nearest one.
+/// An unknown name; the sentence names the nearest one.
 pub fn find(d: &Design, name: &str) -> Result<Arc<Module>> {
     let mut all = units::all(d);
     all.extend(units::available(d));
     if let Some(setting) = (!all.iter().any(|m| m.name == name)).then(|| setting_of(d, name)).flatten() {
         return Err(Error::input(format!("the configuration has no unit {name}: it comes with --set {setting}")));
     }
-    let near = all.iter().max_by(|a, b| strsim::jaro(&a.name, name).total_cmp(&strsim::jaro(&b.name, name)));
-    let near = near.map(|m| m.name.clone()).unwrap_or_default();
-    let miss = || Error::input(format!("no unit is named {name}; did you mean {near}? (`reliefrtl list` shows all)"));
-    all.iter().find(|m| m.name == name).cloned().ok_or_else(miss)
+    all.iter().find(|m| m.name == name).cloned().ok_or_else(|| {
+        let near = nearest(name, all.iter().map(|m| m.name.as_str()));
+        let guess = near.map_or(String::new(), |near| format!("; did you mean {near}?"));
+        Error::input(format!("no unit is named {name}{guess} (`reliefrtl list` shows all)"))
+    })
 }
 
 /// The design that a module's parameter values describe.

@@ -5,7 +5,7 @@ use super::views::{Pixels, Viewed, look};
 use crate::config::check::plain;
 use crate::config::{Config, View};
 use crate::error::{Error, Result};
-use crate::fit::{Budget, Fit, FitFigures, Limits, SETS, Trial, Truth, fit_checked};
+use crate::fit::{Budget, CHOSEN, Fit, FitFigures, Limits, SETS, Trial, Truth, fit_checked};
 use crate::project::Scene;
 
 /// Runs `fit`.
@@ -29,6 +29,10 @@ pub fn run(cli: &Cli, a: &FitArgs) -> Result<()> {
             return Err(Error::input("fit needs a budget: --max-wrong-texel SHARE or --max-uv-error TEXELS"));
         }
     };
+    let key = |set: &String| set.split('=').next().unwrap_or_default().trim().to_owned();
+    if let Some(set) = cli.sets.iter().find(|set| CHOSEN.contains(&key(set).as_str())) {
+        return Err(Error::input(format!("fit chooses {} itself: leave out --set {set}", key(set))));
+    }
     for (key, is_on) in [("mode.lod", c.mode.lod), ("mode.bilinear", c.mode.bilinear)] {
         if is_on {
             return Err(Error::input(format!(

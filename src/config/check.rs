@@ -1,6 +1,7 @@
 //! One value against what its key accepts, as a sentence.
 use super::WindowSet;
 use super::keys::{Key, Legal};
+use reliefrtl_base::alike::nearest;
 use toml::Value;
 
 /// What is wrong with `value` for `key`; `None` if nothing is.
@@ -100,19 +101,10 @@ fn word_problem(path: &str, word: &str, words: &[&str]) -> Option<String> {
         return None;
     }
     let list = words.join(", ");
-    let near = words.iter().rev().max_by(|a, b| similarity(word, a).total_cmp(&similarity(word, b)))?;
-    // A guess that shares next to nothing with what was typed only distracts.
-    let guess = if similarity(word, near) > 0.4 && words.len() > 1 {
-        format!("; did you mean {near:?}?")
-    } else {
-        String::new()
-    };
+    let near = nearest(word, words.iter().copied()).filter(|_| words.len() > 1);
+    let guess = near.map_or(String::new(), |near| format!("; did you mean {near:?}?"));
     let one_of = if words.len() == 1 { "" } else { "one of " };
     Some(format!("{path} = {word:?} is not {one_of}{list}{guess}"))
-}
-
-fn similarity(a: &str, b: &str) -> f64 {
-    strsim::normalized_damerau_levenshtein(a, b)
 }
 
 fn words_problem(path: &str, list: &[Value], words: &[&str]) -> Option<String> {

@@ -5,6 +5,7 @@ use super::{
     Border, ByteOrder, DefaultNettype, Divider, ExtraUnit, LevelUp, MapKind, Rounding, Search, Specials, Subnormals,
     Trim, View,
 };
+use reliefrtl_base::alike::{nearest_by, similarity};
 use std::fmt;
 
 /// What a key accepts.
@@ -351,17 +352,16 @@ pub fn find(path: &str) -> Option<&'static Key> {
 
 /// The known key nearest to a mistyped one; a right name in the wrong section counts almost as much as a near path, and so does one word of a
 /// name (`mode.down` for `mode.levels_down`), most where the section is right.
-pub fn nearest(path: &str) -> &'static str {
-    let alike = strsim::normalized_damerau_levenshtein;
+/// None if no key is like it.
+pub fn nearest(path: &str) -> Option<&'static str> {
     let (section, name) = path.rsplit_once('.').unwrap_or(("", path));
-    let score = |key: &Key| {
+    let score = |key: &&Key| {
         let (known_section, known) = key.split();
-        let word = known.split('_').map(|w| alike(name, w)).fold(0.0, f64::max);
+        let word = known.split('_').map(|w| similarity(name, w)).fold(0.0, f64::max);
         let word = if section == known_section { 0.9 * word } else { 0.8 * word };
-        alike(path, key.path).max(0.95 * alike(name, known)).max(word)
+        similarity(path, key.path).max(0.95 * similarity(name, known)).max(word)
     };
-    // The first of equals, so that the answer does not depend on the search's direction.
-    KEYS.iter().rev().max_by(|a, b| score(a).total_cmp(&score(b))).map_or("", |key| key.path)
+    nearest_by(KEYS, score).map(|key| key.path)
 }
 
 /// Whether a key is `what`, or stands in that section, which is written with a point at its end.

@@ -3,6 +3,7 @@ use super::check;
 use super::keys::{self, Legal, SECTIONS};
 use super::lines::{self, Lines, syntax};
 use super::{Config, validate};
+use reliefrtl_base::alike::nearest;
 use reliefrtl_base::error::{Error, Result};
 use std::path::Path;
 use toml::{Table, Value};
@@ -145,14 +146,20 @@ fn parse(text: &str, legal: Legal) -> Value {
 }
 
 fn unknown(path: &str, place: &str) -> String {
-    format!("unknown key {path} ({place}): did you mean {}?", keys::nearest(path))
+    match keys::nearest(path) {
+        Some(near) => format!("unknown key {path} ({place}): did you mean {near}?"),
+        None => format!("unknown key {path} ({place}): `reliefrtl config --print` shows all"),
+    }
 }
 
 fn unknown_section(section: &str, value: &Value, lines: &Lines) -> String {
     if !value.is_table() {
         return unknown(section, &lines.at(section));
     }
-    let near = |known: &str| strsim::normalized_damerau_levenshtein(section, known);
-    let known = SECTIONS.iter().map(|(known, _)| *known).max_by(|a, b| near(a).total_cmp(&near(b))).unwrap_or_default();
-    format!("unknown section [{section}] ({}): did you mean [{known}]?", lines.at(section))
+    let known = || SECTIONS.iter().map(|(known, _)| *known);
+    let guess = match nearest(section, known()) {
+        Some(near) => format!("did you mean [{near}]?"),
+        None => format!("there are {}", known().collect::<Vec<_>>().join(", ")),
+    };
+    format!("unknown section [{section}] ({}): {guess}", lines.at(section))
 }

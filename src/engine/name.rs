@@ -19,7 +19,7 @@ pub enum EngineName {
 }
 
 impl EngineName {
-    /// All, in the order in which they are offered.
+    /// All, in the order of the help.
     pub const ALL: [Self; 4] = [Self::Golden, Self::Interp, Self::Icarus, Self::Verilator];
 
     /// The engine of this name.

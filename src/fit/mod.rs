@@ -11,3 +11,20 @@ pub use figures::{FitFigures, TrialFigures};
 pub use fresh::{Checked, SETS, fit_checked};
 pub use search::{Fit, Limits, Rejected, fit};
 pub use trial::{Budget, Trial, Truth};
+
+/// Keys of the configuration that a fit chooses; what they were before has no meaning to it.
+pub const CHOSEN: &[&str] = &[
+    "datapath.kind",
+    "datapath.search",
+    "datapath.fraction_bits",
+    "datapath.reciprocal_bits",
+    "windows.set",
+    "format.exp",
+    "format.man",
+    "traverse.frac_bits",
+    "traverse.step_limit",
+    "mode.start_level",
+    "mode.levels_down",
+    "mode.level_up",
+    "mode.trim",
+];

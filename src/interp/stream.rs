@@ -10,19 +10,19 @@ use std::sync::Arc;
 /// How the bench behaves on both sides of the design.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Traffic {
-    /// Chance, in 256ths, that an item is held back in a clock.
+    /// Chance, in 256ths, that in_valid is 0 in a clock though an item is there.
     pub gaps: u8,
-    /// Chance, in 256ths, that a result is not taken in a clock.
+    /// Chance, in 256ths, that out_ready is 0 in a clock.
     pub stalls: u8,
-    /// Resets of one clock while items are on their way; what is lost is sent again. Twice before the first one, for [`FLOOD`] clocks, no result is
-    /// taken, so that every stage is full: what is inside comes out after the first flood, and is lost in a reset after the second.
+    /// Resets of one clock while items are on their way; what is lost is sent again. Twice before the first one, for [`FLOOD`] clocks,
+    /// out_ready is 0, so that every stage is full: what is inside comes out after the first flood, and is lost in a reset after the second.
     pub resets: u32,
     /// Seed of all (ChaCha8).
     pub seed: u64,
 }
 
 impl Traffic {
-    /// Everything at once: half of the items held back, half of the results not taken, floods, and resets in between.
+    /// Everything at once: in_valid 0 in half of the clocks, out_ready 0 in half of the clocks, floods, and resets in between.
     pub const fn rough(seed: u64) -> Self {
         Self { gaps: 128, stalls: 128, resets: 12, seed }
     }
@@ -143,19 +143,19 @@ impl Stream {
             }
             for (l, state) in lane.iter_mut().enumerate() {
                 let hold = traffic.gaps > 0 && rng.random::<u8>() < traffic.gaps && !flood;
-                state.take = (traffic.stalls == 0 || rng.random::<u8>() >= traffic.stalls) && !flood;
+                state.ready = (traffic.stalls == 0 || rng.random::<u8>() >= traffic.stalls) && !flood;
                 if traffic.stalls > 0 || traffic.resets > 0 {
-                    sim.set(or, l, u64::from(state.take));
+                    sim.set(or, l, u64::from(state.ready));
                 }
-                // An item that was not taken stays on the inputs, so there is mostly nothing to write.
-                if state.offer.is_none() {
-                    state.offer = state.next_item(items.len()).and_then(|item| Some((state.free_tag()?, item)));
-                    if let Some((tag, item)) = state.offer {
+                // An item that was not accepted stays on the inputs, so there is mostly nothing to write.
+                if state.driven.is_none() {
+                    state.driven = state.next_item(items.len()).and_then(|item| Some((state.free_tag()?, item)));
+                    if let Some((tag, item)) = state.driven {
                         sim.set(it, l, tag as u64);
                         self.ins.iter().zip(&items[item]).for_each(|(s, v)| sim.set(*s, l, *v));
                     }
                 }
-                let valid = state.offer.is_some() && !hold;
+                let valid = state.driven.is_some() && !hold;
                 if valid != state.valid {
                     sim.set(iv, l, u64::from(valid));
                     state.valid = valid;
@@ -167,19 +167,19 @@ impl Stream {
             sim.read(ir, ready);
             sim.read(ov, valid);
             sim.read(busy, load);
-            // What a reset meets is lost, what is offered or taken in its clock not passed on.
+            // What a reset meets is lost, and so is a transfer in its clock.
             for (l, state) in lane.iter_mut().enumerate().filter(|_| !reset) {
                 if state.next_item(items.len()).is_some() && run.cycles >= self.warm_up {
                     run.loaded += 1;
                     run.busy += load[l];
                 }
-                if let Some((tag, item)) = state.offer.take_if(|_| state.valid && ready[l] == 1) {
+                if let Some((tag, item)) = state.driven.take_if(|_| state.valid && ready[l] == 1) {
                     state.tags[tag] = Some(item);
                     if state.again.pop().is_none() {
                         state.next += lanes;
                     }
                 }
-                if valid[l] == 1 && state.take {
+                if valid[l] == 1 && state.ready {
                     let tag = sim.get(ot, l) as usize;
                     let Some(item) = state.tags[tag].take() else {
                         return Err(Error::Extra(format!(
@@ -219,24 +219,24 @@ struct Lane {
     tags: Vec<Option<usize>>,
     last_tag: usize,
     /// Tag and item on the inputs.
-    offer: Option<(usize, usize)>,
+    driven: Option<(usize, usize)>,
     valid: bool,
-    take: bool,
+    ready: bool,
 }
 
 impl Lane {
     fn new(first: usize, tags: usize) -> Self {
         let tags = vec![None; tags];
-        Self { next: first, again: Vec::new(), tags, last_tag: 0, offer: None, valid: false, take: true }
+        Self { next: first, again: Vec::new(), tags, last_tag: 0, driven: None, valid: false, ready: true }
     }
     fn next_item(&self, items: usize) -> Option<usize> {
         self.again.last().copied().or(Some(self.next).filter(|n| *n < items))
     }
-    /// A reset: what was on its way is lost, and so is what is offered right now, unless it is offered again.
+    /// A reset: what was on its way is lost, and so is the item on the inputs, unless it is driven again.
     fn lose(&mut self) {
         self.again.extend(self.tags.iter_mut().filter_map(Option::take));
         self.again.sort_unstable_by(|a, b| b.cmp(a));
-        self.offer = None;
+        self.driven = None;
     }
     fn free_tag(&mut self) -> Option<usize> {
         let n = self.tags.len();

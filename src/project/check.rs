@@ -30,7 +30,7 @@ pub enum Canary {
 }
 
 impl Canary {
-    /// All, in the order in which they are offered.
+    /// All, in the order of the help.
     pub const ALL: [Self; 4] = [Self::Flip, Self::Drop, Self::Extra, Self::Empty];
 
     /// Puts the fault into a set.

@@ -1,6 +1,7 @@
 //! Pinhole cameras above the quad, and the rays through their pixels.
 use super::degrees::sin_cos;
 use glam::{DVec2, DVec3};
+use reliefrtl_base::alike::nearest;
 use reliefrtl_base::error::{Error, Result};
 use reliefrtl_config::keys::{Key, Legal};
 use reliefrtl_config::lines::{self, Lines};
@@ -95,7 +96,7 @@ impl Camera {
             let place = places.at(name);
             match KEYS.iter().find(|key| key.path == name) {
                 Some(key) => problems.extend(problem(key, value).map(|text| format!("{text} ({place})"))),
-                None => problems.push(format!("unknown key {name} ({place}): did you mean {}?", nearest(name))),
+                None => problems.push(format!("unknown key {name} ({place}): {}", guess(name))),
             }
         }
         validate::report(problems)?;
@@ -188,7 +189,10 @@ fn wrap(position: f64) -> f64 {
     position - position.floor()
 }
 
-fn nearest(name: &str) -> &'static str {
-    let near = |key: &Key| strsim::normalized_damerau_levenshtein(name, key.path);
-    KEYS.iter().rev().max_by(|a, b| near(a).total_cmp(&near(b))).map_or("", |key| key.path)
+fn guess(name: &str) -> String {
+    let known = || KEYS.iter().map(|key| key.path);
+    match nearest(name, known()) {
+        Some(near) => format!("did you mean {near}?"),
+        None => format!("there are {}", known().collect::<Vec<_>>().join(", ")),
+    }
 }

@@ -1,4 +1,5 @@
 //! Lists of rays from CSV files.
+use reliefrtl_base::alike::similarity;
 use reliefrtl_base::error::{Error, Result};
 use reliefrtl_base::files::{MARK, TABLE, read_named};
 use std::path::Path;
@@ -48,7 +49,7 @@ fn columns(header: &csv::StringRecord, name: &str, lod_expected: bool) -> Result
             }
         } else if let Some(known) = known().find(|known| **known == lower) {
             return Err(told(at, format!("{column:?} is written {known}")));
-        } else if strsim::damerau_levenshtein(&lower, LOD) < 2 || (lod_expected && lod.is_none()) {
+        } else if similarity(&lower, LOD) > 0.6 || (lod_expected && lod.is_none()) {
             return Err(told(at, format!("{column:?} is none of u, v, du, dv and lod: did you mean lod?")));
         }
     }

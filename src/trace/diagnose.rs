@@ -152,14 +152,14 @@ fn record(
     let (mut log, mut start) = (Vec::new(), None);
     for clock in 0..clocks {
         sim.eval();
-        // A handshake through registers is not ready in the first clock: the ray is offered until it is taken.
-        let taken = sim.get(net.output("in_ready"), 0) == 1;
+        // A handshake through registers is not ready in the first clock: in_valid stays 1 until the transfer.
+        let accepted = sim.get(net.output("in_ready"), 0) == 1;
         if start.is_none() && sim.get(net.output("slot_busy"), 0) == 1 {
             start = Some(clock);
         }
         log.push(probes.iter().map(|p| sim.get(p.2, 0)).collect());
         sim.clock();
-        if taken {
+        if accepted {
             set(&mut sim, "in_valid", 0);
         }
     }

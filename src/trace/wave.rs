@@ -50,18 +50,18 @@ pub fn record_ray(
     sim.set(net.input("out_ready"), 1);
     let data: Vec<_> = p.inputs.iter().map(|n| net.input(n)).collect();
     let limit = u64::from(p.slots) * u64::from(design.traverse.step_limit + 2) + u64::from(p.depth) + 12;
-    let (mut hit, mut taken) = (None, false);
+    let (mut hit, mut accepted) = (None, false);
     for clock in 0..limit {
         sim.set(net.input("rst"), u64::from(clock == 0));
-        let offered = clock > 0 && !taken;
-        sim.set(net.input("in_valid"), u64::from(offered));
+        let valid = clock > 0 && !accepted;
+        sim.set(net.input("in_valid"), u64::from(valid));
         for (s, v) in data.iter().zip(row(&p.inputs, ray)) {
             // In the other clocks no ray is valid, and what is on the wires is unknown.
-            sim.set_bits(*s, if offered { (v, 0) } else { (0, mask(net.widths[*s as usize])) });
+            sim.set_bits(*s, if valid { (v, 0) } else { (0, mask(net.widths[*s as usize])) });
         }
         sim.eval();
         // A handshake through registers is not ready in the first clock after reset: the ray is valid until it transfers.
-        taken |= offered && sim.get(net.output("in_ready")) == (1, 0);
+        accepted |= valid && sim.get(net.output("in_ready")) == (1, 0);
         wave.sample(&sim);
         match window {
             None => {

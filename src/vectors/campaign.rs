@@ -17,7 +17,7 @@ pub enum Level {
 }
 
 impl Level {
-    /// All, in the order in which they are offered.
+    /// All, in the order of the help.
     pub const ALL: [Self; 3] = [Self::One, Self::Two, Self::Three];
 }
 

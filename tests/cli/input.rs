@@ -11,6 +11,8 @@ fn bad_input_gets_one_sentence() {
     refused(&["trace", "--rays", "miss.csv", "--out", "h.csv"], "no column dv");
     refused(&["trace", "--rays", "let.csv", "--out", "h.csv"], "column v: \"x\" is not a number");
     refused(&["emit", "--unit", "traverze"], "did you mean traverse?");
+    refused(&["emit", "--unit", "qqqq"], "no unit is named qqqq (`reliefrtl list` shows all)");
+    refused(&["build", "--set", "xx.yy=3"], "unknown key xx.yy (--set): `reliefrtl config --print` shows all");
     refused(&["render", "--view", "side"], "none of front, oblique, grazing");
 }
 

@@ -24,9 +24,9 @@ fn merged() -> Arc<Module> {
     b.reset();
     let [first, second] = ["a", "b"].map(|name| InputStream::declare(&b, name, "input ready", &fields));
     let out = OutputStream::declare(&b, "out", &fields);
-    let first = first.stream(&b, "a_taken").spill(&b, "spilled");
+    let first = first.stream(&b, "a_word").spill(&b, "spilled");
     let first = first.map(|r| r.map(|name, v| if name == "flag" { (!v).named("inverted") } else { v }));
-    let both = vec![first.fifo(&b, "queued", 4), second.stream(&b, "b_taken")];
+    let both = vec![first.fifo(&b, "queued", 4), second.stream(&b, "b_word")];
     out.take(&b, &Stream::arbiter(&b, "one", both));
     b.finish(None, &[])
 }
@@ -44,7 +44,7 @@ fn interpreted(m: &Module) -> (Vec<Vec<u64>>, Vec<Vec<u64>>) {
         if clock % 40 == 0 {
             load = load.map(|_| rng.random_range(1..9));
         }
-        let mut offer = |k: usize, held: &Option<Vec<u64>>| {
+        let mut drive = |k: usize, held: &Option<Vec<u64>>| {
             let new = |rng: &mut ChaCha8Rng| {
                 let word =
                     |(name, w): &(&str, u32)| if *name == "from" { k as u64 } else { rng.random::<u64>() >> (64 - w) };
@@ -52,10 +52,10 @@ fn interpreted(m: &Module) -> (Vec<Vec<u64>>, Vec<Vec<u64>>) {
             };
             held.clone().or_else(|| (rng.random_range(0..8) < load[k]).then(|| new(&mut rng)))
         };
-        let offers = [offer(0, &waiting[0]), offer(1, &waiting[1])];
+        let inputs = [drive(0, &waiting[0]), drive(1, &waiting[1])];
         let ready = u64::from(rng.random_range(0..8) < load[2]);
         let mut row = vec![u64::from(clock < 2)];
-        for o in &offers {
+        for o in &inputs {
             row.push(u64::from(o.is_some() && clock > 2));
             row.extend(o.clone().unwrap_or_else(|| vec![0; FIELDS.len()]));
         }
@@ -64,14 +64,14 @@ fn interpreted(m: &Module) -> (Vec<Vec<u64>>, Vec<Vec<u64>>) {
         sim.eval();
         let out: Vec<u64> = net.outputs.iter().map(|p| sim.get(p.slot, 0)).collect();
         let of = |name: &str| out[net.outputs.iter().position(|p| p.name == name).unwrap()];
-        for (k, o) in offers.into_iter().enumerate() {
+        for (k, o) in inputs.into_iter().enumerate() {
             let valid = row[1 + k * (FIELDS.len() + 1)] == 1;
-            let taken = valid && of(["a_ready", "b_ready"][k]) == 1;
-            if let Some(word) = o.clone().filter(|_| taken) {
+            let transfer = valid && of(["a_ready", "b_ready"][k]) == 1;
+            if let Some(word) = o.clone().filter(|_| transfer) {
                 let inverted = |(i, v): (usize, &u64)| if k == 0 && i == 2 { v ^ 31 } else { *v };
                 sent[k].push_back(word.iter().enumerate().map(inverted).collect());
             }
-            waiting[k] = o.filter(|_| !taken && valid);
+            waiting[k] = o.filter(|_| !transfer && valid);
         }
         if clock > 2 && of("out_valid") == 1 && ready == 1 {
             let word: Vec<u64> = FIELDS.iter().map(|(name, _)| of(&format!("out_{name}"))).collect();

@@ -112,6 +112,10 @@ fn a_budget_that_nothing_keeps_is_refused() {
     std::fs::write(dir.path().join("few.csv"), table(3)).unwrap();
     for (args, told) in [
         (vec!["fit"], "fit needs a budget"),
+        (
+            vec!["fit", "--max-uv-error", "1", "--set", "datapath.kind=published"],
+            "fit chooses datapath.kind itself: leave out --set datapath.kind=published",
+        ),
         (vec!["fit", "--max-wrong-texel", "1.5"], "is no share"),
         (vec!["fit", "--max-wrong-texel", "0"], "is no share that rays can show"),
         (

@@ -99,9 +99,9 @@ int main() {
   while (back < rays && quiet < kPatience) {
     // What stands at the ports is transferred at the next edge; ready does not depend on valid.
     const uint64_t tag = next % kTags;
-    const bool offer = next < rays && pending[tag] == rays;
-    top->in_valid = offer;
-    if (offer) {
+    const bool valid = next < rays && pending[tag] == rays;
+    top->in_valid = valid;
+    if (valid) {
       const uint64_t* ray = sent + next * kInputs;
       top->in_tag = tag;
 {%- for name in inputs %}

@@ -1,11 +1,11 @@
 // {{ prefix }}tb_traverse: loads {% if sizes %}the windows{% else %}the pyramid{% endif %}, sends the golden rays, and checks that each ray has
 // exactly one result, the expected one.
 //   +vectors=DIR   directory with memory.hex{% if sizes %}.0 and on{% endif %}, stimulus.hex, expected.hex (default golden/traverse)
-//   +gaps          rays are held back at random      +stalls    results are taken at random
+//   +gaps          in_valid falls at random         +stalls    out_ready falls at random
 //   +flood         fills the pipeline with rays, resets it for one clock, and only then runs the set
 //   +reset         resets of one clock while rays are on their way; the set starts again after each
 //   +again         the set, and once it has passed, the set again with gaps, stalls, flood, reset, and
-//                  a hold: no result is taken until every stage is full, and none may be lost
+//                  a hold: out_ready is 0 until every stage is full, and no result may be lost
 //   +patience=N    clocks without a result after which a ray counts as lost (default: four times
 //                  what the longest ray sent so far may take)
 //   +results=FILE  one line per ray: its number, then its outputs in hex
@@ -124,7 +124,7 @@ module {{ prefix }}tb_traverse #(
   wire [TagBits-1:0] slot = out_tag[TagBits-1:0];
   reg [TagBits-1:0] next_tag;
   wire       accepted = in_valid & in_ready & ~rst;
-  wire       taken = out_valid & out_ready & ~rst;
+  wire       transferred = out_valid & out_ready & ~rst;
   wire       expected = (tag_used[slot] === 1'b1) & (out_tag === tag_sent[slot]);
   // An iteration takes less than WarmUp clocks; the rest of a ray takes no longer than some of them.
   wire [31:0] limit = (patience > 0) ? patience : 4 * WarmUp * (longest + 16);
@@ -449,7 +449,7 @@ module {{ prefix }}tb_traverse #(
   endtask
 
   // Compares an expected result, field by field.
-  task automatic take_result;
+  task automatic check_result;
     reg row_wrong;
     begin
       row_wrong = 1'b0;
@@ -507,7 +507,7 @@ module {{ prefix }}tb_traverse #(
   endtask
 
   // Presents the next ray once the last one has been accepted.
-  task automatic offer;
+  task automatic drive_ray;
     reg [TagBits-1:0] low;
 {%- if lingers %}
     integer b;
@@ -586,7 +586,7 @@ module {{ prefix }}tb_traverse #(
       load_en <= 1'b0;
       out_ready <= (~stalls | lfsr[5]) && hold_left == 0;
       if (hold_left > 0) hold_left <= hold_left - 1;
-      quiet <= taken ? 0 : quiet + 1;
+      quiet <= transferred ? 0 : quiet + 1;
       if (slot_busy) in_slots <= in_slots + 1;
       if (resets_left > 0 && until_reset == 0) begin
         reset_inside;
@@ -595,10 +595,10 @@ module {{ prefix }}tb_traverse #(
         if (idle && rays != checked) false_idle <= 1'b1;
         if (idle && slot_busy) false_busy <= 1'b1;
         if (accepted) note_ray;
-        if (taken && expected) take_result;
-        offer;
+        if (transferred && expected) check_result;
+        drive_ray;
       end
-      // Under full load: from the first ray on, until the last one has been taken.
+      // Under full load: from the first ray on, until the last one was accepted.
       if ((stim_left > 0 || in_valid) && (rays > 0 || accepted)) begin
         after <= after + 1;
         if (after >= WarmUp) begin
@@ -610,7 +610,7 @@ module {{ prefix }}tb_traverse #(
         $display("FAIL tb_traverse: in_ready, out_valid, slot_busy or idle is undefined, after %0d",
                  checked);
         finish(8'd1);
-      end else if (taken && !expected) begin
+      end else if (transferred && !expected) begin
         $display("FAIL tb_traverse: an unexpected result, with tag %h, after %0d",
                  out_tag, checked);
         finish(8'd7);

@@ -12,6 +12,7 @@ pub use draw::Ray;
 pub use numbers::Numbers;
 pub use picture::footprints;
 
+use reliefrtl_base::alike::nearest;
 use reliefrtl_base::error::{Error, Result};
 
 impl Case {
@@ -26,9 +27,9 @@ impl Case {
     /// [`Error::Input`] with the nearest name.
     pub fn find(name: &str) -> Result<&'static Self> {
         Self::all().find(|case| case.name == name).ok_or_else(|| {
-            let near = |case: &&Self| (strsim::normalized_damerau_levenshtein(name, case.name) * 1e6) as u32;
-            let guess = Self::all().max_by_key(near).map_or("", |case| case.name);
-            Error::input(format!("there is no case {name:?}: did you mean {guess}? `reliefrtl hard --list` shows all"))
+            let guess = nearest(name, Self::all().map(|case| case.name));
+            let guess = guess.map_or(String::new(), |near| format!("did you mean {near}? "));
+            Error::input(format!("there is no case {name:?}: {guess}`reliefrtl hard --list` shows all"))
         })
     }
 }

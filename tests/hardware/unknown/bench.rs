@@ -36,7 +36,7 @@ fn bench(m: &Module, inputs: &[String], outputs: &[String], words: usize) -> Str
     let pins: Vec<String> = m.ports.iter().map(|p| format!(".{0}({0})", p.name)).collect();
     writeln!(t, "  {} dut ({});", m.name, pins.join(", ")).unwrap();
     let reads: String = inputs.iter().map(|n| format!("    $readmemb(\"{n}.bin\", of_{n});\n")).collect();
-    let offer: String = inputs.iter().map(|n| format!("          {n} <= of_{n}[sent_now];\n")).collect();
+    let drive: String = inputs.iter().map(|n| format!("          {n} <= of_{n}[sent_now];\n")).collect();
     let unasked: String = inputs.iter().map(|n| format!("          {n} <= {{{}{{1'bx}}}};\n", width(n))).collect();
     let shown: String = outputs.iter().map(|n| format!("        $write(\" %b\", {n});\n")).collect();
     let heights = width("load_data");
@@ -89,7 +89,7 @@ fn bench(m: &Module, inputs: &[String], outputs: &[String], words: usize) -> Str
       if (k >= words && clocks > words + 4 && sent_now < {rays} && (in_valid && !in_ready || lfsr[5] | lfsr[9])) begin
         in_valid <= 1;
         in_tag <= sent_now;
-{offer}      end else begin
+{drive}      end else begin
         in_valid <= 0;
         in_tag <= 'bx;
 {unasked}      end

@@ -47,16 +47,16 @@ fn run(c: &Config, loaded: Loaded, rays: usize) -> (usize, usize) {
     let mut back = vec![false; rays];
     let limit = 4000 * rays;
     loop {
-        let offers = sent < rays && clock % 7 != 3;
-        sim.set(p.net.input("in_valid"), u64::from(offers));
+        let driven = sent < rays && clock % 7 != 3;
+        sim.set(p.net.input("in_valid"), u64::from(driven));
         sim.set(p.net.input("out_ready"), u64::from(clock % 5 != 1));
         let words = row(&p.inputs, &list[sent.min(rays - 1)]);
         for (k, (name, v)) in p.inputs.iter().zip(&words).enumerate() {
             let x =
-                if offers { unknown_bits(sent, k, words.len(), width(name)) } else { u64::MAX >> (64 - width(name)) };
+                if driven { unknown_bits(sent, k, words.len(), width(name)) } else { u64::MAX >> (64 - width(name)) };
             sim.set_bits(p.net.input(name), (v & !x, x));
         }
-        let tag = if offers { (sent as u64, 0) } else { (0, 255) };
+        let tag = if driven { (sent as u64, 0) } else { (0, 255) };
         sim.set_bits(p.net.input("in_tag"), tag);
         sim.eval();
         let [ready, valid, _, idle] = ["in_ready", "out_valid", "slot_busy", "idle"].map(|n| known(n, &sim, clock));
@@ -77,7 +77,7 @@ fn run(c: &Config, loaded: Loaded, rays: usize) -> (usize, usize) {
             assert!(tag % 5 != 2 || limit, "nothing of ray {tag} is known, but it was not given up");
             assert!(loaded != Loaded::Nothing || limit, "no height is known, but ray {tag} was not given up");
         }
-        sent += usize::from(offers && ready == 1);
+        sent += usize::from(driven && ready == 1);
         sim.clock();
         clock += 1;
         if sent == rays && idle == 1 && back.iter().all(|b| *b) {
