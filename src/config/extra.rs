@@ -3,33 +3,30 @@ use serde::{Deserialize, Serialize};
 
 /// A unit that is only emitted where it is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum ExtraUnit {
     /// Square root.
-    #[serde(rename = "fp_sqrt")]
-    Sqrt,
+    FpSqrt,
     /// Reciprocal.
-    #[serde(rename = "fp_recip")]
-    Recip,
+    FpRecip,
     /// Less, equal, greater, unordered.
-    #[serde(rename = "fp_compare")]
-    Compare,
+    FpCompare,
     /// Sum of three.
-    #[serde(rename = "fp_add3")]
-    Add3,
+    FpAdd3,
     /// Synchronous FIFO.
-    #[serde(rename = "fifo")]
     Fifo,
     /// Round robin arbiter.
-    #[serde(rename = "arbiter")]
     Arbiter,
 }
 
-impl ExtraUnit {
-    /// All.
-    pub const ALL: [Self; 6] = [Self::Sqrt, Self::Recip, Self::Compare, Self::Add3, Self::Fifo, Self::Arbiter];
-    /// Their names, in the same order.
-    pub const WORDS: &'static [&'static str] = &["fp_sqrt", "fp_recip", "fp_compare", "fp_add3", "fifo", "arbiter"];
-}
+words!(ExtraUnit:
+    FpSqrt = "fp_sqrt",
+    FpRecip = "fp_recip",
+    FpCompare = "fp_compare",
+    FpAdd3 = "fp_add3",
+    Fifo = "fifo",
+    Arbiter = "arbiter",
+);
 
 /// A set of them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -48,48 +48,48 @@ module {{ prefix }}tb_traverse #(
   localparam integer Words = ((1 << (2 * LEVELS + 2)) - 1) / 3;
 {%- endif %}
 
-  reg [8*1000-1:0] dir;
-  reg [8*1020-1:0] path;
-  integer mem_fd;
-  integer stim_fd;
-  integer exp_fd;
-  integer res_fd;
-  integer stim_bits;
+  reg [8*1000-1:0] dir;   // directory of the vectors
+  reg [8*1020-1:0] path;  // file of the results
+  integer mem_fd;         // memory.hex
+  integer stim_fd;        // stimulus.hex
+  integer exp_fd;         // expected.hex
+  integer res_fd;         // results, 0: none
+  integer stim_bits;      // bits of a row, as the head of the file states them
   integer exp_bits;
-  integer patience;
+  integer patience;       // clocks without a result after which a ray is lost, 0: by the longest ray
   integer k;
-  reg     gaps;
-  reg     stalls;
-  reg     again;
-  reg     told;
+  reg     gaps;           // in_valid falls at random
+  reg     stalls;         // out_ready falls at random
+  reg     again;          // the set runs once more
+  reg     told;           // the utilization has been printed
   integer resets_left;
-  integer until_reset;
+  integer until_reset;    // clocks
 
   // What is left to send and to expect, and what was observed.
-  integer words_left;
-  integer stim_left;
-  integer exp_left;
-  integer flood_left;
-  integer flood_rows;
-  integer hold_left;
-  integer rays;
-  integer checked;
-  integer wrong;
-  integer quiet;
-  reg [31:0] longest;
+  integer words_left;     // words to load into the memory
+  integer stim_left;      // rows of stimulus.hex to send
+  integer exp_left;       // rows of expected.hex to read
+  integer flood_left;     // clocks
+  integer flood_rows;     // rays sent in the flood
+  integer hold_left;      // clocks
+  integer rays;           // accepted
+  integer checked;        // results compared
+  integer wrong;          // of these, different from what is expected
+  integer quiet;          // clocks since the last result
+  reg [31:0] longest;     // most iterations of a ray so far
   integer cycles;
-  integer first_in;
-  integer last_out;
-  integer after;
-  integer loaded;
-  integer busy;
-  reg     false_idle;
-  reg     false_busy;
-  reg     bad_stim;
-  reg     bad_exp;
-  reg [31:0] in_slots;
-  reg [31:0] needed;
-  reg [31:0] lfsr;
+  integer first_in;       // clock of the first ray
+  integer last_out;       // clock of the last result
+  integer after;          // clocks under full load
+  integer loaded;         // of these, with a pipeline that can be full
+  integer busy;           // of these, with a ray in the slot of stage 0
+  reg     false_idle;     // idle was 1 while a ray was inside
+  reg     false_busy;     // slot_busy was 1 while no ray was inside
+  reg     bad_stim;       // a row of stimulus.hex can't be read
+  reg     bad_exp;        // a row of expected.hex can't be read
+  reg [31:0] in_slots;    // clocks in which slot_busy was 1
+  reg [31:0] needed;      // iterations of the rays sent
+  reg [31:0] lfsr;        // random bits
 
   reg        rst;
   reg        load_en;
@@ -115,14 +115,14 @@ module {{ prefix }}tb_traverse #(
   wire       idle;
 
   // Per tag in flight: its ray, and the result expected of it.
-  reg [Tags-1:0] tag_used;
-  integer    tag_ray [0:Tags-1];
-  reg [TAG_W-1:0] tag_sent [0:Tags-1];
+  reg [Tags-1:0] tag_used;              // a result is expected under this tag
+  integer    tag_ray [0:Tags-1];        // number of the ray
+  reg [TAG_W-1:0] tag_sent [0:Tags-1];  // the whole tag
 {%- for p in outputs %}
   reg {% if p.range %}{{ p.range }} {% endif %}want_{{ p.name }} [0:Tags-1];
 {%- endfor %}
   wire [TagBits-1:0] slot = out_tag[TagBits-1:0];
-  reg [TagBits-1:0] next_tag;
+  reg [TagBits-1:0] next_tag;  // of the ray on the inputs
   wire       accepted = in_valid & in_ready & ~rst;
   wire       transferred = out_valid & out_ready & ~rst;
   wire       expected = (tag_used[slot] === 1'b1) & (out_tag === tag_sent[slot]);
@@ -506,7 +506,7 @@ module {{ prefix }}tb_traverse #(
     end
   endtask
 
-  // Presents the next ray once the last one has been accepted.
+  // Drives the next ray once the last one has been accepted.
   task automatic drive_ray;
     reg [TagBits-1:0] low;
 {%- if lingers %}

@@ -38,14 +38,14 @@ use std::sync::Arc;
 pub fn extra(d: &Design, unit: ExtraUnit) -> Vec<Arc<Module>> {
     let (f, l) = (d.format, &d.latency);
     match unit {
-        ExtraUnit::Sqrt => vec![sqrt_rows::sqrt_rows_module(f.man + 2, f.man + 1), fp_sqrt(f, l.sqrt)],
+        ExtraUnit::FpSqrt => vec![sqrt_rows::sqrt_rows_module(f.man + 2, f.man + 1), fp_sqrt(f, l.sqrt)],
         // Where the divider has a table, nothing else has brought the rows.
-        ExtraUnit::Recip if l.divider == Divider::Table => {
+        ExtraUnit::FpRecip if l.divider == Divider::Table => {
             vec![div_rows::div_rows_module(f.man + 1, f.man + 2), fp_recip(f, l.div)]
         }
-        ExtraUnit::Recip => vec![fp_recip(f, l.div)],
-        ExtraUnit::Compare => vec![fp_compare(f, l.compare)],
-        ExtraUnit::Add3 => vec![fp_add3(f, l.add3)],
+        ExtraUnit::FpRecip => vec![fp_recip(f, l.div)],
+        ExtraUnit::FpCompare => vec![fp_compare(f, l.compare)],
+        ExtraUnit::FpAdd3 => vec![fp_add3(f, l.add3)],
         // Of streams.
         ExtraUnit::Fifo | ExtraUnit::Arbiter => Vec::new(),
     }
