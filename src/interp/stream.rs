@@ -118,6 +118,21 @@ impl Stream {
         lanes: usize,
         traffic: Traffic,
     ) -> Result<StreamRun> {
+        self.run_until(items, images, lanes, traffic, |_, _| false)
+    }
+
+    /// As [`Stream::run`]; ends with the first result of which `ends` (number of the item, words of `outs`) is true. What was not there by then has no words.
+    ///
+    /// # Errors
+    /// As [`Stream::run`].
+    pub fn run_until(
+        &self,
+        items: &[Vec<u64>],
+        images: &[Arc<Vec<u64>>],
+        lanes: usize,
+        traffic: Traffic,
+        ends: impl Fn(usize, &[u64]) -> bool,
+    ) -> Result<StreamRun> {
         let lanes = lanes.clamp(1, items.len().max(1));
         let mut sim = Lanes::of_ports(&self.net, lanes);
         images.iter().enumerate().for_each(|(i, words)| sim.load(i, words.clone()));
@@ -187,6 +202,9 @@ impl Stream {
                         )));
                     };
                     run.results[item] = self.outs.iter().map(|s| sim.get(*s, l)).collect();
+                    if ends(item, &run.results[item]) {
+                        return Ok(run);
+                    }
                     left -= 1;
                     quiet = 0;
                 }

@@ -120,10 +120,10 @@ fn cuts(sim: Simulator, handshake: u32, which: &[usize]) {
     }
 }
 
-/// What a check has to notice in every engine; resets, and rays that never end, in the quicker one alone.
+/// What a check has to notice in every engine; resets, rays that never end, and that the text as it is passes, in the quicker one alone.
 #[test]
 fn icarus_notices_what_is_cut_out() {
-    cuts(Simulator::Icarus, 0, &[0, 1, 8]);
+    cuts(Simulator::Icarus, 0, &[1, 8]);
     cuts(Simulator::Icarus, 1, &[3]);
 }
 
