@@ -136,7 +136,7 @@ pub(super) fn iterate<const RECORD: bool, P: PlaneArithmetic>(
         Halves::of(planes, &setup.v, r, s.y, t_y),
     ];
     let block = Block { planes, pyramid, level: r, t: s.t, halves };
-    let x_first = !planes.lt(t_y, t_x);
+    let x_first = planes.x_first(t_x, t_y);
     let found = block.first_hit();
     let cell = found.unwrap_or_else(|| block.last(x_first));
     let m = planes.max(cell.enters, cell.t_v);

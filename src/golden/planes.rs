@@ -37,6 +37,10 @@ pub(super) trait PlaneArithmetic {
     /// Where the ray is at `t`, in 2^-FRAC_W texels.
     fn position(&self, axis: &Self::Axis, t: u64) -> i64;
 
+    /// Whether the plane of u, met at `t_x`, comes before that of v, met at `t_y`; so it does where both are met at once.
+    fn x_first(&self, t_x: u64, t_y: u64) -> bool {
+        !self.lt(t_y, t_x)
+    }
     /// The larger of two parameters; the first when they are equal.
     fn max(&self, a: u64, b: u64) -> u64 {
         if self.lt(a, b) { b } else { a }

@@ -12,7 +12,7 @@ pub(super) fn chord<P: PlaneArithmetic>(
     [t_x, t_y]: [u64; 2],
 ) -> Chord {
     // x goes first on a tie.
-    let x_first = !planes.lt(t_y, t_x);
+    let x_first = planes.x_first(t_x, t_y);
     let end_x = chord_end(planes, &s.u, k, x, (!x_first).then_some(t_y));
     let end_y = chord_end(planes, &s.v, k, y, x_first.then_some(t_x));
     let size = &planes.design().traverse;

@@ -153,7 +153,7 @@ fn iterate<const RECORD: bool, P: PlaneArithmetic>(
         return it;
     }
     // x goes first on a tie.
-    let x_first = !planes.lt(t_y, t_x);
+    let x_first = planes.x_first(t_x, t_y);
     let (t_e, plane) = cross(&mut it, setup, x_first);
     it.next_t = planes.max(s.t, t_e);
     let c = |level| Crossing { level, plane, x: s.x, y: s.y, e_x, e_y, previous: s.prev };
