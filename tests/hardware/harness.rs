@@ -1,7 +1,7 @@
 //! The harness that `bench` compares with: every output of every ray is held against what is expected.
 use crate::simulators::skip;
 use reliefrtl::bench::{Harness, Load};
-use reliefrtl::config::{Config, View};
+use reliefrtl::config::{Config, Profile, View};
 use reliefrtl::golden::{RayInput, prepare};
 use reliefrtl::ir::Binding;
 use reliefrtl::project::{Scene, encode, hardware};
@@ -14,6 +14,7 @@ fn one_wrong_bit_of_one_output_ends_the_harness_with_a_mismatch() {
     }
     let mut c = Config::default();
     c.traverse.levels = 4;
+    c.latency = Profile::Published.latency(c.datapath.kind);
     (c.view.width, c.view.height, c.view.stride) = (32, 24, 1);
     let d = c.design();
     let scene = Scene::new(&c, None, false).unwrap();

@@ -1,13 +1,15 @@
 //! The map at power-up: `MEM_INIT` names what `vectors` wrote, nothing goes through the load port, and the hits are the same.
 use crate::simulators::skip;
-use reliefrtl::config::Config;
+use reliefrtl::config::{Config, Profile};
 use reliefrtl::project::{Scene, project};
 use std::path::Path;
 use std::process::Command;
 
 /// A tree whose images of the map stand in another place than the bench would look for them.
 fn tree(dir: &Path, sets: &[&str]) -> String {
+    // Few registers: what a memory holds does not depend on them.
     let mut c = Config::default();
+    c.latency = Profile::Published.latency(c.datapath.kind);
     let few = [
         "traverse.levels=4",
         "vectors.rays=10",

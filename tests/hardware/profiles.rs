@@ -1,4 +1,5 @@
 //! Latencies by name and for a clock: the same hits, in all engines, whatever stands between the units.
+use crate::budget::share;
 use crate::simulators::skip;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -30,6 +31,8 @@ fn each_profile_traces_the_same_rays_on_each_datapath() {
                 "vectors.planned=false",
                 "vectors.arithmetic=40",
                 "traverse.step_limit=500",
+                "view.width=64",
+                "view.height=48",
             ];
             let few: Vec<&str> = few.into_iter().flat_map(|s| ["--set", s]).collect();
             let said = ok(dir.path(), &[&["build", "--out", "out", "--set", &kind][..], &few, &chosen].concat());
@@ -47,16 +50,15 @@ fn the_deepest_pipeline_is_the_same_in_the_simulators() {
         return;
     }
     let dir = tempfile::tempdir().unwrap();
-    // Two levels: the memory has fewer words than a bank. Verilator takes half a minute to compile one.
+    // Two levels: the memory has fewer words than a bank. Verilator takes half a minute to compile one, which is left to the full run.
+    let both = &["icarus", "verilator"][..if share(2) == 1 { 2 } else { 1 }];
     for (mode, levels, engines) in [
-        (
-            &["--set", "mode.trim=always", "--set", "mode.lod=true"][..],
-            "traverse.levels=6",
-            &["icarus", "verilator"][..],
-        ),
+        (&["--set", "mode.trim=always", "--set", "mode.lod=true"][..], "traverse.levels=6", both),
         (&["--set", "mode.bilinear=true"], "traverse.levels=2", &["icarus"]),
     ] {
-        let few = ["--set", "vectors.rays=14", "--set", "vectors.planned=false", "--set", "vectors.arithmetic=40"];
+        let few =
+            ["vectors.rays=14", "vectors.planned=false", "vectors.arithmetic=40", "view.width=64", "view.height=48"];
+        let few: Vec<&str> = few.into_iter().flat_map(|s| ["--set", s]).collect();
         let design = [&["--profile", "fast", "--set", levels][..], &few, mode].concat();
         ok(dir.path(), &[&["build", "--out", "out"][..], &design].concat());
         for engine in engines {
@@ -77,7 +79,14 @@ fn a_bench_sees_the_iterations_of_each_profile() {
         [("published", "watertight"), ("balanced", "fixed"), ("fast", "watertight"), ("fast", "published")]
     {
         let kind = format!("datapath.kind={kind}");
-        let few = ["vectors.rays=10", "vectors.planned=false", "traverse.levels=4", "traverse.step_limit=500"];
+        let few = [
+            "vectors.rays=10",
+            "vectors.planned=false",
+            "traverse.levels=4",
+            "traverse.step_limit=500",
+            "view.width=64",
+            "view.height=48",
+        ];
         let few: Vec<&str> = few.into_iter().flat_map(|s| ["--set", s]).collect();
         let line = ["check", "--unit", "traverse", "--engine", "icarus", "--canary", "flip", "--profile", profile];
         let out = reliefrtl(dir.path(), &[&line[..], &["--set", &kind], &few].concat());
