@@ -180,7 +180,7 @@ pub fn campaign_set(d: &Design, m: &Module, over: &Binding, plan: Plan, campaign
 
 /// What each input column means.
 fn kinds(m: &Module, at: &Design, b: &Binding) -> Vec<Kind> {
-    let kind = |p: &Port| match p.unit.starts_with("float") {
+    let kind = |p: &Port| match p.unit.is_float() {
         true => Kind::Float(at.format),
         false => Kind::Integer(p.width.eval(b) as u32),
     };

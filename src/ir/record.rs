@@ -2,6 +2,7 @@
 use super::builder::{Builder, Sig};
 use super::expr::Expr;
 use super::module::Module;
+use super::quantity::Quantity;
 use std::ops::Index;
 use std::sync::Arc;
 
@@ -107,9 +108,9 @@ impl OutputRecord {
 
 impl Builder {
     /// Declares outputs `<prefix>_<field>`, each with its width, unit and meaning.
-    pub fn output_record(&self, prefix: &str, fields: &[(&str, Expr, &str, &str)]) -> OutputRecord {
-        let port = |(field, width, unit, doc): &(&str, Expr, &str, &str)| {
-            ((*field).to_string(), self.output(&format!("{prefix}_{field}"), width, unit, doc))
+    pub fn output_record(&self, prefix: &str, fields: &[(&str, Expr, Quantity, &str)]) -> OutputRecord {
+        let port = |(field, width, unit, doc): &(&str, Expr, Quantity, &str)| {
+            ((*field).to_string(), self.output(&format!("{prefix}_{field}"), width, *unit, doc))
         };
         OutputRecord { ports: fields.iter().map(port).collect() }
     }

@@ -1,5 +1,6 @@
 //! `div_rows`: rows of restoring division, one quotient bit each.
 use super::lzc::finish_primitive;
+use crate::quantity::BITS;
 use reliefrtl_ir::{Builder, Expr, Module, Prim, Sig};
 use std::sync::Arc;
 
@@ -17,10 +18,10 @@ pub fn div_rows_module(width: u32, rows: u32) -> Arc<Module> {
     b.require(&w, 62);
     b.require(1, &n);
     b.require(&n, 64);
-    b.input("rem_in", &w + 1, "bits", "dividend, or the remainder that the rows before left");
-    b.input("div", &w, "bits", "divisor");
-    b.output("rem_out", &w + 1, "bits", "remainder, doubled once a row");
-    b.output("quot", &n, "bits", "quotient bits, the first on top");
+    b.input("rem_in", &w + 1, BITS, "dividend, or the remainder that the rows before left");
+    b.input("div", &w, BITS, "divisor");
+    b.output("rem_out", &w + 1, BITS, "remainder, doubled once a row");
+    b.output("quot", &n, BITS, "quotient bits, the first on top");
     finish_primitive(b, Prim::DivRows, 0)
 }
 

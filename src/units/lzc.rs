@@ -1,4 +1,5 @@
 //! `lzc`: leading zeros of a word; the word's width when it is zero.
+use crate::quantity::BITS;
 use reliefrtl_ir::{Body, Builder, Module, Prim, Sig};
 use std::sync::Arc;
 
@@ -9,8 +10,8 @@ pub fn lzc_module(width: u32) -> Arc<Module> {
     b.require(1, &w);
     b.require(&w, 64);
     let count_w = b.local("CountW", (&w + 1).clog2());
-    b.input("bits", &w, "bits", "the word");
-    b.output("count", &count_w, "bits", "zeros above the topmost 1");
+    b.input("bits", &w, BITS, "the word");
+    b.output("count", &count_w, BITS, "zeros above the topmost 1");
     finish_primitive(b, Prim::Lzc, 0)
 }
 

@@ -1,6 +1,8 @@
 //! What a module may not be: every rule of the verifier and every refusal of the builder, each with a module that breaks it and nothing else.
 use reliefrtl::interp::elaborate;
-use reliefrtl::ir::{Binding, Builder, Expr, Module, Node, NodeId, Op, SYSTEM_VERILOG, Sig, VERILOG, verify};
+use reliefrtl::ir::{
+    BIT, BITS, Binding, Builder, Expr, Module, Node, NodeId, Op, SYSTEM_VERILOG, Sig, VERILOG, verify,
+};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
@@ -15,8 +17,8 @@ fn good() -> Module {
     let b = Builder::new("good", "tests", "a module");
     b.clock();
     b.clock_enable();
-    let (x, y) = (b.input("x", 4, "bits", "x"), b.input("y", 4, "bits", "y"));
-    let o = b.output("o", 4, "bits", "o");
+    let (x, y) = (b.input("x", 4, BITS, "x"), b.input("y", 4, BITS, "y"));
+    let o = b.output("o", 4, BITS, "o");
     b.drive(o, (x & y).named("both").reg(), None);
     Arc::unwrap_or_clone(b.finish(Some(1), &[]))
 }
@@ -67,9 +69,9 @@ fn looping(around: impl for<'b> Fn(&'b Builder, Sig<'b>) -> Sig<'b>) -> Module {
     let b = Builder::new("looping", "tests", "a module");
     b.clock();
     b.clock_enable();
-    let x = b.input_static("x", 1, "bit", "x");
+    let x = b.input_static("x", 1, BIT, "x");
     let back = b.wire("back", 1);
-    let o = b.output("o", 1, "bit", "o");
+    let o = b.output("o", 1, BIT, "o");
     let y = (x & back).named("y");
     b.connect(back, around(&b, y));
     b.drive(o, y, None);
@@ -81,8 +83,8 @@ fn leaf() -> Arc<Module> {
     let b = Builder::new("leaf", "tests", "a module");
     b.clock();
     b.clock_enable();
-    let a = b.input("a", 1, "bit", "a");
-    let (through, held) = (b.output("through", 1, "bit", "as it is"), b.output("held", 1, "bit", "a clock later"));
+    let a = b.input("a", 1, BIT, "a");
+    let (through, held) = (b.output("through", 1, BIT, "as it is"), b.output("held", 1, BIT, "a clock later"));
     b.drive(through, !a, None);
     b.drive(held, (!a).named("not_a").reg(), None);
     b.finish(None, &[])
@@ -135,10 +137,10 @@ fn keywords_are_no_names() {
 #[test]
 fn the_builder_refuses_what_has_no_meaning() {
     fn x(b: &Builder) -> Sig<'_> {
-        b.input("x", 4, "bits", "")
+        b.input("x", 4, BITS, "")
     }
     fn narrow(b: &Builder) -> Sig<'_> {
-        b.input("y", 3, "bits", "")
+        b.input("y", 3, BITS, "")
     }
     fn inst(b: &Builder, inputs: &[(&str, Sig<'_>)]) {
         b.inst(&leaf(), "u_leaf", &[], inputs);
@@ -152,7 +154,7 @@ fn the_builder_refuses_what_has_no_meaning() {
         ("a value of stage 1 is asked for in stage 0", |b| _ = x(b).reg().at(0)),
         ("a and without a name crosses a stage: name it", |b| _ = (x(b) & x(b)).reg()),
         ("a decision has one bit", |b| _ = x(b).decided(false)),
-        ("m: output o has 3 bits, its driver 4", |b| b.drive(b.output("o", 3, "bits", ""), x(b), None)),
+        ("m: output o has 3 bits, its driver 4", |b| b.drive(b.output("o", 3, BITS, ""), x(b), None)),
         ("u_leaf: input a is not driven", |b| inst(b, &[])),
         ("u_leaf.a has 1 bits, its driver 4", |b| inst(b, &[("a", x(b))])),
         ("leaf: no port z", |b| inst(b, &[("z", b.lit(1, 1))])),

@@ -3,6 +3,7 @@ use super::bilinear::bilinear_hit;
 use super::datapath::Datapath;
 use super::height_source::Load;
 use super::loop_state::{Ray, Sizes};
+use crate::quantity::{BIT, BITS, ITERATIONS, LEVELS, Quantity, TEXELS, integer};
 use crate::stream::{Pipeline, word_delay};
 use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Expr, Record, Sig};
@@ -11,26 +12,26 @@ use reliefrtl_ir::{Builder, Expr, Record, Sig};
 const HIT: [&str; 5] = ["i", "j", "fu", "fv", "t"];
 
 /// The fields of a result in the order of their ports, each with its width, unit and meaning.
-pub(super) fn result_fields<'a>(b: &Builder, s: &Sizes, d: &Design) -> Vec<(&'a str, Expr, &'a str, &'a str)> {
+pub(super) fn result_fields<'a>(b: &Builder, s: &Sizes, d: &Design) -> Vec<(&'a str, Expr, Quantity, &'a str)> {
     let (texel, position, one) = (|| s.levels.clone(), || s.frac.clone(), || Expr::from(1));
     let (time, unit) = s.numbers.time.clone();
-    const FRACTION: &str = "1/2^FRAC_W texel";
+    const FRACTION: Quantity = integer("1/2^FRAC_W texel");
     let mut list = vec![
-        ("tag", s.tag.clone(), "bits", "tag of the ray"),
-        ("i", texel(), "texels", "hit texel, column (u)"),
-        ("j", texel(), "texels", "hit texel, row (v)"),
+        ("tag", s.tag.clone(), BITS, "tag of the ray"),
+        ("i", texel(), TEXELS, "hit texel, column (u)"),
+        ("j", texel(), TEXELS, "hit texel, row (v)"),
         ("fu", position(), FRACTION, "position in the texel along u"),
         ("fv", position(), FRACTION, "position in the texel along v"),
         ("t", time.clone(), unit, "ray parameter: 0 at the top plane"),
-        ("wall", one(), "bit", "the hit is on the side of a texel"),
-        ("limit", one(), "bit", "given up: STEP_LIMIT reached, or not a ray (steps 0)"),
+        ("wall", one(), BIT, "the hit is on the side of a texel"),
+        ("limit", one(), BIT, "given up: STEP_LIMIT reached, or not a ray (steps 0)"),
     ];
     let windows = !d.datapath.kind.facts().counts_levels;
     let visited = if windows { "iterations, each over all windows" } else { "nodes visited" };
-    list.push(("steps", 16.into(), "iterations", visited));
+    list.push(("steps", 16.into(), ITERATIONS, visited));
     if !windows {
-        list.push(("crossings", 16.into(), "iterations", "iterations that crossed into a neighbour"));
-        list.push(("ups", 16.into(), "levels", "levels gone up"));
+        list.push(("crossings", 16.into(), ITERATIONS, "iterations that crossed into a neighbour"));
+        list.push(("ups", 16.into(), LEVELS, "levels gone up"));
     }
     if d.mode.bilinear {
         b.require(&s.height + s.frac.clone() * 2 + &s.numbers.float.as_ref().expect("the watertight datapath").man, 60);
@@ -38,11 +39,11 @@ pub(super) fn result_fields<'a>(b: &Builder, s: &Sizes, d: &Design) -> Vec<(&'a 
             (
                 "patch",
                 2.into(),
-                "code",
+                integer("code"),
                 "surface between texel centres: 0 given up, 1 hit; not met: 2 above it, 3 below it",
             ),
-            ("bi", texel(), "texels", "texel of the refined hit, column (u); not met: of the hit"),
-            ("bj", texel(), "texels", "texel of the refined hit, row (v); not met: of the hit"),
+            ("bi", texel(), TEXELS, "texel of the refined hit, column (u); not met: of the hit"),
+            ("bj", texel(), TEXELS, "texel of the refined hit, row (v); not met: of the hit"),
             ("bfu", position(), FRACTION, "position of the refined hit in its texel along u"),
             ("bfv", position(), FRACTION, "position of the refined hit in its texel along v"),
             ("bt", time, unit, "ray parameter of the refined hit"),

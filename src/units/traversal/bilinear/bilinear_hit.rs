@@ -1,6 +1,7 @@
 //! `bilinear_hit`: a hit on a texel moved to the surface interpolated between the centres of texels, one ray a clock.
 use super::{bilinear_window, patch_corner, patch_memory, ray_place, secant_step, surface_gap};
 use crate::float::FormatParams;
+use crate::quantity::{BIT, CODES, TEXELS, WORDS, float, integer};
 use crate::traversal::params::{LevelParams, index_width};
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Binding, Builder, Module, Sig};
@@ -36,21 +37,22 @@ pub fn bilinear_hit(d: &Design) -> Arc<Module> {
     b.clock();
     b.clock_enable();
     let load = [
-        b.input_static("load_en", 1, "bit", "write a word of the pyramid"),
-        b.input_static("load_addr", levels.clone() * 2 + 1, "words", "address: level 0 first, the root last"),
-        b.input_static("load_data", &h, "height codes", "largest height in that node"),
+        b.input_static("load_en", 1, BIT, "write a word of the pyramid"),
+        b.input_static("load_addr", levels.clone() * 2 + 1, WORDS, "address: level 0 first, the root last"),
+        b.input_static("load_data", &h, CODES, "largest height in that node"),
     ];
     let axes = ["x", "y"].map(|a| Axis {
-        p: b.input(&format!("p_{a}"), &f.width, "float, texels", "entry point"),
-        d: b.input(&format!("d_{a}"), &f.width, "float, texels per height code", "direction"),
-        r: b.input(&format!("r_{a}"), &f.width, "float, height codes per texel", "reciprocal direction"),
+        p: b.input(&format!("p_{a}"), &f.width, float("texels"), "entry point"),
+        d: b.input(&format!("d_{a}"), &f.width, float("texels per height code"), "direction"),
+        r: b.input(&format!("r_{a}"), &f.width, float("height codes per texel"), "reciprocal direction"),
     });
-    let time = b.input("t", &f.width, "float, height codes", "parameter of the hit");
-    let o_patch = b.output("patch", 2, "code", "1 hit, 2 above the surface at the end, 3 below it at the begin");
-    let o_t = b.output("t_refined", &f.width, "float, height codes", "parameter of the refined hit");
-    let places = ["i", "j"].map(|n| b.output(n, &levels, "texels", "texel of the refined hit, wrapped"));
-    let fractions =
-        ["fu", "fv"].map(|n| b.output(n, &frac, "1/2^FRAC_W texel", "position of the refined hit in its texel"));
+    let time = b.input("t", &f.width, float("height codes"), "parameter of the hit");
+    let o_patch =
+        b.output("patch", 2, integer("code"), "1 hit, 2 above the surface at the end, 3 below it at the begin");
+    let o_t = b.output("t_refined", &f.width, float("height codes"), "parameter of the refined hit");
+    let places = ["i", "j"].map(|n| b.output(n, &levels, TEXELS, "texel of the refined hit, wrapped"));
+    let fractions = ["fu", "fv"]
+        .map(|n| b.output(n, &frac, integer("1/2^FRAC_W texel"), "position of the refined hit in its texel"));
     let place = |name: &str, a: &Axis<'_>, t: Sig<'_>| {
         let o = b.inst(&ray_place(d), name, &[], &[("p", a.p), ("d", a.d), ("t", t)]);
         [o[0].named(&format!("{}_texel", &name[2..])).id(), o[1].named(&format!("{}_fraction", &name[2..])).id()]

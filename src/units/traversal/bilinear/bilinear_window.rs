@@ -1,6 +1,7 @@
 //! `bilinear_window`: between which parameters the surface is looked for: half a texel of the faster axis before and after the hit.
 use super::common::negated;
 use crate::float::{FormatParams, bindings, fp_add, fp_lt, fp_mul};
+use crate::quantity::float;
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
@@ -21,11 +22,11 @@ pub fn bilinear_window(d: &Design) -> Arc<Module> {
     b.require(&h + 2, f.bias());
     b.clock();
     b.clock_enable();
-    let r_x = b.input("r_x", &f.width, "float, height codes per texel", "u slope's reciprocal, of either sign");
-    let r_y = b.input("r_y", &f.width, "float, height codes per texel", "v slope's reciprocal, of either sign");
-    let t = b.input("t", &f.width, "float, height codes", "parameter of the hit");
-    let o_begin = b.output("t_begin", &f.width, "float, height codes", "before the hit, not below +0");
-    let o_end = b.output("t_end", &f.width, "float, height codes", "after the hit, not above M");
+    let r_x = b.input("r_x", &f.width, float("height codes per texel"), "u slope's reciprocal, of either sign");
+    let r_y = b.input("r_y", &f.width, float("height codes per texel"), "v slope's reciprocal, of either sign");
+    let t = b.input("t", &f.width, float("height codes"), "parameter of the hit");
+    let o_begin = b.output("t_begin", &f.width, float("height codes"), "before the hit, not below +0");
+    let o_end = b.output("t_end", &f.width, float("height codes"), "after the hit, not above M");
     let lt = fp_lt(d.format, d.latency.compare);
     let add = fp_add(d.format, d.latency.add);
 

@@ -1,5 +1,6 @@
 //! `ray_place`: along one axis, the texel of a map that repeats in which the ray is at a parameter, and where in it.
 use crate::float::{FormatParams, fp_add, fp_mul, fp_to_fixed};
+use crate::quantity::{TEXELS, float, integer};
 use crate::traversal::params::{LevelParams, index_width};
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Binding, Builder, Module};
@@ -23,11 +24,11 @@ pub fn ray_place(d: &Design) -> Arc<Module> {
     b.require(&idx + &frac + &f.man, 60);
     b.clock();
     b.clock_enable();
-    let p = b.input("p", &f.width, "float, texels", "entry point");
-    let dir = b.input("d", &f.width, "float, texels per height code", "direction");
-    let time = b.input("t", &f.width, "float, height codes", "parameter");
-    let o_texel = b.output("texel", &levels, "texels", "texel, wrapped into the map");
-    let o_fraction = b.output("fraction", &frac, "1/2^FRAC_W texel", "position inside the texel");
+    let p = b.input("p", &f.width, float("texels"), "entry point");
+    let dir = b.input("d", &f.width, float("texels per height code"), "direction");
+    let time = b.input("t", &f.width, float("height codes"), "parameter");
+    let o_texel = b.output("texel", &levels, TEXELS, "texel, wrapped into the map");
+    let o_fraction = b.output("fraction", &frac, integer("1/2^FRAC_W texel"), "position inside the texel");
     let l = latency(&d.latency);
 
     b.section("position", "");

@@ -1,6 +1,7 @@
 //! `secant_step`: where the chord between the gaps at a window's two ends meets zero.
 use super::common::negated;
 use crate::float::{Fields, FormatParams, bindings, fp_add, fp_div, fp_lt, fp_mul};
+use crate::quantity::{float, integer};
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
@@ -20,12 +21,13 @@ pub fn secant_step(d: &Design) -> Arc<Module> {
     let f = FormatParams::declare(&b, d.format);
     b.clock();
     b.clock_enable();
-    let begin = b.input("t_begin", &f.width, "float, height codes", "where the window begins");
-    let end = b.input("t_end", &f.width, "float, height codes", "where it ends");
-    let g_begin = b.input("gap_begin", &f.width, "float, height codes", "height over the surface at the begin");
-    let g_end = b.input("gap_end", &f.width, "float, height codes", "height over the surface at the end");
-    let o_patch = b.output("patch", 2, "code", "1 hit, 2 above the surface at the end, 3 below it at the begin");
-    let o_t = b.output("t", &f.width, "float, height codes", "the step's parameter, of a hit");
+    let begin = b.input("t_begin", &f.width, float("height codes"), "where the window begins");
+    let end = b.input("t_end", &f.width, float("height codes"), "where it ends");
+    let g_begin = b.input("gap_begin", &f.width, float("height codes"), "height over the surface at the begin");
+    let g_end = b.input("gap_end", &f.width, float("height codes"), "height over the surface at the end");
+    let o_patch =
+        b.output("patch", 2, integer("code"), "1 hit, 2 above the surface at the end, 3 below it at the begin");
+    let o_t = b.output("t", &f.width, float("height codes"), "the step's parameter, of a hit");
     let (add, lt) = (fp_add(d.format, d.latency.add), fp_lt(d.format, d.latency.compare));
     let div = fp_div(d.format, &d.latency);
     let zero = b.zeros(&f.width);

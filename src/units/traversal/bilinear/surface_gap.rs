@@ -1,6 +1,7 @@
 //! `surface_gap`: how high a ray is over the surface interpolated between the centres of four texels.
 use super::common::negated;
 use crate::float::{FormatParams, fp_add, fp_from_fixed};
+use crate::quantity::{CODES, float, integer};
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Binding, Builder, Module, Sig};
 use std::sync::Arc;
@@ -35,11 +36,11 @@ pub fn surface_gap(d: &Design) -> Arc<Module> {
         ("01", "first column, second row"),
         ("11", "second column, second row"),
     ]
-    .map(|(name, doc)| b.input(&format!("code_{name}"), &h, "height codes", doc));
-    let wx = b.input("weight_x", &frac, "1/2^FRAC_W texel", "distance from the first column");
-    let wy = b.input("weight_y", &frac, "1/2^FRAC_W texel", "distance from the first row");
-    let time = b.input("t", &f.width, "float, height codes", "ray parameter: its own depth");
-    let out = b.output("gap", &f.width, "float, height codes", "above 0: the ray is above the surface");
+    .map(|(name, doc)| b.input(&format!("code_{name}"), &h, CODES, doc));
+    let wx = b.input("weight_x", &frac, integer("1/2^FRAC_W texel"), "distance from the first column");
+    let wy = b.input("weight_y", &frac, integer("1/2^FRAC_W texel"), "distance from the first row");
+    let time = b.input("t", &f.width, float("height codes"), "ray parameter: its own depth");
+    let out = b.output("gap", &f.width, float("height codes"), "above 0: the ray is above the surface");
     let m = d.latency.mul;
     let one_less = |w: Sig<'_>, name: &str| {
         let one = b.cat(&[b.lit(1, 1), b.zeros(&frac)]);

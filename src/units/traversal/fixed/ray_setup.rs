@@ -4,6 +4,7 @@
 //! level. What each is, to the bit: `docs/fixed.md`, "Once per ray".
 use super::params::{LENGTH, Params, bindings, shift_width};
 use super::reciprocal::reciprocal;
+use crate::quantity::{BIT, BITS, LEVELS, Quantity, TEXELS, integer};
 use crate::traversal::cells::cells_level;
 use crate::traversal::finest_level::finest_doc;
 use crate::traversal::{finest_level, start_level};
@@ -61,29 +62,29 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let v = b.input("v", &f, LENGTH, "entry point at the top plane");
     let du = b.input("du", &reach + 1, LENGTH, "u travelled while the height falls from 1 to 0, signed");
     let dv = b.input("dv", &reach + 1, LENGTH, "v travelled while the height falls from 1 to 0, signed");
-    let lod = d.mode.lod.then(|| b.input("lod", &level_w, "levels", finest_doc(d)));
-    let o_ok = b.output("ok", 1, "bit", "the ray can be traced: no travel is the most negative word");
+    let lod = d.mode.lod.then(|| b.input("lod", &level_w, LEVELS, finest_doc(d)));
+    let o_ok = b.output("ok", 1, BIT, "the ray can be traced: no travel is the most negative word");
     // A search by windows knows no level, and takes the first texel from the entry point.
     let nodes = d.datapath.kind.facts().reads_nodes;
-    let o_level = nodes.then(|| b.output("level", &level_w, "levels", "level of the first iteration"));
+    let o_level = nodes.then(|| b.output("level", &level_w, LEVELS, "level of the first iteration"));
     let outs = ["x", "y"].map(|a| {
-        let of = |n: &str, w: &Expr, unit: &str, doc: &str| b.output(&format!("{n}_{a}"), w, unit, doc);
+        let of = |n: &str, w: &Expr, unit: Quantity, doc: &str| b.output(&format!("{n}_{a}"), w, unit, doc);
         let mut outs = vec![
             of("p", &f, LENGTH, "entry point"),
-            of("s", &(&reach + 1), "2^-(FRACTION_W+HEIGHT_W) tiles", "travel per height code, its magnitude"),
-            of("r", &w, "a number of RECIP_W bits", "reciprocal of the travel"),
-            of("z", &shift_w, "bits", "its power of two"),
-            of("neg", &Expr::from(1), "bit", "the ray runs toward smaller coordinates"),
+            of("s", &(&reach + 1), integer("2^-(FRACTION_W+HEIGHT_W) tiles"), "travel per height code, its magnitude"),
+            of("r", &w, integer("a number of RECIP_W bits"), "reciprocal of the travel"),
+            of("z", &shift_w, BITS, "its power of two"),
+            of("neg", &Expr::from(1), BIT, "the ray runs toward smaller coordinates"),
         ];
         if nodes {
-            outs.push(of("first", &idx, "texels", "texel of the entry point"));
+            outs.push(of("first", &idx, TEXELS, "texel of the entry point"));
         }
         if d.mode.trim != Trim::None {
-            outs.push(of("le", &idx, "texels", "a texel that the ray does not get beyond"));
+            outs.push(of("le", &idx, TEXELS, "a texel that the ray does not get beyond"));
         }
         outs
     });
-    let o_lod = d.mode.lod.then(|| b.output("finest", &level_w, "levels", "finest level, in the pyramid"));
+    let o_lod = d.mode.lod.then(|| b.output("finest", &level_w, LEVELS, "finest level, in the pyramid"));
     let s = Sizes { f, w, n, h, reach, idx };
     let axes = [axis(&b, d, &s, "x", u, du), axis(&b, d, &s, "y", v, dv)];
     let l = latency(d);

@@ -1,6 +1,7 @@
 //! `surface_time`: how far the ray may go before it meets the node's height, max(t, (M - height) / M) with M the largest
 //! code (PIDM-HW section 2: advance to the height, or stay where the ray is below it).
 use crate::float::{FormatParams, fp_from_int, fp_lt, fp_mul};
+use crate::quantity::{BIT, CODES, float};
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Binding, Builder, Module};
 use std::sync::Arc;
@@ -21,11 +22,11 @@ pub fn surface_time(d: &Design) -> Arc<Module> {
     b.require(&h + 2, f.bias());
     b.clock();
     b.clock_enable();
-    let height = b.input("height", &h, "height codes", "largest height in the node");
-    let t = b.input("t", &f.width, "float, height range", "parameter so far");
-    let first = d.mode.start_level.then(|| b.input("first", 1, "bit", "mode 1: the ray's end is asked for, at 1"));
-    let out = b.output("m", &f.width, "float, height range", "the larger of t and the height's parameter");
-    let below = b.output("below", 1, "bit", "the ray is below the node's height already: a hit would be on a wall");
+    let height = b.input("height", &h, CODES, "largest height in the node");
+    let t = b.input("t", &f.width, float("height range"), "parameter so far");
+    let first = d.mode.start_level.then(|| b.input("first", 1, BIT, "mode 1: the ray's end is asked for, at 1"));
+    let out = b.output("m", &f.width, float("height range"), "the larger of t and the height's parameter");
+    let below = b.output("below", 1, BIT, "the ray is below the node's height already: a hit would be on a wall");
 
     b.section("depth", "The complement of a code is its distance from the top plane.");
     let depth = b.cat(&[b.zeros(1), !height]).named("depth");

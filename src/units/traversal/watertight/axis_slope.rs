@@ -1,6 +1,7 @@
 //! `axis_slope`: a ray's constants along one axis, from entry point and travel in texels. What each is, to the bit: `docs/datapath.md`, "Once
 //! per ray".
 use crate::float::{FormatParams, fp_add, fp_div, fp_mul, fp_to_int};
+use crate::quantity::{BIT, TEXELS, float};
 use crate::traversal::params::LevelParams;
 use reliefrtl_config::{Design, LatencyConfig, Trim};
 use reliefrtl_ir::{Binding, Builder, Expr, Module, Sig};
@@ -46,15 +47,15 @@ pub fn axis_slope(d: &Design) -> Arc<Module> {
     let div = fp_div(d.format, &d.latency);
     b.clock();
     b.clock_enable();
-    let p = b.input("p", &f.width, "float, texels", "entry point");
-    let dn = b.input("dn", &f.width, "float, texels", "travel down to the bottom plane");
-    let o_back = b.output("p_back", &f.width, "float, texels", "entry point, biased against the direction");
-    let o_d = b.output("d", &f.width, "float, texels per height code", "direction");
-    let o_r = b.output("r", &f.width, "float, height codes per texel", "reciprocal direction");
-    let o_never = b.output("never", 1, "bit", "the ray does not move along this axis: dn is zero, or M / dn overflows");
+    let p = b.input("p", &f.width, float("texels"), "entry point");
+    let dn = b.input("dn", &f.width, float("texels"), "travel down to the bottom plane");
+    let o_back = b.output("p_back", &f.width, float("texels"), "entry point, biased against the direction");
+    let o_d = b.output("d", &f.width, float("texels per height code"), "direction");
+    let o_r = b.output("r", &f.width, float("height codes per texel"), "reciprocal direction");
+    let o_never = b.output("never", 1, BIT, "the ray does not move along this axis: dn is zero, or M / dn overflows");
     let o_ahead = idx.as_ref().map(|idx| {
-        let p = b.output("p_ahead", &f.width, "float, texels", "entry point, biased in the direction");
-        (p, b.output("farthest", idx, "texels", "a texel that the ray does not get beyond"))
+        let p = b.output("p_ahead", &f.width, float("texels"), "entry point, biased in the direction");
+        (p, b.output("farthest", idx, TEXELS, "a texel that the ray does not get beyond"))
     });
     let l = latency(d);
 

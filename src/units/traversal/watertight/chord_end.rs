@@ -2,6 +2,7 @@
 //!
 //! The entry point that comes in is moved forward by more than the estimate can err (`docs/datapath.md`, "Chord trim").
 use crate::float::{FormatParams, bindings, fp_add, fp_mul, fp_to_int};
+use crate::quantity::{BIT, TEXELS, float};
 use crate::traversal::params::index_width;
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Builder, Module};
@@ -24,11 +25,11 @@ pub fn chord_end(d: &Design) -> Arc<Module> {
     b.require(2, &idx);
     b.clock();
     b.clock_enable();
-    let p = b.input("p_ahead", &f.width, "float, texels", "entry point, biased forward");
-    let dir = b.input("d", &f.width, "float, texels per height code", "direction");
-    let neg = b.input("neg", 1, "bit", "the ray runs toward smaller coordinates");
-    let t = b.input("t", &f.width, "float, height codes", "parameter of the other axis' exit plane");
-    let out = b.output("reach", &idx, "texels", "signed coordinate; the farthest one if t is infinite");
+    let p = b.input("p_ahead", &f.width, float("texels"), "entry point, biased forward");
+    let dir = b.input("d", &f.width, float("texels per height code"), "direction");
+    let neg = b.input("neg", 1, BIT, "the ray runs toward smaller coordinates");
+    let t = b.input("t", &f.width, float("height codes"), "parameter of the other axis' exit plane");
+    let out = b.output("reach", &idx, TEXELS, "signed coordinate; the farthest one if t is infinite");
     b.section(
         "displacement",
         "The position is rounded down to its texel; the bias keeps it from falling short of the ray.",

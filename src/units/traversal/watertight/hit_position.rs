@@ -1,5 +1,6 @@
 //! `hit_position`: where in its texel a ray hit, along one axis, as a fraction that never leaves the texel.
 use crate::float::{FormatParams, fp_add, fp_mul, fp_to_fixed};
+use crate::quantity::{LEVELS, TEXELS, float, integer};
 use crate::traversal::node_hit;
 use crate::traversal::params::{LevelParams, index_width};
 use reliefrtl_config::{Design, LatencyConfig};
@@ -37,13 +38,13 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
     b.require(&idx + &frac + &f.man, 60);
     b.clock();
     b.clock_enable();
-    let p = b.input("p", &f.width, "float, texels", "entry point");
-    let dir = b.input("d", &f.width, "float, texels per height code", "direction");
-    let t = b.input("t", &f.width, "float, height codes", "parameter of the hit");
-    let x = b.input("x", &idx, "texels", "hit texel, unwrapped");
-    let lod = levels.as_ref().map(|l| b.input("lod", &l.level_w, "levels", "level of the node that is hit"));
-    let out = b.output("fraction", &frac, "1/2^FRAC_W texel", "position inside the texel");
-    let o_texel = levels.as_ref().map(|l| b.output("texel", &l.levels, "texels", "texel of the hit, wrapped"));
+    let p = b.input("p", &f.width, float("texels"), "entry point");
+    let dir = b.input("d", &f.width, float("texels per height code"), "direction");
+    let t = b.input("t", &f.width, float("height codes"), "parameter of the hit");
+    let x = b.input("x", &idx, TEXELS, "hit texel, unwrapped");
+    let lod = levels.as_ref().map(|l| b.input("lod", &l.level_w, LEVELS, "level of the node that is hit"));
+    let out = b.output("fraction", &frac, integer("1/2^FRAC_W texel"), "position inside the texel");
+    let o_texel = levels.as_ref().map(|l| b.output("texel", &l.levels, TEXELS, "texel of the hit, wrapped"));
     let coarse = lod.zip(o_texel);
     b.section("position", "");
     let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", t)])[0].named("displacement");

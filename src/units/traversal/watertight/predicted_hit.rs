@@ -2,6 +2,7 @@
 //!
 //! The entry point that comes in is biased backwards by more than the estimate can err (`docs/datapath.md`).
 use crate::float::{FormatParams, bindings, fp_add, fp_mul, fp_to_int};
+use crate::quantity::{TEXELS, float};
 use crate::traversal::params::index_width;
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Builder, Module};
@@ -20,10 +21,10 @@ pub fn predicted_hit(d: &Design) -> Arc<Module> {
     b.require(2, &idx);
     b.clock();
     b.clock_enable();
-    let p = b.input("p_back", &f.width, "float, texels", "entry point, biased backwards");
-    let dir = b.input("d", &f.width, "float, texels per height code", "direction");
-    let m = b.input("m", &f.width, "float, height codes", "parameter");
-    let out = b.output("e", &idx, "texels", "signed coordinate");
+    let p = b.input("p_back", &f.width, float("texels"), "entry point, biased backwards");
+    let dir = b.input("d", &f.width, float("texels per height code"), "direction");
+    let m = b.input("m", &f.width, float("height codes"), "parameter");
+    let out = b.output("e", &idx, TEXELS, "signed coordinate");
     b.section(
         "displacement",
         "The position is rounded down to its texel; the bias keeps it from lying ahead of the ray.",

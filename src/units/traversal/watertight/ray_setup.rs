@@ -6,6 +6,7 @@ use super::axis_ends::{self, axis_ends};
 use super::axis_scale::axis_scale;
 use super::axis_slope::{self, axis_slope};
 use crate::float::{FormatParams, fp_to_int};
+use crate::quantity::{BIT, LEVELS, Quantity, TEXELS, float};
 use crate::traversal::cells::cells_level;
 use crate::traversal::finest_level::finest_doc;
 use crate::traversal::params::{LevelParams, ray_conditions};
@@ -49,15 +50,15 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let idx = b.local("IdxW", &levels.levels + &tile + 2);
     b.clock();
     b.clock_enable();
-    let u = b.input("u", &f.width, "float, tiles", "entry point at the top plane, 0 <= u < 1");
-    let v = b.input("v", &f.width, "float, tiles", "entry point at the top plane, 0 <= v < 1");
-    let du = b.input("du", &f.width, "float, tiles", "u travelled while the height falls from 1 to 0");
-    let dv = b.input("dv", &f.width, "float, tiles", "v travelled while the height falls from 1 to 0");
-    let lod = d.mode.lod.then(|| b.input("lod", &levels.level_w, "levels", finest_doc(d)));
-    let o_ok = b.output("ok", 1, "bit", "the ray can be traced: finite, entry in the tile, direction below 2^TILE_W");
-    let o_level = b.output("level", &levels.level_w, "levels", "level of the first iteration");
+    let u = b.input("u", &f.width, float("tiles"), "entry point at the top plane, 0 <= u < 1");
+    let v = b.input("v", &f.width, float("tiles"), "entry point at the top plane, 0 <= v < 1");
+    let du = b.input("du", &f.width, float("tiles"), "u travelled while the height falls from 1 to 0");
+    let dv = b.input("dv", &f.width, float("tiles"), "v travelled while the height falls from 1 to 0");
+    let lod = d.mode.lod.then(|| b.input("lod", &levels.level_w, LEVELS, finest_doc(d)));
+    let o_ok = b.output("ok", 1, BIT, "the ray can be traced: finite, entry in the tile, direction below 2^TILE_W");
+    let o_level = b.output("level", &levels.level_w, LEVELS, "level of the first iteration");
     let outs = ["x", "y"].map(|a| outputs(&b, d, &f, &idx, a));
-    let o_lod = d.mode.lod.then(|| b.output("finest", &levels.level_w, "levels", "finest level, in the pyramid"));
+    let o_lod = d.mode.lod.then(|| b.output("finest", &levels.level_w, LEVELS, "finest level, in the pyramid"));
     let axes = [axis(&b, d, &idx, "x", u, du), axis(&b, d, &idx, "y", v, dv)];
     b.section("acceptance and level", "");
     let level = match (axes[0].last, axes[1].last) {
@@ -91,21 +92,21 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
 
 /// Declares the outputs of one axis: name without the axis, and port.
 fn outputs(b: &Builder, d: &Design, f: &FormatParams, idx: &Expr, axis: &str) -> Vec<(&'static str, usize)> {
-    let of = |name: &'static str, width: &Expr, unit: &str, doc: &str| {
+    let of = |name: &'static str, width: &Expr, unit: Quantity, doc: &str| {
         (name, b.output(&format!("{name}_{axis}"), width, unit, &doc.replace('#', axis)))
     };
     let mut list = vec![
-        of("p", &f.width, "float, texels", "entry point along #"),
-        of("pb", &f.width, "float, texels", "entry point along #, biased against the direction"),
-        of("d", &f.width, "float, texels per height code", "direction along #"),
-        of("r", &f.width, "float, height codes per texel", "reciprocal of the direction along #"),
-        of("never", &Expr::from(1), "bit", "the ray does not move along #"),
-        of("neg", &Expr::from(1), "bit", "the ray runs toward smaller # coordinates"),
-        of("first", idx, "texels", "# coordinate of the texel of the entry point"),
+        of("p", &f.width, float("texels"), "entry point along #"),
+        of("pb", &f.width, float("texels"), "entry point along #, biased against the direction"),
+        of("d", &f.width, float("texels per height code"), "direction along #"),
+        of("r", &f.width, float("height codes per texel"), "reciprocal of the direction along #"),
+        of("never", &Expr::from(1), BIT, "the ray does not move along #"),
+        of("neg", &Expr::from(1), BIT, "the ray runs toward smaller # coordinates"),
+        of("first", idx, TEXELS, "# coordinate of the texel of the entry point"),
     ];
     if d.mode.trim != Trim::None {
-        list.push(of("pf", &f.width, "float, texels", "entry point along #, biased in the direction"));
-        list.push(of("le", idx, "texels", "# coordinate of a texel that the ray does not get beyond"));
+        list.push(of("pf", &f.width, float("texels"), "entry point along #, biased in the direction"));
+        list.push(of("le", idx, TEXELS, "# coordinate of a texel that the ray does not get beyond"));
     }
     list
 }
