@@ -210,7 +210,7 @@ mod tests {
         b.require(&n, 20);
         let a = b.input("a", &n + 2, BITS, "a word");
         let o = b.output("o", &n + 2, BITS, "the word");
-        let word = b.inst(inner, "u_inner", &[("W", &n + 2)], &[("a", a)])[0].named("word");
+        let word = b.inst(inner, "u_inner", &[("W", &n + 2)], &[("a", a)]).only().named("word");
         b.drive(o, word, Some(0));
         let m = b.finish(Some(0), &[]);
         m.checks.iter().map(|c| format!("{} <= {}", c.lhs, c.rhs)).collect()

@@ -37,6 +37,6 @@ pub fn div_rows<'b>(
 ) -> (Sig<'b>, Sig<'b>) {
     let module = div_rows_module(17, 19);
     let params = [("W", w.clone()), ("ROWS", rows.clone())];
-    let o = b.instance(&module, instance, &params, &[("rem_in", rem), ("div", div)]);
+    let o = b.inst(&module, instance, &params, &[("rem_in", rem), ("div", div)]);
     (o["rem_out"].named(&format!("rem_{index}")), o["quot"].named(&format!("digits_{index}")))
 }

@@ -18,5 +18,5 @@ pub fn interleave_module(width: u32) -> Arc<Module> {
 
 /// Instantiates an interleaver.
 pub fn interleave<'b>(b: &'b Builder, instance: &str, even: Sig<'b>, odd: Sig<'b>, name: &str) -> Sig<'b> {
-    b.inst(&interleave_module(8), instance, &[("W", even.width())], &[("a", even), ("b", odd)])[0].named(name)
+    b.inst(&interleave_module(8), instance, &[("W", even.width())], &[("a", even), ("b", odd)]).only().named(name)
 }

@@ -17,7 +17,7 @@ pub fn lzc_module(width: u32) -> Arc<Module> {
 
 /// Instantiates an `lzc` on `word`; the count is named `name` and has clog2(width + 1) bits.
 pub fn lzc<'b>(b: &'b Builder, instance: &str, word: Sig<'b>, name: &str) -> Sig<'b> {
-    b.inst(&lzc_module(8), instance, &[("W", word.width())], &[("bits", word)])[0].named(name)
+    b.inst(&lzc_module(8), instance, &[("W", word.width())], &[("bits", word)]).only().named(name)
 }
 
 /// Ends a primitive: outputs appear `latency` clocks after the inputs.

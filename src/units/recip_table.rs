@@ -21,5 +21,5 @@ pub fn recip_table_module() -> Arc<Module> {
 
 /// The word for `index`, one clock later: start and slope.
 pub fn recip_table<'b>(b: &'b Builder, index: Sig<'b>) -> Sig<'b> {
-    b.inst(&recip_table_module(), "u_table", &[], &[("index", index)])[0].named("line")
+    b.inst(&recip_table_module(), "u_table", &[], &[("index", index)]).only().named("line")
 }

@@ -39,6 +39,6 @@ pub fn sqrt_rows<'b>(
 ) -> (Sig<'b>, Sig<'b>) {
     let module = sqrt_rows_module(18, 17);
     let params = [("W", root.width()), ("ROWS", rows.clone()), ("FIRST", first.clone())];
-    let o = b.instance(&module, &format!("u_rows_{index}"), &params, &[("rem_in", rem), ("root_in", root)]);
+    let o = b.inst(&module, &format!("u_rows_{index}"), &params, &[("rem_in", rem), ("root_in", root)]);
     (o["rem_out"].named(&format!("rem_{index}")), o["root_out"].named(&format!("root_{index}")))
 }

@@ -1,7 +1,7 @@
 //! What a module may not be: every rule of the verifier and every refusal of the builder, each with a module that breaks it and nothing else.
 use reliefrtl::interp::elaborate;
 use reliefrtl::ir::{
-    BIT, BITS, Binding, Builder, Expr, Module, Node, NodeId, Op, SYSTEM_VERILOG, Sig, VERILOG, verify,
+    BIT, BITS, Binding, Builder, Expr, Module, Node, NodeId, Op, Outputs, SYSTEM_VERILOG, Sig, VERILOG, verify,
 };
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
@@ -96,17 +96,17 @@ fn a_combinational_loop_is_named() {
     let circle = "a combinational loop: and y -> not inverted -> wire back -> and y";
     assert!(said.contains(circle), "{said}");
     let leaf = leaf();
-    let through = |port: usize| {
+    let through = |port: &str, other: &str| {
         looping(|b, y| {
             let outs = b.inst(&leaf, "u_leaf", &[], &[("a", y)]);
-            b.unused(outs[1 - port]);
+            b.unused(outs[other]);
             outs[port].unstaged()
         })
     };
-    let said = panics("a loop through an instance", || drop(through(0)));
+    let said = panics("a loop through an instance", || drop(through("through", "held")));
     assert!(said.contains("a combinational loop: ") && said.contains("instance output"), "{said}");
     // The same circle with a register in it is none; and where nothing was verified, elaboration ends as well.
-    let mut m = through(1);
+    let mut m = through("held", "through");
     elaborate(&m, &Binding::new()).unwrap();
     let at = |m: &Module, found: &dyn Fn(&Node) -> bool| m.nodes.iter().position(found).unwrap();
     let (wire, y) = (at(&m, &|n| n.op == Op::Wire), at(&m, &|n| n.name.as_deref() == Some("y")));
@@ -142,11 +142,14 @@ fn the_builder_refuses_what_has_no_meaning() {
     fn narrow(b: &Builder) -> Sig<'_> {
         b.input("y", 3, BITS, "")
     }
-    fn inst(b: &Builder, inputs: &[(&str, Sig<'_>)]) {
-        b.inst(&leaf(), "u_leaf", &[], inputs);
+    fn inst<'b>(b: &'b Builder, inputs: &[(&str, Sig<'_>)]) -> Outputs<'b> {
+        b.inst(&leaf(), "u_leaf", &[], inputs)
+    }
+    fn whole(b: &Builder) -> Outputs<'_> {
+        inst(b, &[("a", b.lit(1, 1))])
     }
     type Row = (&'static str, fn(&Builder));
-    let refusals: [Row; 11] = [
+    let refusals: [Row; 13] = [
         ("and of 4 and 3 bits: operands have the same width", |b| _ = x(b) & narrow(b)),
         ("ult of 4 and 3 bits: operands have the same width", |b| _ = x(b).lt(narrow(b))),
         ("mux of 4 and 3 bits: operands have the same width", |b| _ = b.lit(1, 1).mux(x(b), narrow(b))),
@@ -155,9 +158,11 @@ fn the_builder_refuses_what_has_no_meaning() {
         ("a and without a name crosses a stage: name it", |b| _ = (x(b) & x(b)).reg()),
         ("a decision has one bit", |b| _ = x(b).decided(false)),
         ("m: output o has 3 bits, its driver 4", |b| b.drive(b.output("o", 3, BITS, ""), x(b), None)),
-        ("u_leaf: input a is not driven", |b| inst(b, &[])),
-        ("u_leaf.a has 1 bits, its driver 4", |b| inst(b, &[("a", x(b))])),
-        ("leaf: no port z", |b| inst(b, &[("z", b.lit(1, 1))])),
+        ("u_leaf: input a is not driven", |b| _ = inst(b, &[])),
+        ("u_leaf.a has 1 bits, its driver 4", |b| _ = inst(b, &[("a", x(b))])),
+        ("leaf: no port z", |b| _ = inst(b, &[("z", b.lit(1, 1))])),
+        ("u_leaf (an instance of leaf) has no output z; there are through, held", |b| _ = whole(b)["z"]),
+        ("u_leaf (an instance of leaf) is asked for its only output and has through, held", |b| _ = whole(b).only()),
     ];
     for (sentence, refused) in refusals {
         let b = Builder::new("m", "tests", "a module");

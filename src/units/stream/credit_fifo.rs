@@ -78,7 +78,7 @@ pub fn credit_fifo() -> Arc<Module> {
     b.section("data", "The word at the read pointer is read in every clock.");
     let params = [("ADDR_W", SLOT_W.into()), ("DATA_W", w), ("DEPTH", SLOTS.into())];
     let ins = [("write_en", push), ("write_addr", write), ("write_data", data), ("read_addr", read)];
-    let o = b.instance(&fifo_mem(), "u_words", &params, &ins);
+    let o = b.inst(&fifo_mem(), "u_words", &params, &ins);
     b.drive(o_data, o["read_data"].rebase_stage(0).named("word"), None);
     b.finish(None, &[])
 }

@@ -56,7 +56,7 @@ pub fn fifo() -> Arc<Module> {
     b.section("data", "The next word is read while this one transfers.");
     let params = [("ADDR_W", ptr_w), ("DATA_W", w), ("DEPTH", depth)];
     let ins = [("write_en", push), ("write_addr", write), ("write_data", in_data), ("read_addr", read_next)];
-    let words = b.instance(&fifo_mem(), "u_words", &params, &ins);
+    let words = b.inst(&fifo_mem(), "u_words", &params, &ins);
     b.drive(o_ready, not_full, None);
     b.drive(o_valid, valid, None);
     b.drive(o_data, words["read_data"].rebase_stage(0).named("word"), None);

@@ -46,7 +46,7 @@ pub fn chord_trim(d: &Design) -> Arc<Module> {
 
     let ends = [axes[0].far(x_first), axes[1].far(!x_first)];
     let ins = [("x", axes[0].at), ("y", axes[1].at), ("x_end", ends[0]), ("y_end", ends[1])];
-    let tight = b.inst(&start_level(t), "u_start_level", &[("IDX_W", idx)], &ins)[0].named("tight");
+    let tight = b.inst(&start_level(t), "u_start_level", &[("IDX_W", idx)], &ins).only().named("tight");
     let tight = if d.fetch.blocks() { cells_level(tight) } else { tight };
     let kept = lod.map_or(tight, |lod| tight.lt(lod).mux(lod, tight).named("kept"));
     let read = enable.map_or(kept, |e| e.mux(kept, level).named("level_chosen"));

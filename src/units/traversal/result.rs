@@ -97,8 +97,8 @@ impl<'b> Result<'_, 'b> {
         let axis = |name: &str, axis: &str| {
             let mut ins = (self.path.hit_inputs)(self.held, axis);
             ins.push(("ce", ce));
-            let o = b.instance(&hit, &format!("u_hit_{name}"), &[("IDX_W", self.sizes.idx.clone())], &ins);
-            o.map(|_, v| v.rebase_stage(0))
+            let o = b.inst(&hit, &format!("u_hit_{name}"), &[("IDX_W", self.sizes.idx.clone())], &ins);
+            o.record().map(|_, v| v.rebase_stage(0))
         };
         let (u, v) = (axis("u", "x"), axis("v", "y"));
         let mut place: Record<'b> = [("fu", u["fraction"]), ("fv", v["fraction"])].into();
@@ -107,7 +107,7 @@ impl<'b> Result<'_, 'b> {
             // The refinement takes longer.
             let place_early = place.named("block");
             let ins = [("in_data", place_early.bundle(b)), ("ce", ce)];
-            let o = b.instance(&word_delay("fraction_delay", early), "u_hit_fraction", &[("W", place.width())], &ins);
+            let o = b.inst(&word_delay("fraction_delay", early), "u_hit_fraction", &[("W", place.width())], &ins);
             place = place_early.unbundle(o["out_data"].rebase_stage(0));
         }
         let texel = [("i", u.get("texel")), ("j", v.get("texel"))];
@@ -120,7 +120,7 @@ impl<'b> Result<'_, 'b> {
         b.section("refine", "Bilinear refinement: moves the hit to the surface interpolated between texel centres.");
         let mut ins = vec![("load_en", load.en), ("load_addr", load.addr), ("load_data", load.data), ("ce", ce)];
         ins.extend(["p_x", "d_x", "r_x", "p_y", "d_y", "r_y", "t"].map(|n| (n, self.held.get(n))));
-        let o = b.instance(&bilinear_hit(self.d), "u_bilinear", &[("IDX_W", self.sizes.idx.clone())], &ins);
+        let o = b.inst(&bilinear_hit(self.d), "u_bilinear", &[("IDX_W", self.sizes.idx.clone())], &ins);
         let ports = [("patch", "patch"), ("bi", "i"), ("bj", "j"), ("bfu", "fu"), ("bfv", "fv"), ("bt", "t_refined")];
         ports.map(|(field, port)| (field, o[port].rebase_stage(0))).into()
     }

@@ -104,7 +104,7 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
     let issue = if credits { (rays.valid & setup.ready).named("issue") } else { rays.valid };
     let operands = rays.data.iter().filter(|f| f.0 != "tag");
     let ins: Vec<(&str, Sig<'_>)> = operands.chain([("ce", setup.enable(&b))]).collect();
-    let constants = b.instance(&module, "u_setup", &[], &ins).map(|_, v| v.rebase_stage(0));
+    let constants = b.inst(&module, "u_setup", &[], &ins).record().map(|_, v| v.rebase_stage(0));
     let words = (constants, [("tag", rays.data["tag"])].into());
     let new = setup.pass(&b, clocks_setup, issue, words, ["set", "new"]);
     rays.ready(&b, setup.ready);

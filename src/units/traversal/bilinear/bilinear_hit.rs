@@ -55,13 +55,13 @@ pub fn bilinear_hit(d: &Design) -> Arc<Module> {
         .map(|n| b.output(n, &frac, integer("1/2^FRAC_W texel"), "position of the refined hit in its texel"));
     let place = |name: &str, a: &Axis<'_>, t: Sig<'_>| {
         let o = b.inst(&ray_place(d), name, &[], &[("p", a.p), ("d", a.d), ("t", t)]);
-        [o[0].named(&format!("{}_texel", &name[2..])).id(), o[1].named(&format!("{}_fraction", &name[2..])).id()]
+        ["texel", "fraction"].map(|n| o[n].named(&format!("{}_{n}", &name[2..])).id())
     };
 
     b.section("window", "");
     let ins = [("r_x", axes[0].r), ("r_y", axes[1].r), ("t", time)];
     let window = b.inst(&bilinear_window(d), "u_window", &[], &ins);
-    let window = [window[0].named("t_begin"), window[1].named("t_end")];
+    let window = ["t_begin", "t_end"].map(|n| window[n].named(n));
 
     let mut gaps = Vec::new();
     for (end, t_end) in ["begin", "end"].iter().zip(window) {
@@ -71,7 +71,7 @@ pub fn bilinear_hit(d: &Design) -> Arc<Module> {
             let at = place(&format!("u_{end}_{a}"), axis, t_end);
             let ins = [("texel", b.sig(at[0])), ("fraction", b.sig(at[1]))];
             let o = b.inst(&patch_corner(t), &format!("u_{end}_corner_{a}"), &[], &ins);
-            corners.push([o[0].named(&format!("{end}_corner_{a}")), o[1].named(&format!("{end}_weight_{a}"))]);
+            corners.push(["corner", "weight"].map(|n| o[n].named(&format!("{end}_{n}_{a}"))));
         }
         let ins = [
             ("load_en", load[0]),
@@ -82,15 +82,15 @@ pub fn bilinear_hit(d: &Design) -> Arc<Module> {
         ];
         let codes = b.inst(&patch_memory(t), &format!("u_{end}_patch"), &[], &ins);
         let names = ["code_00", "code_10", "code_01", "code_11"];
-        let mut ins: Vec<_> = names.iter().zip(codes).map(|(n, c)| (*n, c.named(&format!("{end}_{n}")))).collect();
+        let mut ins: Vec<_> = names.map(|n| (n, codes[n].named(&format!("{end}_{n}")))).to_vec();
         ins.extend([("weight_x", corners[0][1]), ("weight_y", corners[1][1]), ("t", t_end)]);
-        gaps.push(b.inst(&surface_gap(d), &format!("u_{end}_gap"), &[], &ins)[0].named(&format!("gap_{end}")));
+        gaps.push(b.inst(&surface_gap(d), &format!("u_{end}_gap"), &[], &ins).only().named(&format!("gap_{end}")));
     }
 
     b.section("step", "");
     let ins = [("t_begin", window[0]), ("t_end", window[1]), ("gap_begin", gaps[0]), ("gap_end", gaps[1])];
     let step = b.inst(&secant_step(d), "u_step", &[], &ins);
-    let (patch, refined) = (step[0].named("found"), step[1].named("t_step"));
+    let (patch, refined) = (step["patch"].named("found"), step["t"].named("t_step"));
 
     b.section("position", "");
     let l = latency(&d.latency);

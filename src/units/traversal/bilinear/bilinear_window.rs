@@ -34,25 +34,25 @@ pub fn bilinear_window(d: &Design) -> Arc<Module> {
     let [x, y] = [(r_x, "x_texel"), (r_y, "y_texel")]
         .map(|(r, name)| b.cat(&[b.zeros(1), r.slice(0, &f.width - 1)]).named(name));
     b.unused(b.cat(&[r_x.msb(), r_y.msb()]));
-    let y_faster = b.inst(&lt, "u_faster", &[], &[("a", y), ("b", x)])[0].named("y_is_faster");
+    let y_faster = b.inst(&lt, "u_faster", &[], &[("a", y), ("b", x)]).only().named("y_is_faster");
     let texel = y_faster.mux(y, x).named("texel");
     // 2^-1: the bias less one in the exponent field.
     let one_half = b.cat(&[b.zeros(1), b.konst(f.bias() - 1, &f.exp).named("half_exp"), b.zeros(&f.man)]);
     let mul = fp_mul(d.format, d.latency.mul);
-    let half = b.inst(&mul, "u_half", &[], &[("a", texel), ("b", one_half)])[0].named("half");
+    let half = b.inst(&mul, "u_half", &[], &[("a", texel), ("b", one_half)]).only().named("half");
 
     b.section("ends", "");
     let minus = negated(&b, half, "minus_half");
-    let before = b.inst(&add, "u_before", &[], &[("a", t), ("b", minus)])[0].named("t_before");
-    let after = b.inst(&add, "u_after", &[], &[("a", t), ("b", half)])[0].named("t_after");
+    let before = b.inst(&add, "u_before", &[], &[("a", t), ("b", minus)]).only().named("t_before");
+    let after = b.inst(&add, "u_after", &[], &[("a", t), ("b", half)]).only().named("t_after");
 
     b.section("clamp", "The planes of full height and of none.");
     let m_exp = b.konst(f.bias() + &h - 1, &f.exp).named("m_exp");
     let m_frac = b.konst(f.man.pow2() - (&f.man - &h + 1).pow2(), &f.man).named("m_frac");
     let bottom = b.cat(&[b.zeros(1), m_exp, m_frac]);
     let zero = b.zeros(&f.width);
-    let is_above = b.inst(&lt, "u_top", &[], &[("a", zero), ("b", before)])[0].named("is_inside_top");
-    let is_below = b.inst(&lt, "u_floor", &[], &[("a", after), ("b", bottom)])[0].named("is_inside_floor");
+    let is_above = b.inst(&lt, "u_top", &[], &[("a", zero), ("b", before)]).only().named("is_inside_top");
+    let is_below = b.inst(&lt, "u_floor", &[], &[("a", after), ("b", bottom)]).only().named("is_inside_floor");
     let l = latency(&d.latency);
     b.drive(o_begin, is_above.mux(before, zero).named("t_clamped_begin"), Some(l));
     b.drive(o_end, is_below.mux(after, bottom).named("t_clamped_end"), Some(l));

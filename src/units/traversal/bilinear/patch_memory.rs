@@ -49,8 +49,8 @@ pub fn patch_memory(t: &TraverseConfig) -> Arc<Module> {
     let addresses = b.inst(&bank_address(t), "u_address", &[], &[("i", i), ("j", j)]);
     let mut loops = Vec::new();
     let mut banks: Vec<Sig<'_>> = Vec::new();
-    for (k, address) in addresses.into_iter().enumerate() {
-        let address = address.named(&format!("address_{k}"));
+    for (k, bank) in ["00", "10", "01", "11"].into_iter().enumerate() {
+        let address = addresses[format!("address_{bank}").as_str()].named(&format!("address_{k}"));
         let held =
             b.loop_reg(&format!("held_{k}"), word.clone(), false).doc("address read in the clock before [words]");
         loops.push((held, address));
@@ -61,7 +61,7 @@ pub fn patch_memory(t: &TraverseConfig) -> Arc<Module> {
         let params = [("ADDR_W", word.clone()), ("DATA_W", height.clone()), ("DEPTH", word.pow2())];
         let ins = [("write_en", en), ("write_addr", to), ("write_data", load_data), ("read_addr", read)];
         let memory = height_memory(2 * t.levels - 2, t.height_bits, 1 << (2 * t.levels - 2));
-        let bank = b.inst_of_file(&memory, &format!("u_bank_{k}"), &params, &ins, &format!(".{k}"))[0];
+        let bank = b.inst_of_file(&memory, &format!("u_bank_{k}"), &params, &ins, &format!(".{k}")).only();
         banks.push(bank.named(&format!("bank_{k}")));
     }
     b.close(&loops);

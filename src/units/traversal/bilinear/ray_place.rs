@@ -32,11 +32,11 @@ pub fn ray_place(d: &Design) -> Arc<Module> {
     let l = latency(&d.latency);
 
     b.section("position", "");
-    let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", time)])[0].named("way");
-    let at = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)])[0].named("position");
+    let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", time)]).only().named("way");
+    let at = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)]).only().named("position");
     let to = fp_to_fixed(d.format, t.idx_bits() + t.frac_bits, t.frac_bits, d.latency.to_int);
     let int = [("INT_W", &idx + &frac), ("FRAC_W", frac.clone())];
-    let fixed = b.inst(&to, "u_to_fixed", &int, &[("a", at)])[0].named("fixed");
+    let fixed = b.inst(&to, "u_to_fixed", &int, &[("a", at)]).only().named("fixed");
 
     b.section("wrap", "The map repeats: the bits above a texel's are the tile.");
     b.unused(fixed.slice(&levels + &frac, &idx - &levels));

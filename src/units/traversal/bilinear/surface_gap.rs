@@ -68,10 +68,10 @@ pub fn surface_gap(d: &Design) -> Arc<Module> {
     let from = fp_from_fixed(d.format, t.height_bits + 2 * t.frac_bits + 1, 2 * t.frac_bits, d.latency.from_int);
     let int = [("INT_W", wide), ("FRAC_W", frac.clone() * 2)];
     // At most M, so the top bit is 0: not negative.
-    let depth = b.inst(&from, "u_from_fixed", &int, &[("a", depth.at(2 * m))])[0].named("surface");
+    let depth = b.inst(&from, "u_from_fixed", &int, &[("a", depth.at(2 * m))]).only().named("surface");
     let minus = negated(&b, time, "minus_t");
     let add = fp_add(d.format, d.latency.add);
-    let gap = b.inst(&add, "u_sub", &[], &[("a", depth), ("b", minus)])[0].named("height_over");
+    let gap = b.inst(&add, "u_sub", &[], &[("a", depth), ("b", minus)]).only().named("height_over");
     let l = latency(&d.latency);
     b.drive(out, gap, Some(l));
     let at = |e: i64, m: i64, h: i64, k: i64| {

@@ -52,8 +52,8 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
         let fixed = long.slice(&f - &n, &idx + &frac).named("fixed");
         let ins = [("at", fixed), ("x", x), ("lod", lod)];
         let kept = b.inst(&node_hit(&d.traverse), "u_node_hit", &[("IDX_W", idx)], &ins);
-        b.drive(out, kept[1].named("kept"), Some(l));
-        b.drive(o_texel, kept[0].named("hit_texel"), Some(l));
+        b.drive(out, kept["fraction"].named("kept"), Some(l));
+        b.drive(o_texel, kept["texel"].named("hit_texel"), Some(l));
         return b.finish(Some(l), &bindings());
     }
     // A bit below the point keeps the texel's corner wider than the texel; a sign bit holds the difference.

@@ -99,15 +99,15 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
                 let first = |k: usize| axes[k].first.expect("with the nodes' level comes a first texel");
                 let ins = [("x", first(0)), ("y", first(1)), ("x_end", x_end), ("y_end", y_end)];
                 let unit = start_level(&d.traverse);
-                b.inst(&unit, "u_start_level", &[("IDX_W", s.idx.clone())], &ins)[0].named("start")
+                b.inst(&unit, "u_start_level", &[("IDX_W", s.idx.clone())], &ins).only().named("start")
             }
             _ => b.konst(&s.n, &level_w).named("root"),
         };
         let mut level = if d.fetch.blocks() { cells_level(level) } else { level };
         if let Some((lod, o_lod)) = lod.zip(o_lod) {
             let o = b.inst(&finest_level(d), "u_finest", &[], &[("lod", lod), ("start", level)]);
-            level = o[1].named("first_level");
-            b.drive(o_lod, b.sig(gate(o[0].named("finest"))), Some(l));
+            level = o["level"].named("first_level");
+            b.drive(o_lod, b.sig(gate(o["finest"].named("finest"))), Some(l));
         }
         b.drive(o_level, b.sig(gate(level)), Some(l));
     }
@@ -133,7 +133,7 @@ fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &str, p: Sig<'b>, trave
 
     b.section(&n("slope"), "Height codes per length, and lengths per height code: the travel times 2^HEIGHT_W / M.");
     let o = b.inst(&reciprocal(d), &format!("u_{name}_reciprocal"), &[], &[("a", a)]);
-    let (r, z) = (o[0].named(&n("r")), o[1].named(&n("z")));
+    let (r, z) = (o["r"].named(&n("r")), o["z"].named(&n("z")));
     let tall = reach + 2;
     let mut sum = a.zext(tall.clone()).named(&n("s_0"));
     for k in 0..4u32 {

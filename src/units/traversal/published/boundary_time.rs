@@ -51,13 +51,13 @@ pub fn boundary_time(d: &Design) -> Arc<Module> {
     let fixed = d.traverse.idx_bits() + d.datapath.nudge_bits + 1;
     let from = fp_from_fixed(d.format, fixed, d.datapath.nudge_bits, d.latency.from_int);
     let params = [("INT_W", wide), ("FRAC_W", nudge)];
-    let at = b.inst(&from, "u_from_fixed", &params, &[("a", target)])[0].named("plane_float");
+    let at = b.inst(&from, "u_from_fixed", &params, &[("a", target)]).only().named("plane_float");
     let minus_p = b.cat(&[!p.msb(), p.slice(0, &f.width - 1)]).named("minus_p");
     let add = fp_add(d.format, d.latency.add);
-    let dist = b.inst(&add, "u_sub", &[], &[("a", at), ("b", minus_p)])[0].named("distance");
+    let dist = b.inst(&add, "u_sub", &[], &[("a", at), ("b", minus_p)]).only().named("distance");
 
     b.section("parameter", "");
-    let t = b.inst(&div, "u_div", &[], &[("a", dist), ("b", dir)])[0].named("when_met");
+    let t = b.inst(&div, "u_div", &[], &[("a", dist), ("b", dir)]).only().named("when_met");
     let l = latency(&d.latency);
     b.drive(out, t, Some(l));
     let at = |n: i64, e: i64, m: i64| Binding::from([("NUDGE_W".into(), n), ("EXP_W".into(), e), ("MAN_W".into(), m)]);

@@ -34,7 +34,7 @@ pub fn crossing_test(d: &Design) -> Arc<Module> {
     let beyond: Vec<Sig<'_>> = sides
         .iter()
         .map(|(axis, hit, edge, neg)| {
-            let less = b.inst(&lt, &format!("u_{axis}_edge"), &[], &[("a", *hit), ("b", *edge)])[0];
+            let less = b.inst(&lt, &format!("u_{axis}_edge"), &[], &[("a", *hit), ("b", *edge)]).only();
             // A node holds its lower planes and not its upper ones.
             let less = less.named(&format!("{axis}_below_edge"));
             (!(less ^ *neg)).named(&format!("{axis}_beyond")).id()
@@ -43,8 +43,8 @@ pub fn crossing_test(d: &Design) -> Arc<Module> {
         .collect();
     let one_exp = b.konst(f.bias(), &f.exp).named("one_exp");
     let one = b.cat(&[b.zeros(1), one_exp, b.zeros(&f.man)]);
-    let past = b.inst(&lt, "u_end", &[], &[("a", one), ("b", t_exit)])[0].named("past_end");
-    let grows = b.inst(&lt, "u_t_exit", &[], &[("a", t), ("b", t_exit)])[0].named("t_advances");
+    let past = b.inst(&lt, "u_end", &[], &[("a", one), ("b", t_exit)]).only().named("past_end");
+    let grows = b.inst(&lt, "u_t_exit", &[], &[("a", t), ("b", t_exit)]).only().named("t_advances");
 
     b.section("select", "A plane beyond the end of the ray is never crossed.");
     let l = latency(&d.latency);

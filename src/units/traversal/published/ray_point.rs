@@ -21,8 +21,9 @@ pub fn ray_point(d: &Design) -> Arc<Module> {
     let dir = b.input("d", &f.width, float("texels"), "travel over the height range");
     let t = b.input("t", &f.width, float("height range"), "parameter");
     let out = b.output("position", &f.width, float("texels"), "coordinate at t");
-    let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", t)])[0].named("displacement");
-    let at = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)])[0].named("at");
+    let way =
+        b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", t)]).only().named("displacement");
+    let at = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)]).only().named("at");
     let l = latency(&d.latency);
     b.drive(out, at, Some(l));
     b.finish(Some(l), &bindings())

@@ -60,7 +60,7 @@ pub fn ray_scale(d: &Design) -> Arc<Module> {
         };
         let (p, dir) = (b.sig(scaled(&fp, b.zeros(1), "p")), scaled(&fd, fd.sign, "d"));
         let to = fp_to_int(d.format, d.traverse.idx_bits(), d.latency.to_int);
-        let first = b.inst(&to, &format!("u_{axis}_first"), &[("INT_W", idx.clone())], &[("a", p)])[0];
+        let first = b.inst(&to, &format!("u_{axis}_first"), &[("INT_W", idx.clone())], &[("a", p)]).only();
         values.push([p.id(), dir, first.named(&n("first")).id()]);
     }
     b.section("result", "");

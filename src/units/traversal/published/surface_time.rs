@@ -31,7 +31,7 @@ pub fn surface_time(d: &Design) -> Arc<Module> {
     b.section("depth", "The complement of a code is its distance from the top plane.");
     let depth = b.cat(&[b.zeros(1), !height]).named("depth");
     let from = fp_from_int(d.format, d.traverse.height_bits + 1, d.latency.from_int);
-    let codes = b.inst(&from, "u_from_int", &[("INT_W", &h + 1)], &[("a", depth)])[0].named("depth_float");
+    let codes = b.inst(&from, "u_from_int", &[("INT_W", &h + 1)], &[("a", depth)]).only().named("depth_float");
 
     b.section("scale", "Times 1 / M, M = 2^HEIGHT_W - 1: the ray parameter runs from 0 to 1.");
     let exp = b.konst(f.bias() - &h, &f.exp).named("recip_exp");
@@ -39,12 +39,12 @@ pub fn surface_time(d: &Design) -> Arc<Module> {
     let frac = b.konst(sig, &f.man).named("recip_frac");
     let recip = b.cat(&[b.zeros(1), exp, frac]);
     let mul = fp_mul(d.format, d.latency.mul);
-    let t_v = b.inst(&mul, "u_scale", &[], &[("a", codes), ("b", recip)])[0].named("t_v");
+    let t_v = b.inst(&mul, "u_scale", &[], &[("a", codes), ("b", recip)]).only().named("t_v");
 
     b.section("compare", "");
     let lt = fp_lt(d.format, d.latency.compare);
-    let before = b.inst(&lt, "u_before", &[], &[("a", t), ("b", t_v)])[0].named("is_before");
-    let after = b.inst(&lt, "u_below", &[], &[("a", t_v), ("b", t)])[0].named("is_below");
+    let before = b.inst(&lt, "u_before", &[], &[("a", t), ("b", t_v)]).only().named("is_before");
+    let after = b.inst(&lt, "u_below", &[], &[("a", t_v), ("b", t)]).only().named("is_below");
     let l = latency(&d.latency);
     let reach = before.mux(t_v, t);
     let m = match first {

@@ -26,9 +26,9 @@ pub fn axis_ends(d: &Design) -> Arc<Module> {
     let o_last = b.output("last", &idx, TEXELS, "texel of the rounded end point p + dn");
     b.section("texels", "");
     let to = fp_to_int(d.format, d.traverse.idx_bits(), d.latency.to_int);
-    let texel = |at, unit: &str| b.inst(&to, unit, &[("INT_W", idx.clone())], &[("a", at)])[0];
+    let texel = |at, unit: &str| b.inst(&to, unit, &[("INT_W", idx.clone())], &[("a", at)]).only();
     let first = texel(p, "u_first").named("entry_texel").doc("floor of p [texels]");
-    let end = b.inst(&fp_add(d.format, d.latency.add), "u_end", &[], &[("a", p), ("b", travel)])[0];
+    let end = b.inst(&fp_add(d.format, d.latency.add), "u_end", &[], &[("a", p), ("b", travel)]).only();
     let end = end.named("end_point").doc("p + dn [float, texels]");
     let last = texel(end, "u_last").named("end_texel").doc("floor of end_point [texels]");
     let l = latency(&d.latency);

@@ -34,10 +34,11 @@ pub fn chord_end(d: &Design) -> Arc<Module> {
         "displacement",
         "The position is rounded down to its texel; the bias keeps it from falling short of the ray.",
     );
-    let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", t)])[0].named("displacement");
-    let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)])[0].named("position");
+    let way =
+        b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", t)]).only().named("displacement");
+    let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)]).only().named("position");
     let to = fp_to_int(d.format, d.traverse.idx_bits(), d.latency.to_int);
-    let texel = b.inst(&to, "u_to_int", &[("INT_W", idx.clone())], &[("a", pos)])[0].named("texel");
+    let texel = b.inst(&to, "u_to_int", &[("INT_W", idx.clone())], &[("a", pos)]).only().named("texel");
 
     b.section(
         "farthest",

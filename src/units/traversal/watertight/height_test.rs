@@ -29,12 +29,12 @@ pub fn height_test(d: &Design) -> Arc<Module> {
     let depth = b.cat(&[b.zeros(1), !height]);
     let depth = depth.named("depth");
     let from = fp_from_int(d.format, d.traverse.height_bits + 1, d.latency.from_int);
-    let t_v = b.inst(&from, "u_from_int", &[("INT_W", &h + 1)], &[("a", depth)])[0].named("t_v");
+    let t_v = b.inst(&from, "u_from_int", &[("INT_W", &h + 1)], &[("a", depth)]).only().named("t_v");
 
     b.section("compare", "");
     let lt = fp_lt(d.format, d.latency.compare);
-    let before = b.inst(&lt, "u_before", &[], &[("a", t), ("b", t_v)])[0].named("is_before");
-    let after = b.inst(&lt, "u_below", &[], &[("a", t_v), ("b", t)])[0].named("is_below");
+    let before = b.inst(&lt, "u_before", &[], &[("a", t), ("b", t_v)]).only().named("is_before");
+    let after = b.inst(&lt, "u_below", &[], &[("a", t_v), ("b", t)]).only().named("is_below");
     let l = latency(&d.latency);
     let m = before.mux(t_v, t).named("reach");
     b.drive(out, m, Some(l));

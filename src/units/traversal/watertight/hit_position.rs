@@ -47,12 +47,13 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
     let o_texel = levels.as_ref().map(|l| b.output("texel", &l.levels, TEXELS, "texel of the hit, wrapped"));
     let coarse = lod.zip(o_texel);
     b.section("position", "");
-    let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", t)])[0].named("displacement");
-    let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)])[0].named("position");
+    let way =
+        b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", t)]).only().named("displacement");
+    let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)]).only().named("position");
     let to =
         fp_to_fixed(d.format, d.traverse.idx_bits() + d.traverse.frac_bits, d.traverse.frac_bits, d.latency.to_int);
     let int = [("INT_W", &idx + &frac), ("FRAC_W", frac.clone())];
-    let fixed = b.inst(&to, "u_to_fixed", &int, &[("a", pos)])[0].named("fixed");
+    let fixed = b.inst(&to, "u_to_fixed", &int, &[("a", pos)]).only().named("fixed");
 
     b.section("clamp", "A hit on a wall lies exactly on a border: the integer texel decides, the fraction follows.");
     let wide = &idx + &frac + 1;
@@ -60,8 +61,8 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
     if let Some((lod, o_texel)) = coarse {
         let ins = [("at", fixed), ("x", x.at(known)), ("lod", lod.at(known))];
         let kept = b.inst(&node_hit(&d.traverse), "u_node_hit", &[("IDX_W", idx)], &ins);
-        b.drive(out, kept[1].named("kept"), Some(l));
-        b.drive(o_texel, kept[0].named("hit_texel"), Some(l));
+        b.drive(out, kept["fraction"].named("kept"), Some(l));
+        b.drive(o_texel, kept["texel"].named("hit_texel"), Some(l));
         return b.finish(Some(l), &BINDINGS.map(|(e, m)| at(e, m)));
     }
     let corner = b.cat(&[x.at(known), b.zeros(&frac)]).named("corner");

@@ -116,7 +116,7 @@ const UNITS: PlaneUnits = PlaneUnits {
     chord_inputs: &[("p_ahead", "pf"), ("d", "d"), ("neg", "neg")],
     leaves_y: |b, d, [t_x, t_y]| {
         let lt = float::fp_lt(d.format, d.latency.compare);
-        b.inst(&lt, "u_exit_order", &[], &[("a", t_y), ("b", t_x)])[0]
+        b.inst(&lt, "u_exit_order", &[], &[("a", t_y), ("b", t_x)]).only()
     },
     node_crossing,
     plane_order,

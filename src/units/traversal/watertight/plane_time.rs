@@ -28,16 +28,22 @@ pub fn plane_time(d: &Design) -> Arc<Module> {
 
     b.section("distance", "");
     let from = fp_from_int(d.format, d.traverse.idx_bits(), d.latency.from_int);
-    let at = b.inst(&from, "u_from_int", &[("INT_W", idx)], &[("a", plane)])[0]
+    let at = b
+        .inst(&from, "u_from_int", &[("INT_W", idx)], &[("a", plane)])
+        .only()
         .named("plane_float")
         .doc("the plane [float, texels]");
     let minus_p = b.cat(&[!p.msb(), p.slice(0, &f.width - 1)]).named("minus_p");
-    let dist = b.inst(&fp_add(d.format, d.latency.add), "u_sub", &[], &[("a", at), ("b", minus_p)])[0]
+    let dist = b
+        .inst(&fp_add(d.format, d.latency.add), "u_sub", &[], &[("a", at), ("b", minus_p)])
+        .only()
         .named("distance")
         .doc("plane - p [float, texels]");
 
     b.section("parameter", "");
-    let t = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dist), ("b", r)])[0]
+    let t = b
+        .inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dist), ("b", r)])
+        .only()
         .named("product")
         .doc("distance * r [float, height codes]");
     let inf = b.cat(&[b.zeros(1), b.ones(&f.exp), b.zeros(&f.man)]);

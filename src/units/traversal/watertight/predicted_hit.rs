@@ -29,10 +29,11 @@ pub fn predicted_hit(d: &Design) -> Arc<Module> {
         "displacement",
         "The position is rounded down to its texel; the bias keeps it from lying ahead of the ray.",
     );
-    let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", m)])[0].named("displacement");
-    let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)])[0].named("position");
+    let way =
+        b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", m)]).only().named("displacement");
+    let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)]).only().named("position");
     let to = fp_to_int(d.format, d.traverse.idx_bits(), d.latency.to_int);
-    let e = b.inst(&to, "u_to_int", &[("INT_W", idx)], &[("a", pos)])[0].named("texel");
+    let e = b.inst(&to, "u_to_int", &[("INT_W", idx)], &[("a", pos)]).only().named("texel");
     let l = latency(&d.latency);
     b.drive(out, e, Some(l));
     b.finish(Some(l), &bindings())

@@ -65,7 +65,7 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
         (Some(x_end), Some(y_end)) => {
             let (x, y) = (axes[0].words["first"], axes[1].words["first"]);
             let ins = [("x", x), ("y", y), ("x_end", x_end), ("y_end", y_end)];
-            let start = b.inst(&start_level(t), "u_start_level", &[("IDX_W", idx)], &ins)[0].named("start");
+            let start = b.inst(&start_level(t), "u_start_level", &[("IDX_W", idx)], &ins).only().named("start");
             if d.latency.setup > 0 { start.reg() } else { start }
         }
         _ => b.konst(&levels.levels, &levels.level_w).named("root"),
@@ -78,8 +78,8 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let mut level = if d.fetch.blocks() { cells_level(level) } else { level };
     if let Some((lod, o_lod)) = lod.zip(o_lod) {
         let o = b.inst(&finest_level(d), "u_finest", &[], &[("lod", lod), ("start", level)]);
-        level = o[1].named("first_level");
-        b.drive(o_lod, b.sig(gate(o[0].named("finest"))), Some(l));
+        level = o["level"].named("first_level");
+        b.drive(o_lod, b.sig(gate(o["finest"].named("finest"))), Some(l));
     }
     b.drive(o_level, b.sig(gate(level)), Some(l));
     for (axis, ports) in axes.iter().zip(outs) {
@@ -115,21 +115,21 @@ fn axis<'b>(b: &'b Builder, d: &Design, idx: &Expr, name: &str, p: Sig<'b>, trav
     let n = |what: &str| format!("{name}_{what}");
     let int = |param: &'static str| [(param, idx.clone())];
     b.section(&format!("axis {name}"), "");
-    let o = b.instance(&axis_scale(d), &format!("u_scale_{name}"), &[], &[("p", p), ("d", travel)]);
+    let o = b.inst(&axis_scale(d), &format!("u_scale_{name}"), &[], &[("p", p), ("d", travel)]);
     let ok = o["ok"].named(&n("ok"));
     let cut = |v: Sig<'b>| if scale_clocks(&d.latency) > 0 { v.reg() } else { v };
     let (p, dn) = (cut(o["p_texels"].named(&n("p"))), cut(o["d_texels"].named(&n("dn"))));
 
-    let o = b.instance(&axis_slope(d), &format!("u_slope_{name}"), &[], &[("p", p), ("dn", dn)]);
+    let o = b.inst(&axis_slope(d), &format!("u_slope_{name}"), &[], &[("p", p), ("dn", dn)]);
     let ports = [("pb", "p_back"), ("d", "d"), ("r", "r"), ("never", "never"), ("pf", "p_ahead"), ("le", "farthest")];
     let slope = ports.iter().filter_map(|(word, port)| Some((*word, o.get(port)?.named(&n(word)))));
 
     let (first, last) = if d.mode.start_level {
-        let o = b.instance(&axis_ends(d), &format!("u_ends_{name}"), &int("IDX_W"), &[("p", p), ("dn", dn)]);
+        let o = b.inst(&axis_ends(d), &format!("u_ends_{name}"), &int("IDX_W"), &[("p", p), ("dn", dn)]);
         (o["first"], Some(o["last"].named(&n("last"))))
     } else {
         let to = fp_to_int(d.format, d.traverse.idx_bits(), d.latency.to_int);
-        (b.inst(&to, &format!("u_first_{name}"), &int("INT_W"), &[("a", p)])[0], None)
+        (b.inst(&to, &format!("u_first_{name}"), &int("INT_W"), &[("a", p)]).only(), None)
     };
     let rest = [("p", p), ("neg", dn.msb().named(&n("neg"))), ("first", first.named(&n("first")))];
     Axis { ok, words: slope.chain(rest).collect(), last }

@@ -48,13 +48,13 @@ pub fn window_setup(d: &Design) -> Arc<Module> {
     let outs = [("x", ports("x")), ("y", ports("y"))];
     let l = latency(d);
     b.section("ray", "");
-    let ray = b.instance(&ray_setup(d), "u_ray", &[], &ray);
+    let ray = b.inst(&ray_setup(d), "u_ray", &[], &ray);
     b.drive(o_ok, ray["ok"].named("is_ok"), Some(l));
     for (a, outs) in outs {
         b.section(&format!("axis {a}"), "");
         let of = |n: &str| ray[format!("{n}_{a}").as_str()].named(&format!("{a}_{n}"));
         let ins = ["p", "s", "r", "z", "neg"].map(|n| (n, of(n)));
-        let found = b.instance(&window_constants(d), &format!("u_{a}_constants"), &[], &ins);
+        let found = b.inst(&window_constants(d), &format!("u_{a}_constants"), &[], &ins);
         let given = ["p", "s", "neg"].map(of);
         let made = ["q", "c", "travel", "offset"].map(|n| found[n].named(&format!("{a}_{n}")));
         for (port, v) in outs.into_iter().zip(given.into_iter().chain(made)) {
