@@ -44,7 +44,7 @@ pub fn units(d: &Design) -> Vec<Arc<Module>> {
 
 /// Whether the vectors of a unit are rays through the whole traversal.
 pub fn takes_rays(m: &Module) -> bool {
-    m.name == units::traversal::TRAVERSE
+    unit_entries().any(|u| u.takes_rays && u.name == m.name)
 }
 
 /// Whether a unit has vectors of its own: rays, or rows with the results of its model.
