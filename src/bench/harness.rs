@@ -2,6 +2,7 @@
 //! `-O3 -march=native`, and only the traversal timed. What `bench` compares with.
 use super::run::first_lines;
 use super::text::window_words;
+use crate::config::Design;
 use crate::emit::Files;
 use crate::error::{Error, Result};
 use crate::files::Scratch;
@@ -53,13 +54,13 @@ pub struct HarnessRun {
     pub first_wrong: u64,
 }
 
-/// The harness of a traverse unit whose emitted name is `top`.
-pub fn harness_text(traverse: &Module, top: &str) -> String {
+/// The harness of a design's traverse unit, whose emitted name is `top`.
+pub fn harness_text(d: &Design, traverse: &Module, top: &str) -> String {
     let mut env = Environment::new();
     env.set_keep_trailing_newline(true);
     env.add_template("harness", include_str!("templates/harness.cpp")).expect("the template is well formed");
     let tag = traverse.port("in_tag").map_or(1, |p| p.1.width.eval(&traverse.default_binding()));
-    let sizes: Vec<i64> = window_words(traverse).iter().map(|e| e.eval(&traverse.default_binding())).collect();
+    let sizes: Vec<i64> = window_words(d, traverse).iter().map(|e| e.eval(&traverse.default_binding())).collect();
     let value = context! {
         sizes,
         top, inputs => inputs(traverse), outputs => outputs(traverse), tags => 1u64 << tag.clamp(1, 16),
@@ -70,11 +71,11 @@ pub fn harness_text(traverse: &Module, top: &str) -> String {
 }
 
 impl Harness {
-    /// Builds the harness of the emitted tree `files` with a compiler of [`COMPILERS`].
+    /// Builds the harness of a design's traverse unit, of the emitted tree `files` and under the name `top`, with a compiler of [`COMPILERS`].
     ///
     /// # Errors
     /// [`Error::ToolMissing`] without Verilator, make or the compiler; [`Error::ToolFailed`] if the build fails.
-    pub fn new(compiler: &str, files: &Files, traverse: &Module, top: &str) -> Result<Self> {
+    pub fn new(compiler: &str, files: &Files, (d, traverse): (&Design, &Module), top: &str) -> Result<Self> {
         let work = Scratch::new()?;
         let put = |name: &str, bytes: &[u8]| {
             let place = work.path().join(name);
@@ -83,7 +84,7 @@ impl Harness {
             std::fs::write(&place, bytes).map_err(|e| Error::file("write", &place, e))
         };
         files.iter().filter(|(name, _)| name.starts_with("rtl/")).try_for_each(|(n, text)| put(n, text.as_bytes()))?;
-        put("harness.cpp", harness_text(traverse, top).as_bytes())?;
+        put("harness.cpp", harness_text(d, traverse, top).as_bytes())?;
         let start = Instant::now();
         let verilator = std::env::var("VERILATOR").unwrap_or_else(|_| "verilator".into());
         // Nothing that costs time in the model: no assertions, no random values for x.

@@ -1,7 +1,8 @@
 //! Text of the emitted benches, one pair of files a unit, from templates.
+use crate::config::Design;
 use crate::emit::{Files, file_list};
 use crate::ir::{Body, Expr, Module, Prim};
-use crate::units::traversal::TRAVERSE;
+use crate::units::traversal::{TRAVERSE, Traverse};
 use crate::verilog::{Style, delayed_net};
 use minijinja::{Environment, context};
 use serde::Serialize;
@@ -41,9 +42,8 @@ struct Term {
     value: String,
 }
 
-/// The benches of `units` and of `traverse`; all names, those of the benches too, start with the prefix of `style`. Beside `traverse` stands the number of clocks until its
-/// pipeline can be full.
-pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Arc<Module>, u32)>, style: impl Into<Style>) -> Files {
+/// The benches of `units` and of the `traverse` of a design; all names, those of the benches too, start with the prefix of `style`.
+pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Design, &Traverse)>, style: impl Into<Style>) -> Files {
     let style = style.into();
     let prefix = &style.prefix;
     let mut env = Environment::new();
@@ -75,7 +75,9 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Arc<Module>, u32)>,
         files.insert(format!("testbench/{prefix}tb_{}_top.v", m.name), render("top", value));
         files.insert(format!("testbench/{prefix}tb_{}.f", m.name), list(m, prefix));
     }
-    let Some((traverse, warm_up)) = traverse else { return files };
+    let Some((d, whole)) = traverse else { return files };
+    // Clocks until the pipeline can be full.
+    let (traverse, warm_up) = (&whole.module, whole.setup + whole.slots + whole.finish);
     let named = |names: &[&str]| ports(names.iter().map(|n| traverse.port(n).expect("traverse has its ports").1));
     // The stage at which a slot's ray is chosen: the first that has it whole.
     let chosen = traverse.nodes.iter().filter(|n| n.name.as_deref() == Some("done")).filter_map(|n| n.stage).min();
@@ -85,9 +87,8 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Arc<Module>, u32)>,
     let value = context! {
         enters, valid => valid.unwrap_or_else(|| format!("s{enters}_valid")),
         prefix, unit => traverse.name, dut => format!("{prefix}{TRAVERSE}"), params => params(traverse), terms => terms(traverse),
-        files => files_of(traverse), warm_up, sizes => sizes(traverse),
-        // The published datapath has rays that never end by themselves.
-        lingers => traverse.params.iter().any(|p| p.name == "NUDGE_W"),
+        files => files_of(traverse), warm_up, sizes => sizes(d, traverse),
+        lingers => !d.datapath.kind.facts().rays_end,
         inputs => named(&crate::trace::inputs(traverse)), outputs => named(&crate::trace::outputs(traverse)),
     };
     files.insert(format!("testbench/{prefix}tb_{TRAVERSE}.v"), render("rays", value.clone()));
@@ -97,16 +98,17 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Arc<Module>, u32)>,
 }
 
 /// The memories of a search by windows, in the order of their load ports: as many as the instances that they are.
-fn sizes(traverse: &Module) -> Vec<Size> {
-    let is_load = |p: &&crate::ir::Port| p.name.starts_with("load_addr_");
-    let ports = traverse.data_inputs().map(|(_, p)| p).filter(is_load);
-    let words = window_words(traverse).into_iter().map(|e| e.to_string());
-    ports.zip(words).map(|(p, words)| Size { addr: format!("({})", p.width.expanded()), words }).collect()
+fn sizes(d: &Design, traverse: &Module) -> Vec<Size> {
+    let size = |(c, words): (usize, Expr)| {
+        let (_, port) = traverse.port(&format!("load_addr_{c}")).expect("each memory has its load port");
+        Size { addr: format!("({})", port.width.expanded()), words: words.to_string() }
+    };
+    window_words(d, traverse).into_iter().enumerate().map(size).collect()
 }
 
 /// Words of each memory of a search by windows; of no other search any.
-pub(super) fn window_words(traverse: &Module) -> Vec<Expr> {
-    if traverse.port("load_addr_0").is_none() {
+pub(super) fn window_words(d: &Design, traverse: &Module) -> Vec<Expr> {
+    if !d.datapath.kind.facts().reads.window_set {
         return Vec::new();
     }
     let is_memory = |m: &Module| matches!(m.body, Body::Prim(Prim::Memory | Prim::Banks));

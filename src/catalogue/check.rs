@@ -48,7 +48,7 @@ impl CheckReport {
             set.params.get("EXP_W").zip(set.params.get("MAN_W")).map(|(e, f)| FloatFormat::new(*e as u32, *f as u32));
         let port = m.port(&x.output).map(|p| p.1);
         let word = |name: &str, v: u64| match (format, m.port(name).map(|p| p.1)) {
-            (Some(f), Some(p)) if p.unit.starts_with("float") => decode(f, v),
+            (Some(f), Some(p)) if p.unit.is_float() => decode(f, v),
             _ => format!("hex {v:x}"),
         };
         let show = |v: u64| word(&x.output, v);

@@ -22,7 +22,7 @@ pub fn count_events(d: &Design, m: &Module, set: &VectorSet) -> BTreeMap<String,
 }
 
 fn rounding(at: &Design, m: &Module, set: &VectorSet, sum: bool) -> BTreeMap<String, usize> {
-    let float: Vec<bool> = m.data_inputs().map(|(_, p)| p.unit.starts_with("float")).collect();
+    let float: Vec<bool> = m.data_inputs().map(|(_, p)| p.unit.is_float()).collect();
     let unit = Modelled::of(at, m);
     let of = |x: &Vec<u64>| {
         let op = |format, row: &[u64]| unit.results(&Context::new(Design { format, ..*at }, &set.params), row)[0];

@@ -45,7 +45,7 @@ pub fn units(d: &Design) -> Vec<Arc<Module>> {
 
 /// Whether the vectors of a unit are rays through the whole traversal.
 pub fn takes_rays(m: &Module) -> bool {
-    m.name == units::traversal::TRAVERSE
+    unit_entries().any(|u| u.takes_rays && u.name == m.name)
 }
 
 /// Whether a unit has vectors of its own: rays, or rows with the results of its model.
@@ -182,7 +182,7 @@ pub fn campaign_set(d: &Design, m: &Module, over: &Binding, plan: Plan, campaign
 
 /// What each input column means.
 fn kinds(m: &Module, at: &Design, b: &Binding) -> Vec<Kind> {
-    let kind = |p: &Port| match p.unit.starts_with("float") {
+    let kind = |p: &Port| match p.unit.is_float() {
         true => Kind::Float(at.format),
         false => Kind::Integer(p.width.eval(b) as u32),
     };

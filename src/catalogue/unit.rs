@@ -41,6 +41,8 @@ pub struct Unit {
     pub model: Option<Model>,
     /// The golden model of a unit with a state: its rows are clocks.
     pub clocked: Option<Clocked>,
+    /// Its vectors are rays through the whole traversal.
+    pub takes_rays: bool,
     /// Legal operands; `None`: all are.
     pub legal: Option<Legal>,
     /// What a ray brings to the inputs; `None`: the unit gets no rows of rays.
@@ -60,6 +62,7 @@ pub(super) const UNIT: Unit = Unit {
     clock: None,
     model: None,
     clocked: None,
+    takes_rays: false,
     legal: None,
     stimulus: None,
     bindings: &[],

@@ -1,4 +1,5 @@
 //! The modes of four cells an iteration (`docs/cells.md`): what they are called, which there are, which are refused.
+use super::modes::combinations;
 use super::{Config, Design, FetchConfig, LevelUp, ModeConfig, Trim, datapaths};
 
 impl FetchConfig {
@@ -26,6 +27,15 @@ impl FetchConfig {
 
 /// Levels per descent that four cells allow.
 const DOWN: std::ops::RangeInclusive<u32> = 1..=3;
+/// Level-up rules that they allow.
+const UP: [LevelUp; 2] = [LevelUp::Tevs, LevelUp::Selective];
+/// The chord trim that they do not have.
+const NO_TRIM: Trim = Trim::Descent;
+
+/// Whether start level, levels down, level-up rule and trim of a mode are such that four cells have it.
+fn is_block_mode(mode: &ModeConfig) -> bool {
+    DOWN.contains(&mode.levels_down) && UP.contains(&mode.level_up) && mode.trim != NO_TRIM
+}
 
 impl Design {
     /// [`FetchConfig::levels_down_after`].
@@ -41,22 +51,14 @@ impl Design {
     /// Every combination of start level, levels down before and after the first crossing and level-up rule that four cells allow, with each of `trims`
     /// that they allow, all else as in the design: 36 a trim.
     pub fn block_modes(&self, trims: &[Trim]) -> Vec<ModeConfig> {
-        let mut out = Vec::new();
-        for &trim in trims.iter().filter(|t| **t != Trim::Descent) {
-            for (start_level, levels_down) in DOWN.flat_map(|down| [(false, down), (true, down)]) {
-                for levels_down_after in DOWN.map(Some) {
-                    let mode = |level_up| ModeConfig {
-                        start_level,
-                        levels_down,
-                        levels_down_after,
-                        level_up,
-                        trim,
-                        ..self.mode
-                    };
-                    out.extend([LevelUp::Tevs, LevelUp::Selective].map(mode));
-                }
-            }
-        }
+        let with_after =
+            |mode: ModeConfig| DOWN.map(move |after| ModeConfig { levels_down_after: Some(after), ..mode });
+        let mut out: Vec<ModeConfig> =
+            combinations(self.mode, trims).into_iter().filter(is_block_mode).flat_map(with_after).collect();
+        // By levels down first: of ways that are equally short, the one before counts.
+        out.sort_by_key(|m| {
+            (trims.iter().position(|t| *t == m.trim), m.levels_down, m.start_level, m.levels_down_after)
+        });
         out
     }
 }
@@ -104,10 +106,10 @@ impl Config {
         let mut refuse = |key: &str, shown: String, legal: &str| {
             problems.push(format!("{key} = {shown} and {cells} exclude each other: with four cells {legal}"));
         };
-        if !matches!(mode.level_up, LevelUp::Selective | LevelUp::Tevs) {
+        if !UP.contains(&mode.level_up) {
             refuse("mode.level_up", format!("\"{}\"", mode.level_up), "\"selective\" and \"tevs\" are legal");
         }
-        if mode.trim == Trim::Descent {
+        if mode.trim == NO_TRIM {
             refuse("mode.trim", format!("\"{}\"", mode.trim), "\"none\" and \"always\" are legal");
         }
         if !DOWN.contains(&mode.levels_down) {

@@ -39,7 +39,7 @@ fn module(c: &Config, m: &Module, files: &Files) -> Value {
             "width": p.width.eval(&b),
             "width_expression": p.width.expanded().to_string(),
             "meaning": p.doc,
-            "unit": p.unit,
+            "unit": p.unit.to_string(),
         });
         if p.dir == Dir::Out {
             v["latency"] = match m.latency {

@@ -61,7 +61,7 @@ impl Engine for Simulated {
         let t = &p.traverse;
         let set = ray_set(&c.design(), pyramid, rays, c.vectors.seed)?;
         let mut files = p.files;
-        files.extend(bench_files(&[], Some((&t.module, t.setup + t.slots + t.finish)), &c.emit));
+        files.extend(bench_files(&[], Some((&c.design(), t)), &c.emit));
         files.extend(set_files(&set.set).into_iter().map(|(n, text)| (format!("golden/traverse/{n}"), text)));
         files.extend(set.memory_files().map(|(n, text)| (format!("golden/traverse/{n}"), text.clone())));
         let work = Scratch::new()?;

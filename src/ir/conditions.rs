@@ -186,6 +186,7 @@ pub fn hold(checks: &[Check], b: &Binding) -> bool {
 #[cfg(test)]
 mod tests {
     use super::super::builder::Builder;
+    use super::super::quantity::BITS;
     use super::*;
     use std::sync::Arc;
 
@@ -195,8 +196,8 @@ mod tests {
         let w = b.param("W", 8, "bits");
         b.require(least, &w);
         b.require(w.clone() * 2, most);
-        let a = b.input("a", &w, "bits", "a word");
-        let o = b.output("o", &w, "bits", "the word");
+        let a = b.input("a", &w, BITS, "a word");
+        let o = b.output("o", &w, BITS, "the word");
         b.drive(o, a, Some(0));
         b.finish(Some(0), &[])
     }
@@ -207,9 +208,9 @@ mod tests {
         let n = b.param("N", 8, "bits");
         b.require(2, &n);
         b.require(&n, 20);
-        let a = b.input("a", &n + 2, "bits", "a word");
-        let o = b.output("o", &n + 2, "bits", "the word");
-        let word = b.inst(inner, "u_inner", &[("W", &n + 2)], &[("a", a)])[0].named("word");
+        let a = b.input("a", &n + 2, BITS, "a word");
+        let o = b.output("o", &n + 2, BITS, "the word");
+        let word = b.inst(inner, "u_inner", &[("W", &n + 2)], &[("a", a)]).only().named("word");
         b.drive(o, word, Some(0));
         let m = b.finish(Some(0), &[]);
         m.checks.iter().map(|c| format!("{} <= {}", c.lhs, c.rhs)).collect()

@@ -1,5 +1,6 @@
 //! A hardware module: parameters, ports, a graph of operations in stages, instances.
 use super::expr::{Binding, Expr};
+use super::quantity::{Kind, Quantity};
 use std::sync::Arc;
 
 /// Index of a node in its module.
@@ -176,8 +177,8 @@ pub struct Port {
     pub width: Expr,
     /// Meaning, one line.
     pub doc: String,
-    /// Unit of the value: `bits`, `texels`, `levels`, `height codes`, `float`, ...
-    pub unit: String,
+    /// How its bits are read, and what the value counts.
+    pub unit: Quantity,
     /// Stage at which an input is read or an output appears.
     pub stage: Stage,
 }
@@ -185,9 +186,9 @@ pub struct Port {
 impl Port {
     /// What it means, with its unit in brackets.
     pub fn meaning(&self) -> String {
-        match self.unit.as_str() {
-            "bit" | "clock" | "" => self.doc.clone(),
-            unit => format!("{} [{unit}]", self.doc),
+        match self.unit.kind() {
+            Kind::Bit | Kind::Clock => self.doc.clone(),
+            Kind::Integer | Kind::Float => format!("{} [{}]", self.doc, self.unit),
         }
     }
 }

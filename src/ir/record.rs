@@ -1,9 +1,8 @@
 //! Records: values under names, which pass a register, a memory or an instance together, as one bundle.
 use super::builder::{Builder, Sig};
 use super::expr::Expr;
-use super::module::Module;
+use super::quantity::Quantity;
 use std::ops::Index;
-use std::sync::Arc;
 
 /// Values by the names of fields, in order. It stands for no hardware of its own: each field is a net, and a bundle is their concatenation.
 #[derive(Clone, Default)]
@@ -29,16 +28,18 @@ impl<'b, const K: usize> From<[(&str, Sig<'b>); K]> for Record<'b> {
 impl<'b> Index<&str> for Record<'b> {
     type Output = Sig<'b>;
     fn index(&self, field: &str) -> &Sig<'b> {
-        let found = self.fields.iter().find(|f| f.0 == field);
         let names = || self.names().collect::<Vec<_>>().join(", ");
-        &found.unwrap_or_else(|| panic!("no field is named {field}; there are {}", names())).1
+        self.find(field).unwrap_or_else(|| panic!("no field is named {field}; there are {}", names()))
     }
 }
 
 impl<'b> Record<'b> {
     /// A field by its name, if the record has it.
     pub fn get(&self, field: &str) -> Option<Sig<'b>> {
-        self.fields.iter().find(|f| f.0 == field).map(|f| f.1)
+        self.find(field).copied()
+    }
+    pub(super) fn find(&self, field: &str) -> Option<&Sig<'b>> {
+        self.fields.iter().find(|f| f.0 == field).map(|f| &f.1)
     }
     /// Names of the fields, in order.
     pub fn names(&self) -> impl Iterator<Item = &str> {
@@ -107,23 +108,10 @@ impl OutputRecord {
 
 impl Builder {
     /// Declares outputs `<prefix>_<field>`, each with its width, unit and meaning.
-    pub fn output_record(&self, prefix: &str, fields: &[(&str, Expr, &str, &str)]) -> OutputRecord {
-        let port = |(field, width, unit, doc): &(&str, Expr, &str, &str)| {
-            ((*field).to_string(), self.output(&format!("{prefix}_{field}"), width, unit, doc))
+    pub fn output_record(&self, prefix: &str, fields: &[(&str, Expr, Quantity, &str)]) -> OutputRecord {
+        let port = |(field, width, unit, doc): &(&str, Expr, Quantity, &str)| {
+            ((*field).to_string(), self.output(&format!("{prefix}_{field}"), width, *unit, doc))
         };
         OutputRecord { ports: fields.iter().map(port).collect() }
-    }
-
-    /// Instantiates `module` as [`Builder::inst`] does; its outputs as a record, by the names of its ports.
-    #[track_caller]
-    pub fn instance(
-        &self,
-        module: &Arc<Module>,
-        name: &str,
-        params: &[(&str, Expr)],
-        inputs: &[(&str, Sig<'_>)],
-    ) -> Record<'_> {
-        let outs = self.inst(module, name, params, inputs);
-        module.data_outputs().map(|(_, p)| p.name.as_str()).zip(outs).collect()
     }
 }

@@ -91,8 +91,7 @@ pub fn ray_sets(c: &Config, scene: &Scene) -> Result<Vec<(String, RaySet)>> {
 pub fn text(c: &Config) -> Result<Hardware> {
     let mut p = hardware(c)?;
     let d = c.design();
-    let depth = p.traverse.setup + p.traverse.slots + p.traverse.finish;
-    p.files.extend(bench_files(&units(&d), Some((&p.traverse.module, depth)), &c.emit));
+    p.files.extend(bench_files(&units(&d), Some((&d, &p.traverse)), &c.emit));
     let names: Vec<String> = p.files.keys().filter_map(|f| f.strip_prefix("rtl/")).map(str::to_string).collect();
     let names: Vec<String> = names.into_iter().filter(|f| f.ends_with(".v")).collect();
     let units = all(&d);

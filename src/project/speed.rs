@@ -187,7 +187,7 @@ fn measure(c: &Config, task: &SpeedTask, turns: usize, tell: &dyn Fn(&str)) -> R
     let load = Load { memory: &memory, rays: &items, expected: &task.expected };
     for compiler in COMPILERS.into_iter().filter(|compiler| process::starts(compiler)) {
         tell(&format!("building the harness in Verilator with {compiler}"));
-        match Harness::new(compiler, &hardware.files, &hardware.traverse.module, &top) {
+        match Harness::new(compiler, &hardware.files, (&d, &hardware.traverse.module), &top) {
             Ok(harness) => {
                 harness.load(&load)?;
                 harnesses.push((compiler, harness));

@@ -69,15 +69,15 @@ pub fn top_module(module: &Module, prefix: &str, copies: u32) -> String {
 #[cfg(test)]
 mod tests {
     use super::top_module;
-    use crate::ir::Builder;
+    use crate::ir::{BITS, Builder};
 
     #[test]
     fn every_data_port_has_two_ranks() {
         let b = Builder::new("pass", file!(), "a, one clock later");
         b.clock();
         b.clock_enable();
-        let a = b.input("a", 3, "bits", "operand");
-        let out = b.output("result", 3, "bits", "a");
+        let a = b.input("a", 3, BITS, "operand");
+        let out = b.output("result", 3, BITS, "a");
         b.drive(out, a, Some(1));
         let text = top_module(&b.finish(Some(1), &[]), "p_", 2);
         for part in [

@@ -1,5 +1,6 @@
 //! `delay_line`: a word some clocks later, in a small memory instead of registers (`latency.delay_line`).
 use super::lzc::finish_primitive;
+use crate::quantity::BITS;
 use reliefrtl_ir::{Builder, Lines, Module, Prim, with_lines};
 use std::sync::Arc;
 
@@ -21,8 +22,8 @@ pub fn delay_line_module() -> Arc<Module> {
     b.require(&clocks, i64::from(MOST));
     b.clock();
     b.clock_enable();
-    b.input("in_data", &w, "bits", "the word");
-    b.output("out_data", &w, "bits", "the word of CLOCKS clocks ago");
+    b.input("in_data", &w, BITS, "the word");
+    b.output("out_data", &w, BITS, "the word of CLOCKS clocks ago");
     finish_primitive(b, Prim::DelayLine, 4)
 }
 

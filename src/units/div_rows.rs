@@ -1,5 +1,6 @@
 //! `div_rows`: rows of restoring division, one quotient bit each.
 use super::lzc::finish_primitive;
+use crate::quantity::BITS;
 use reliefrtl_ir::{Builder, Expr, Module, Prim, Sig};
 use std::sync::Arc;
 
@@ -17,10 +18,10 @@ pub fn div_rows_module(width: u32, rows: u32) -> Arc<Module> {
     b.require(&w, 62);
     b.require(1, &n);
     b.require(&n, 64);
-    b.input("rem_in", &w + 1, "bits", "dividend, or the remainder that the rows before left");
-    b.input("div", &w, "bits", "divisor");
-    b.output("rem_out", &w + 1, "bits", "remainder, doubled once a row");
-    b.output("quot", &n, "bits", "quotient bits, the first on top");
+    b.input("rem_in", &w + 1, BITS, "dividend, or the remainder that the rows before left");
+    b.input("div", &w, BITS, "divisor");
+    b.output("rem_out", &w + 1, BITS, "remainder, doubled once a row");
+    b.output("quot", &n, BITS, "quotient bits, the first on top");
     finish_primitive(b, Prim::DivRows, 0)
 }
 
@@ -36,6 +37,6 @@ pub fn div_rows<'b>(
 ) -> (Sig<'b>, Sig<'b>) {
     let module = div_rows_module(17, 19);
     let params = [("W", w.clone()), ("ROWS", rows.clone())];
-    let o = b.instance(&module, instance, &params, &[("rem_in", rem), ("div", div)]);
+    let o = b.inst(&module, instance, &params, &[("rem_in", rem), ("div", div)]);
     (o["rem_out"].named(&format!("rem_{index}")), o["quot"].named(&format!("digits_{index}")))
 }

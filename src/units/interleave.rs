@@ -1,5 +1,6 @@
 //! `interleave`: two words in Morton order, the first in the even bits.
 use super::lzc::finish_primitive;
+use crate::quantity::BITS;
 use reliefrtl_ir::{Builder, Module, Prim, Sig};
 use std::sync::Arc;
 
@@ -9,13 +10,13 @@ pub fn interleave_module(width: u32) -> Arc<Module> {
     let w = b.param("W", width, "bits of each word");
     b.require(1, &w);
     b.require(&w, 32);
-    b.input("a", &w, "bits", "word for the even bits");
-    b.input("b", &w, "bits", "word for the odd bits");
-    b.output("result", w.clone() * 2, "bits", "b[W-1] a[W-1] .. b[0] a[0]");
+    b.input("a", &w, BITS, "word for the even bits");
+    b.input("b", &w, BITS, "word for the odd bits");
+    b.output("result", w.clone() * 2, BITS, "b[W-1] a[W-1] .. b[0] a[0]");
     finish_primitive(b, Prim::Interleave, 0)
 }
 
 /// Instantiates an interleaver.
 pub fn interleave<'b>(b: &'b Builder, instance: &str, even: Sig<'b>, odd: Sig<'b>, name: &str) -> Sig<'b> {
-    b.inst(&interleave_module(8), instance, &[("W", even.width())], &[("a", even), ("b", odd)])[0].named(name)
+    b.inst(&interleave_module(8), instance, &[("W", even.width())], &[("a", even), ("b", odd)]).only().named(name)
 }

@@ -5,6 +5,7 @@ mod divider;
 pub mod float;
 pub mod interleave;
 pub mod lzc;
+mod quantity;
 pub mod recip_table;
 pub mod sqrt_rows;
 pub mod stream;

@@ -1,4 +1,5 @@
 //! `lzc`: leading zeros of a word; the word's width when it is zero.
+use crate::quantity::BITS;
 use reliefrtl_ir::{Body, Builder, Module, Prim, Sig};
 use std::sync::Arc;
 
@@ -9,14 +10,14 @@ pub fn lzc_module(width: u32) -> Arc<Module> {
     b.require(1, &w);
     b.require(&w, 64);
     let count_w = b.local("CountW", (&w + 1).clog2());
-    b.input("bits", &w, "bits", "the word");
-    b.output("count", &count_w, "bits", "zeros above the topmost 1");
+    b.input("bits", &w, BITS, "the word");
+    b.output("count", &count_w, BITS, "zeros above the topmost 1");
     finish_primitive(b, Prim::Lzc, 0)
 }
 
 /// Instantiates an `lzc` on `word`; the count is named `name` and has clog2(width + 1) bits.
 pub fn lzc<'b>(b: &'b Builder, instance: &str, word: Sig<'b>, name: &str) -> Sig<'b> {
-    b.inst(&lzc_module(8), instance, &[("W", word.width())], &[("bits", word)])[0].named(name)
+    b.inst(&lzc_module(8), instance, &[("W", word.width())], &[("bits", word)]).only().named(name)
 }
 
 /// Ends a primitive: outputs appear `latency` clocks after the inputs.

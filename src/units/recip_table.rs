@@ -1,5 +1,6 @@
 //! `recip_table`: a line under the reciprocal for each value of a significand's top fraction bits.
 use super::lzc::finish_primitive;
+use crate::quantity::BITS;
 use reliefrtl_base::bits::{INDEX_W, SLOPE_W, START_W};
 use reliefrtl_ir::{Builder, Module, Prim, Sig};
 use std::sync::Arc;
@@ -13,12 +14,12 @@ pub fn recip_table_module() -> Arc<Module> {
     ));
     b.clock();
     b.clock_enable();
-    b.input("index", INDEX_W, "bits", "the divisor's fraction bits below the leading one");
-    b.output("word", START_W + SLOPE_W, "bits", "start, then slope, one clock later");
+    b.input("index", INDEX_W, BITS, "the divisor's fraction bits below the leading one");
+    b.output("word", START_W + SLOPE_W, BITS, "start, then slope, one clock later");
     finish_primitive(b, Prim::RecipTable, 1)
 }
 
 /// The word for `index`, one clock later: start and slope.
 pub fn recip_table<'b>(b: &'b Builder, index: Sig<'b>) -> Sig<'b> {
-    b.inst(&recip_table_module(), "u_table", &[], &[("index", index)])[0].named("line")
+    b.inst(&recip_table_module(), "u_table", &[], &[("index", index)]).only().named("line")
 }

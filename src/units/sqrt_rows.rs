@@ -1,5 +1,6 @@
 //! `sqrt_rows`: rows of restoring square root, one digit each.
 use super::lzc::finish_primitive;
+use crate::quantity::BITS;
 use reliefrtl_ir::{Builder, Expr, Module, Prim, Sig};
 use std::sync::Arc;
 
@@ -20,10 +21,10 @@ pub fn sqrt_rows_module(width: u32, rows: u32) -> Arc<Module> {
     b.require(1, &n);
     b.require(1, &first);
     b.require(&first + &n, &w);
-    b.input("rem_in", &w + 1, "bits", "remainder that the rows before left");
-    b.input("root_in", &w, "bits", "digits so far");
-    b.output("rem_out", &w + 1, "bits", "remainder, doubled once a row");
-    b.output("root_out", &w, "bits", "digits so far and those of these rows");
+    b.input("rem_in", &w + 1, BITS, "remainder that the rows before left");
+    b.input("root_in", &w, BITS, "digits so far");
+    b.output("rem_out", &w + 1, BITS, "remainder, doubled once a row");
+    b.output("root_out", &w, BITS, "digits so far and those of these rows");
     finish_primitive(b, Prim::SqrtRows, 0)
 }
 
@@ -38,6 +39,6 @@ pub fn sqrt_rows<'b>(
 ) -> (Sig<'b>, Sig<'b>) {
     let module = sqrt_rows_module(18, 17);
     let params = [("W", root.width()), ("ROWS", rows.clone()), ("FIRST", first.clone())];
-    let o = b.instance(&module, &format!("u_rows_{index}"), &params, &[("rem_in", rem), ("root_in", root)]);
+    let o = b.inst(&module, &format!("u_rows_{index}"), &params, &[("rem_in", rem), ("root_in", root)]);
     (o["rem_out"].named(&format!("rem_{index}")), o["root_out"].named(&format!("root_{index}")))
 }

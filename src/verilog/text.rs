@@ -125,18 +125,18 @@ impl Printer<'_> {
 mod tests {
     use super::super::bundle::{delayed_bit, delayed_net};
     use super::*;
-    use reliefrtl_ir::{Binding, Builder};
+    use reliefrtl_ir::{BIT, BITS, Binding, Builder};
 
     /// A module whose three words of 8 bits come out `clocks` later, beside a valid bit.
     fn module(clocks: u32) -> std::sync::Arc<Module> {
         let b = Builder::new("m", file!(), "delays");
         b.clock();
         b.reset();
-        let words = ["x", "y", "z"].map(|name| b.input(name, 8, "bits", "a word").named(&format!("word_{name}")));
-        let valid = b.input("in_valid", 1, "bit", "the words count").named("valid").valid();
-        let outs = ["a", "b", "c"].map(|name| b.output(name, 8, "bits", "the word"));
+        let words = ["x", "y", "z"].map(|name| b.input(name, 8, BITS, "a word").named(&format!("word_{name}")));
+        let valid = b.input("in_valid", 1, BIT, "the words count").named("valid").valid();
+        let outs = ["a", "b", "c"].map(|name| b.output(name, 8, BITS, "the word"));
         outs.iter().zip(words).for_each(|(out, word)| b.drive(*out, word, Some(clocks)));
-        let out = b.output("out_valid", 1, "bit", "the words count");
+        let out = b.output("out_valid", 1, BIT, "the words count");
         b.drive(out, valid, Some(clocks));
         b.finish(Some(clocks), &[])
     }

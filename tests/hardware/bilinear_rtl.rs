@@ -150,7 +150,7 @@ fn simulated(sim: Simulator, sizes: &[((u32, u32), u32, u32)], plusargs: &[&str]
         let p = hardware(&c).unwrap();
         let t = &p.traverse;
         let mut files = p.files;
-        files.extend(reliefrtl::bench::bench_files(&[], Some((&t.module, t.setup + t.slots + t.finish)), "relief_"));
+        files.extend(reliefrtl::bench::bench_files(&[], Some((&c.design(), t)), "relief_"));
         files.extend(set_files(&set.set).into_iter().map(|(n, text)| (format!("golden/traverse/{n}"), text)));
         files.insert("golden/traverse/memory.hex".into(), set.memory);
         let dir = tempfile::tempdir().unwrap();

@@ -151,9 +151,8 @@ fn in_simulator(sim: Simulator, sets: &[&str]) {
     let given: Vec<&Given> = given.iter().filter(|g| g.design.traverse == c.traverse && !g.rays.is_empty()).collect();
     assert!(given.len() >= 25, "{} cases", given.len());
     let p = hardware(&c).unwrap();
-    let depth = p.traverse.setup + p.traverse.slots + p.traverse.finish;
     let mut files = p.files;
-    files.extend(bench_files(&[], Some((&p.traverse.module, depth)), "relief_"));
+    files.extend(bench_files(&[], Some((&c.design(), &p.traverse)), "relief_"));
     let checked: usize = given
         .par_iter()
         .map(|g| {

@@ -26,7 +26,7 @@ fn one_wrong_bit_of_one_output_ends_the_harness_with_a_mismatch() {
     let memory: Vec<u64> = scene.pyramid.memory().iter().map(|w| u64::from(*w)).collect();
     let h = hardware(&c).unwrap();
     let top = format!("{}traverse", c.emit.prefix);
-    let harness = Harness::new("g++", &h.files, &h.traverse.module, &top).unwrap();
+    let harness = Harness::new("g++", &h.files, (&d, &h.traverse.module), &top).unwrap();
     harness.load(&Load { memory: &memory, rays: &items, expected: &expected }).unwrap();
     let run = harness.run().unwrap();
     assert!(rays.len() > 100 && run.compared == rays.len() as u64 && run.wrong == 0, "{run:?}");

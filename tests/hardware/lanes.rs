@@ -84,13 +84,13 @@ fn nothing_that_was_left_out_is_missed() {
 /// Registers that read each other, and one that reads itself: all see what was there before the clock.
 #[test]
 fn registers_in_rings() {
-    use reliefrtl::ir::Builder;
+    use reliefrtl::ir::{BIT, BITS, Builder};
     let b = Builder::new("rings", file!(), "three registers that hand a word round");
     b.clock();
     b.reset();
-    let data = b.input_static("data", 8, "bits", "comes in while load is set");
-    let load = b.input_static("load", 1, "bit", "take the word");
-    let out = b.output("out", 24, "bits", "all three");
+    let data = b.input_static("data", 8, BITS, "comes in while load is set");
+    let load = b.input_static("load", 1, BIT, "take the word");
+    let out = b.output("out", 24, BITS, "all three");
     let [x, y, z] = ["x", "y", "z"].map(|n| b.loop_reg(n, 8, false));
     let own = b.loop_reg("own", 1, true);
     let next = load.mux(data, z).rebase_stage(0).named("next");

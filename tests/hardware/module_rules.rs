@@ -1,6 +1,8 @@
 //! What a module may not be: every rule of the verifier and every refusal of the builder, each with a module that breaks it and nothing else.
 use reliefrtl::interp::elaborate;
-use reliefrtl::ir::{Binding, Builder, Expr, Module, Node, NodeId, Op, SYSTEM_VERILOG, Sig, VERILOG, verify};
+use reliefrtl::ir::{
+    BIT, BITS, Binding, Builder, Expr, Module, Node, NodeId, Op, Outputs, SYSTEM_VERILOG, Sig, VERILOG, verify,
+};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
@@ -15,8 +17,8 @@ fn good() -> Module {
     let b = Builder::new("good", "tests", "a module");
     b.clock();
     b.clock_enable();
-    let (x, y) = (b.input("x", 4, "bits", "x"), b.input("y", 4, "bits", "y"));
-    let o = b.output("o", 4, "bits", "o");
+    let (x, y) = (b.input("x", 4, BITS, "x"), b.input("y", 4, BITS, "y"));
+    let o = b.output("o", 4, BITS, "o");
     b.drive(o, (x & y).named("both").reg(), None);
     Arc::unwrap_or_clone(b.finish(Some(1), &[]))
 }
@@ -67,9 +69,9 @@ fn looping(around: impl for<'b> Fn(&'b Builder, Sig<'b>) -> Sig<'b>) -> Module {
     let b = Builder::new("looping", "tests", "a module");
     b.clock();
     b.clock_enable();
-    let x = b.input_static("x", 1, "bit", "x");
+    let x = b.input_static("x", 1, BIT, "x");
     let back = b.wire("back", 1);
-    let o = b.output("o", 1, "bit", "o");
+    let o = b.output("o", 1, BIT, "o");
     let y = (x & back).named("y");
     b.connect(back, around(&b, y));
     b.drive(o, y, None);
@@ -81,8 +83,8 @@ fn leaf() -> Arc<Module> {
     let b = Builder::new("leaf", "tests", "a module");
     b.clock();
     b.clock_enable();
-    let a = b.input("a", 1, "bit", "a");
-    let (through, held) = (b.output("through", 1, "bit", "as it is"), b.output("held", 1, "bit", "a clock later"));
+    let a = b.input("a", 1, BIT, "a");
+    let (through, held) = (b.output("through", 1, BIT, "as it is"), b.output("held", 1, BIT, "a clock later"));
     b.drive(through, !a, None);
     b.drive(held, (!a).named("not_a").reg(), None);
     b.finish(None, &[])
@@ -94,17 +96,17 @@ fn a_combinational_loop_is_named() {
     let circle = "a combinational loop: and y -> not inverted -> wire back -> and y";
     assert!(said.contains(circle), "{said}");
     let leaf = leaf();
-    let through = |port: usize| {
+    let through = |port: &str, other: &str| {
         looping(|b, y| {
             let outs = b.inst(&leaf, "u_leaf", &[], &[("a", y)]);
-            b.unused(outs[1 - port]);
+            b.unused(outs[other]);
             outs[port].unstaged()
         })
     };
-    let said = panics("a loop through an instance", || drop(through(0)));
+    let said = panics("a loop through an instance", || drop(through("through", "held")));
     assert!(said.contains("a combinational loop: ") && said.contains("instance output"), "{said}");
     // The same circle with a register in it is none; and where nothing was verified, elaboration ends as well.
-    let mut m = through(1);
+    let mut m = through("held", "through");
     elaborate(&m, &Binding::new()).unwrap();
     let at = |m: &Module, found: &dyn Fn(&Node) -> bool| m.nodes.iter().position(found).unwrap();
     let (wire, y) = (at(&m, &|n| n.op == Op::Wire), at(&m, &|n| n.name.as_deref() == Some("y")));
@@ -135,16 +137,19 @@ fn keywords_are_no_names() {
 #[test]
 fn the_builder_refuses_what_has_no_meaning() {
     fn x(b: &Builder) -> Sig<'_> {
-        b.input("x", 4, "bits", "")
+        b.input("x", 4, BITS, "")
     }
     fn narrow(b: &Builder) -> Sig<'_> {
-        b.input("y", 3, "bits", "")
+        b.input("y", 3, BITS, "")
     }
-    fn inst(b: &Builder, inputs: &[(&str, Sig<'_>)]) {
-        b.inst(&leaf(), "u_leaf", &[], inputs);
+    fn inst<'b>(b: &'b Builder, inputs: &[(&str, Sig<'_>)]) -> Outputs<'b> {
+        b.inst(&leaf(), "u_leaf", &[], inputs)
+    }
+    fn whole(b: &Builder) -> Outputs<'_> {
+        inst(b, &[("a", b.lit(1, 1))])
     }
     type Row = (&'static str, fn(&Builder));
-    let refusals: [Row; 11] = [
+    let refusals: [Row; 13] = [
         ("and of 4 and 3 bits: operands have the same width", |b| _ = x(b) & narrow(b)),
         ("ult of 4 and 3 bits: operands have the same width", |b| _ = x(b).lt(narrow(b))),
         ("mux of 4 and 3 bits: operands have the same width", |b| _ = b.lit(1, 1).mux(x(b), narrow(b))),
@@ -152,10 +157,12 @@ fn the_builder_refuses_what_has_no_meaning() {
         ("a value of stage 1 is asked for in stage 0", |b| _ = x(b).reg().at(0)),
         ("a and without a name crosses a stage: name it", |b| _ = (x(b) & x(b)).reg()),
         ("a decision has one bit", |b| _ = x(b).decided(false)),
-        ("m: output o has 3 bits, its driver 4", |b| b.drive(b.output("o", 3, "bits", ""), x(b), None)),
-        ("u_leaf: input a is not driven", |b| inst(b, &[])),
-        ("u_leaf.a has 1 bits, its driver 4", |b| inst(b, &[("a", x(b))])),
-        ("leaf: no port z", |b| inst(b, &[("z", b.lit(1, 1))])),
+        ("m: output o has 3 bits, its driver 4", |b| b.drive(b.output("o", 3, BITS, ""), x(b), None)),
+        ("u_leaf: input a is not driven", |b| _ = inst(b, &[])),
+        ("u_leaf.a has 1 bits, its driver 4", |b| _ = inst(b, &[("a", x(b))])),
+        ("leaf: no port z", |b| _ = inst(b, &[("z", b.lit(1, 1))])),
+        ("u_leaf (an instance of leaf) has no output z; there are through, held", |b| _ = whole(b)["z"]),
+        ("u_leaf (an instance of leaf) is asked for its only output and has through, held", |b| _ = whole(b).only()),
     ];
     for (sentence, refused) in refusals {
         let b = Builder::new("m", "tests", "a module");

@@ -3,7 +3,7 @@
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use reliefrtl::interp::{Lanes, elaborate};
-use reliefrtl::ir::{Binding, Builder, Expr, Module};
+use reliefrtl::ir::{BITS, Binding, Builder, Expr, Module, Quantity};
 use reliefrtl::units::stream::{InputStream, OutputStream, Stream};
 use reliefrtl::verilog::{Style, print_module};
 use std::collections::VecDeque;
@@ -18,7 +18,7 @@ const CLOCKS: usize = 3000;
 
 /// Stream `a` through a spill register, a map and a FIFO, stream `b` as it is; and the arbiter after them.
 fn merged() -> Arc<Module> {
-    let fields: Vec<(&str, Expr, &str, &str)> = FIELDS.map(|(name, w)| (name, w.into(), "bits", "a word")).to_vec();
+    let fields: Vec<(&str, Expr, Quantity, &str)> = FIELDS.map(|(name, w)| (name, w.into(), BITS, "a word")).to_vec();
     let b = Builder::new("merged", file!(), "two streams into one");
     b.clock();
     b.reset();

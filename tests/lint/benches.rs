@@ -28,8 +28,7 @@ const CHOSEN: [&str; 8] = [
 fn benches(e: &Emitted) -> (Vec<String>, Vec<String>) {
     let d = e.config.design();
     let t = traverse(&d);
-    let depth = t.setup + t.slots + t.finish;
-    let files = bench_files(&catalogue::units(&d), Some((&t.module, depth)), &e.config.emit);
+    let files = bench_files(&catalogue::units(&d), Some((&d, &t)), &e.config.emit);
     // Tests of one program that run side by side share the trees: a file that a tool may be reading is not written again.
     static WRITING: Mutex<()> = Mutex::new(());
     let writing = WRITING.lock().expect("files were written");

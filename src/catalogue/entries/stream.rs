@@ -161,6 +161,7 @@ static HEIGHT_BANKS: Unit = Unit { name: "height_banks", ..UNIT };
 
 static TRAVERSE: Unit = Unit {
     name: "traverse",
+    takes_rays: true,
     proofs: &[Proof {
         name: "traverse",
         units: &["traverse"],

@@ -18,7 +18,9 @@ pub struct DatapathFacts {
     pub divides_in_loop: bool,
     /// A start level is found by a trip through the loop, before the first iteration.
     pub start_trip: bool,
-    /// Every ray ends, and in the same hit whatever the mode.
+    /// Every ray ends by itself; without, one may stay in a texel until the step limit.
+    pub rays_end: bool,
+    /// Every ray ends in the same hit whatever the mode.
     pub modes_agree: bool,
     /// An iteration reads one node of a level: there are a start level, a descent and a way up, and one address interleaved of both indices.
     pub reads_nodes: bool,

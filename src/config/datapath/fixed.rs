@@ -17,6 +17,7 @@ pub(super) const FACTS: DatapathFacts = DatapathFacts {
     },
     divides_in_loop: false,
     start_trip: false,
+    rays_end: true,
     modes_agree: true,
     reads_nodes: true,
     counts_levels: true,

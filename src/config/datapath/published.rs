@@ -10,6 +10,7 @@ pub(super) const FACTS: DatapathFacts = DatapathFacts {
     words: float::words,
     divides_in_loop: true,
     start_trip: true,
+    rays_end: false,
     modes_agree: false,
     reads_nodes: true,
     counts_levels: true,

@@ -11,6 +11,7 @@ pub(super) const FACTS: DatapathFacts = DatapathFacts {
     words: float::words,
     divides_in_loop: false,
     start_trip: false,
+    rays_end: true,
     modes_agree: true,
     reads_nodes: true,
     counts_levels: true,

@@ -67,7 +67,7 @@ impl DesignSpec {
     fn sized(t: &TraverseConfig, datapath: DatapathConfig, exp: u32, man: u32, mode: ModeConfig) -> Self {
         let facts = datapath.kind.facts();
         // Without its nudge more than half of the published datapath's rays stay in a texel for ever, and each costs the whole limit.
-        let cap = match (facts.modes_agree, datapath.nudge_bits) {
+        let cap = match (facts.rays_end, datapath.nudge_bits) {
             (true, _) => 8191,
             (false, 0) => STUCK_LIMIT,
             (false, _) => 1023,

@@ -116,7 +116,7 @@ impl Plan {
                 let levels = at.spec.levels;
                 // On wide maps most rays of a datapath without the promise that they end run to the limit: modes would tell nothing, and cost most of
                 // the time.
-                let stuck = !spec.kind.facts().modes_agree && levels != self.config.traverse.levels;
+                let stuck = !spec.kind.facts().rays_end && levels != self.config.traverse.levels;
                 let left_out = at.sweep || stuck && self.selection.extent != Extent::Full;
                 if left_out && !self.followed(spec) {
                     continue;

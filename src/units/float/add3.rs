@@ -10,6 +10,7 @@
 use super::fields::FormatParams;
 use super::general::{Classes, Exact, Operand, Range, any, exponent_width, round};
 use crate::lzc::lzc;
+use crate::quantity::FLOAT;
 use reliefrtl_base::format::{FloatFormat, Rounding};
 use reliefrtl_ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
@@ -63,8 +64,8 @@ pub fn fp_add3(format: FloatFormat, latency: u32) -> Arc<Module> {
     let sum_w = b.local("SumW", p.clone() * 2 + 6);
     b.clock();
     b.clock_enable();
-    let ins = ["a", "b", "c"].map(|n| b.input(n, &f.width, "float", "term"));
-    let out = b.output("result", &f.width, "float", "a + b + c");
+    let ins = ["a", "b", "c"].map(|n| b.input(n, &f.width, FLOAT, "term"));
+    let out = b.output("result", &f.width, FLOAT, "a + b + c");
     b.plan(latency, PLAN);
 
     b.section("compare", "");

@@ -3,6 +3,7 @@
 //! One carry chain and one equality over the magnitudes; signs and classes are decided beside them.
 use super::fields::FormatParams;
 use super::general::{Operand, any};
+use crate::quantity::{BIT, FLOAT};
 use reliefrtl_base::format::FloatFormat;
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
@@ -16,12 +17,12 @@ pub fn fp_compare(format: FloatFormat, latency: u32) -> Arc<Module> {
     let f = FormatParams::declare(&b, format);
     b.clock();
     b.clock_enable();
-    let a_in = b.input("a", &f.width, "float", "left side");
-    let b_in = b.input("b", &f.width, "float", "right side");
-    let lt = b.output("lt", 1, "bit", "a < b");
-    let eq = b.output("eq", 1, "bit", "a = b; +0 and -0 are equal");
-    let gt = b.output("gt", 1, "bit", "a > b");
-    let unordered = (!format.is_finite()).then(|| b.output("unordered", 1, "bit", "a or b is NaN"));
+    let a_in = b.input("a", &f.width, FLOAT, "left side");
+    let b_in = b.input("b", &f.width, FLOAT, "right side");
+    let lt = b.output("lt", 1, BIT, "a < b");
+    let eq = b.output("eq", 1, BIT, "a = b; +0 and -0 are equal");
+    let gt = b.output("gt", 1, BIT, "a > b");
+    let unordered = (!format.is_finite()).then(|| b.output("unordered", 1, BIT, "a or b is NaN"));
     b.plan(latency, PLAN);
 
     b.section("compare", "");

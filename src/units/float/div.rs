@@ -10,6 +10,7 @@ use super::quotient::Quotient;
 use super::round::Candidate;
 use super::rows::Groups;
 use crate::div_rows::div_rows;
+use crate::quantity::FLOAT;
 use reliefrtl_base::format::FloatFormat;
 use reliefrtl_config::{Divider, LatencyConfig};
 use reliefrtl_ir::{Builder, Module};
@@ -38,9 +39,9 @@ fn by_rows(format: FloatFormat, latency: u32) -> Arc<Module> {
     let rows = b.local("QuotW", &p + 2);
     b.clock();
     b.clock_enable();
-    let a_in = b.input("a", &f.width, "float", "dividend");
-    let b_in = b.input("b", &f.width, "float", "divisor");
-    let out = b.output("result", &f.width, "float", "a / b");
+    let a_in = b.input("a", &f.width, FLOAT, "dividend");
+    let b_in = b.input("b", &f.width, FLOAT, "divisor");
+    let out = b.output("result", &f.width, FLOAT, "a / b");
     let groups = Groups::planned(&b, latency, format.man + 3, None, &TAIL);
     b.require(groups.least_rows() - 3, &f.man);
 

@@ -7,6 +7,7 @@
 use super::fields::FormatParams;
 use super::quotient::Quotient;
 use super::round::Classes;
+use crate::quantity::FLOAT;
 use crate::recip_table::recip_table;
 use reliefrtl_base::bits::{INDEX_W, SLOPE_W, START_W};
 use reliefrtl_base::format::FloatFormat;
@@ -53,9 +54,9 @@ pub fn by_table(format: FloatFormat, latency: u32) -> Arc<Module> {
     let p = b.local("SigW", &f.man + 1);
     b.clock();
     b.clock_enable();
-    let a_in = b.input("a", &f.width, "float", "dividend");
-    let b_in = b.input("b", &f.width, "float", "divisor");
-    let out = b.output("result", &f.width, "float", "a / b");
+    let a_in = b.input("a", &f.width, FLOAT, "dividend");
+    let b_in = b.input("b", &f.width, FLOAT, "divisor");
+    let out = b.output("result", &f.width, FLOAT, "a / b");
     if latency as usize > DEEP.len() {
         b.plan_from(1, latency - 1, &DEEP.map(|name| (name, 60)));
     } else {

@@ -3,6 +3,7 @@ use super::fields::FormatParams;
 use super::general;
 use super::round::{Special, Unrounded, round_pack};
 use crate::lzc::lzc;
+use crate::quantity::{FLOAT, integer};
 use reliefrtl_base::format::FloatFormat;
 use reliefrtl_ir::{Builder, Expr, Module};
 use std::sync::Arc;
@@ -45,11 +46,12 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32, fas
     let e_w = b.local("ExpSumW", f.exp.larger(&lz_w) + if fast { 2 } else { 3 });
     b.clock();
     b.clock_enable();
-    let a = b.input("a", &int, if frac_w.is_some() { "fixed point" } else { "integer" }, "signed operand");
+    let unit = integer(if frac_w.is_some() { "fixed point" } else { "integer" });
+    let a = b.input("a", &int, unit, "signed operand");
     let out = b.output(
         "result",
         &f.width,
-        "float",
+        FLOAT,
         if format.is_plain() { "a, rounded to nearest even" } else { "a, rounded" },
     );
     let shift: &[(&str, u32)] = if format.is_gradual() { &[("shift", 7)] } else { &[] };

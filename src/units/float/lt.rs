@@ -3,6 +3,7 @@
 //! One carry chain over the magnitudes, with no test before it: where `a` is negative, its last position turns
 //! `a < b` into `a <= b`, whose complement is the answer for two negative numbers. Classes are decided beside the chain.
 use super::fields::{Fields, FormatParams, Split};
+use crate::quantity::{BIT, FLOAT};
 use reliefrtl_base::format::FloatFormat;
 use reliefrtl_ir::{Builder, Module, Sig};
 use std::sync::Arc;
@@ -16,9 +17,9 @@ pub fn fp_lt(format: FloatFormat, latency: u32) -> Arc<Module> {
     let f = FormatParams::declare(&b, format);
     b.clock();
     b.clock_enable();
-    let a_in = b.input("a", &f.width, "float", "left side");
-    let b_in = b.input("b", &f.width, "float", "right side");
-    let out = b.output("result", 1, "bit", "a < b");
+    let a_in = b.input("a", &f.width, FLOAT, "left side");
+    let b_in = b.input("b", &f.width, FLOAT, "right side");
+    let out = b.output("result", 1, BIT, "a < b");
     b.plan(latency, PLAN);
 
     b.section(

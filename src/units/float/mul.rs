@@ -7,6 +7,7 @@
 use super::fields::{Fields, FormatParams};
 use super::general;
 use super::round::{Candidate, Classes};
+use crate::quantity::FLOAT;
 use reliefrtl_base::format::FloatFormat;
 use reliefrtl_ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
@@ -30,9 +31,9 @@ pub fn fp_mul(format: FloatFormat, latency: u32) -> Arc<Module> {
     let p = b.local("SigW", &f.man + 1);
     b.clock();
     b.clock_enable();
-    let a_in = b.input("a", &f.width, "float", "first factor");
-    let b_in = b.input("b", &f.width, "float", "second factor");
-    let out = b.output("result", &f.width, "float", "a * b");
+    let a_in = b.input("a", &f.width, FLOAT, "first factor");
+    let b_in = b.input("b", &f.width, FLOAT, "second factor");
+    let out = b.output("result", &f.width, FLOAT, "a * b");
     let plan = match latency {
         0..=4 => PLAN,
         5 => FIVE,

@@ -6,6 +6,7 @@ use super::fields::FormatParams;
 use super::general::{Classes, Exact, Operand, Range, exponent_width, round};
 use super::rows::Groups;
 use crate::div_rows::div_rows;
+use crate::quantity::FLOAT;
 use reliefrtl_base::format::FloatFormat;
 use reliefrtl_ir::{Builder, Module, Sig};
 use std::sync::Arc;
@@ -23,8 +24,8 @@ pub fn fp_recip(format: FloatFormat, latency: u32) -> Arc<Module> {
     let rows = b.local("QuotW", &p + 1);
     b.clock();
     b.clock_enable();
-    let a_in = b.input("a", &f.width, "float", "operand");
-    let out = b.output("result", &f.width, "float", "1 / a");
+    let a_in = b.input("a", &f.width, FLOAT, "operand");
+    let out = b.output("result", &f.width, FLOAT, "1 / a");
     let gradual = format.is_gradual();
     let tail: Vec<(&str, u32)> = TAIL.into_iter().filter(|t| t.0 != "shift" || gradual).collect();
     let groups = Groups::planned(&b, latency, format.man + 2, gradual.then_some(HEAD), &tail);

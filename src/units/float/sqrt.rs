@@ -6,6 +6,7 @@
 use super::fields::FormatParams;
 use super::general::{Classes, Exact, Operand, Range, exponent_width, round};
 use super::rows::Groups;
+use crate::quantity::FLOAT;
 use crate::sqrt_rows::sqrt_rows;
 use reliefrtl_base::format::FloatFormat;
 use reliefrtl_ir::{Builder, Module, Sig};
@@ -22,8 +23,8 @@ pub fn fp_sqrt(format: FloatFormat, latency: u32) -> Arc<Module> {
     let p = b.local("SigW", &f.man + 1);
     b.clock();
     b.clock_enable();
-    let a_in = b.input("a", &f.width, "float", "radicand");
-    let out = b.output("result", &f.width, "float", "square root of a; NaN of a negative number, -0 of -0");
+    let a_in = b.input("a", &f.width, FLOAT, "radicand");
+    let out = b.output("result", &f.width, FLOAT, "square root of a; NaN of a negative number, -0 of -0");
     // The root of the smallest subnormal number is a normal one, unless there are many fractions for few exponents.
     let normal = !format.is_gradual() || (format.man as i32) < format.bias();
     if normal && format.is_gradual() {

@@ -1,6 +1,7 @@
 //! `fp_to_int`, `fp_to_fixed`: a float to a signed integer, or fixed-point number, toward minus infinity, saturating.
 use super::fields::{Fields, FormatParams};
 use super::general::Operand;
+use crate::quantity::{FLOAT, integer};
 use reliefrtl_base::format::FloatFormat;
 use reliefrtl_ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
@@ -42,8 +43,8 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32) -> 
     let x_w = b.local("WideW", &f.man + 1 + &int);
     b.clock();
     b.clock_enable();
-    let a = b.input("a", &f.width, "float", "operand");
-    let unit = if frac_w.is_some() { "fixed point" } else { "integer" };
+    let a = b.input("a", &f.width, FLOAT, "operand");
+    let unit = integer(if frac_w.is_some() { "fixed point" } else { "integer" });
     let out = b.output("result", &int, unit, "floor of a, saturated");
     b.plan(latency, &[("distance", 5), ("shift", 4), ("fine shift", 4), ("floor", 4), ("saturate", 2)]);
 

@@ -1,4 +1,5 @@
 //! `arbiter`: some streams into one, round robin.
+use crate::quantity::{BIT, BITS};
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
@@ -20,14 +21,14 @@ pub fn arbiter(inputs: u32) -> Arc<Module> {
     b.require(1, &w);
     b.clock();
     b.reset();
-    let in_valid = b.input("in_valid", inputs, "bits", "input valid, a bit an input; stays 1 until the transfer");
-    let o_ready = b.output("in_ready", inputs, "bits", "input ready (transfer when valid && ready), a bit an input");
+    let in_valid = b.input("in_valid", inputs, BITS, "input valid, a bit an input; stays 1 until the transfer");
+    let o_ready = b.output("in_ready", inputs, BITS, "input ready (transfer when valid && ready), a bit an input");
     let in_data =
-        b.input("in_data", w.clone() * i64::from(inputs), "bits", "input words, that of input 0 in the low bits");
-    let o_valid = b.output("out_valid", 1, "bit", "output valid");
-    let out_ready = b.input("out_ready", 1, "bit", "output ready (transfer when valid && ready)");
-    let o_data = b.output("out_data", &w, "bits", "word of the granted input");
-    let o_grant = b.output("out_grant", inputs, "bits", "the granted input, one-hot; 0 while no input is valid");
+        b.input("in_data", w.clone() * i64::from(inputs), BITS, "input words, that of input 0 in the low bits");
+    let o_valid = b.output("out_valid", 1, BIT, "output valid");
+    let out_ready = b.input("out_ready", 1, BIT, "output ready (transfer when valid && ready)");
+    let o_data = b.output("out_data", &w, BITS, "word of the granted input");
+    let o_grant = b.output("out_grant", inputs, BITS, "the granted input, one-hot; 0 while no input is valid");
 
     let first = b
         .loop_reg("asked_first_q", inputs, true)

@@ -3,6 +3,7 @@
 //!
 //! Pointers, occupancy and credits; a `fifo_mem` holds the data.
 use super::fifo_mem::fifo_mem;
+use crate::quantity::{BIT, BITS};
 use reliefrtl_ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
@@ -21,13 +22,13 @@ pub fn credit_fifo() -> Arc<Module> {
     b.require(1, &w);
     b.clock();
     b.reset();
-    let issue = b.input("issue", 1, "bit", "a word enters the pipeline: reserve a slot; only while credit is 1");
-    let push = b.input("in_valid", 1, "bit", "input valid: a word leaves the pipeline and is written");
-    let data = b.input("in_data", &w, "bits", "input word");
-    let o_credit = b.output("credit", 1, "bit", "a slot is free: a word may be issued");
-    let o_valid = b.output("out_valid", 1, "bit", "output valid");
-    let out_ready = b.input("out_ready", 1, "bit", "output ready (transfer when valid && ready)");
-    let o_data = b.output("out_data", &w, "bits", "output word");
+    let issue = b.input("issue", 1, BIT, "a word enters the pipeline: reserve a slot; only while credit is 1");
+    let push = b.input("in_valid", 1, BIT, "input valid: a word leaves the pipeline and is written");
+    let data = b.input("in_data", &w, BITS, "input word");
+    let o_credit = b.output("credit", 1, BIT, "a slot is free: a word may be issued");
+    let o_valid = b.output("out_valid", 1, BIT, "output valid");
+    let out_ready = b.input("out_ready", 1, BIT, "output ready (transfer when valid && ready)");
+    let o_data = b.output("out_data", &w, BITS, "output word");
 
     let count = |name: &str, doc: &str| b.loop_reg(name, SLOT_W + 1, true).doc(doc);
     let pointer = |name: &str, doc: &str| b.loop_reg(name, SLOT_W, true).doc(doc);
@@ -77,7 +78,7 @@ pub fn credit_fifo() -> Arc<Module> {
     b.section("data", "The word at the read pointer is read in every clock.");
     let params = [("ADDR_W", SLOT_W.into()), ("DATA_W", w), ("DEPTH", SLOTS.into())];
     let ins = [("write_en", push), ("write_addr", write), ("write_data", data), ("read_addr", read)];
-    let o = b.instance(&fifo_mem(), "u_words", &params, &ins);
+    let o = b.inst(&fifo_mem(), "u_words", &params, &ins);
     b.drive(o_data, o["read_data"].rebase_stage(0).named("word"), None);
     b.finish(None, &[])
 }

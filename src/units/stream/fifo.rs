@@ -1,5 +1,6 @@
 //! `fifo`: a synchronous FIFO with valid and ready on both sides.
 use super::fifo_mem::fifo_mem;
+use crate::quantity::{BIT, BITS, WORDS};
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
@@ -21,13 +22,13 @@ pub fn fifo() -> Arc<Module> {
     let ptr_w = b.local("PtrW", depth.clog2());
     b.clock();
     b.reset();
-    let in_valid = b.input("in_valid", 1, "bit", "input valid");
-    let o_ready = b.output("in_ready", 1, "bit", "input ready (transfer when valid && ready): fewer than DEPTH words");
-    let in_data = b.input("in_data", &w, "bits", "input word");
-    let o_valid = b.output("out_valid", 1, "bit", "output valid");
-    let out_ready = b.input("out_ready", 1, "bit", "output ready (transfer when valid && ready)");
-    let o_data = b.output("out_data", &w, "bits", "output word; any while out_valid is 0");
-    let o_occupancy = b.output("occupancy", &ptr_w + 1, "words", "words pushed and not yet popped, 0 to DEPTH");
+    let in_valid = b.input("in_valid", 1, BIT, "input valid");
+    let o_ready = b.output("in_ready", 1, BIT, "input ready (transfer when valid && ready): fewer than DEPTH words");
+    let in_data = b.input("in_data", &w, BITS, "input word");
+    let o_valid = b.output("out_valid", 1, BIT, "output valid");
+    let out_ready = b.input("out_ready", 1, BIT, "output ready (transfer when valid && ready)");
+    let o_data = b.output("out_data", &w, BITS, "output word; any while out_valid is 0");
+    let o_occupancy = b.output("occupancy", &ptr_w + 1, WORDS, "words pushed and not yet popped, 0 to DEPTH");
 
     let occupancy = b.loop_reg("occupancy_q", &ptr_w + 1, true).doc("words held [words]");
     let write = b.loop_reg("write_ptr", &ptr_w, true).doc("slot that the next word is written to");
@@ -55,7 +56,7 @@ pub fn fifo() -> Arc<Module> {
     b.section("data", "The next word is read while this one transfers.");
     let params = [("ADDR_W", ptr_w), ("DATA_W", w), ("DEPTH", depth)];
     let ins = [("write_en", push), ("write_addr", write), ("write_data", in_data), ("read_addr", read_next)];
-    let words = b.instance(&fifo_mem(), "u_words", &params, &ins);
+    let words = b.inst(&fifo_mem(), "u_words", &params, &ins);
     b.drive(o_ready, not_full, None);
     b.drive(o_valid, valid, None);
     b.drive(o_data, words["read_data"].rebase_stage(0).named("word"), None);

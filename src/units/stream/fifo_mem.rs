@@ -1,5 +1,6 @@
 //! `fifo_mem`: the words of a FIFO, one write port and one read port with a register after it.
 use crate::lzc::finish_primitive;
+use crate::quantity::{BIT, BITS, integer};
 use reliefrtl_ir::{Builder, Module, Prim};
 use std::sync::Arc;
 
@@ -18,10 +19,10 @@ pub fn fifo_mem() -> Arc<Module> {
     }
     b.require(&depth, addr_w.pow2());
     b.clock();
-    b.input_static("write_en", 1, "bit", "write enable");
-    b.input_static("write_addr", &addr_w, "slots", "write address");
-    b.input_static("write_data", &data_w, "bits", "write data");
-    b.input("read_addr", &addr_w, "slots", "read address");
-    b.output("read_data", &data_w, "bits", "read data, one clock later");
+    b.input_static("write_en", 1, BIT, "write enable");
+    b.input_static("write_addr", &addr_w, integer("slots"), "write address");
+    b.input_static("write_data", &data_w, BITS, "write data");
+    b.input("read_addr", &addr_w, integer("slots"), "read address");
+    b.output("read_data", &data_w, BITS, "read data, one clock later");
     finish_primitive(b, Prim::FifoMem, 1)
 }

@@ -61,7 +61,7 @@ impl<'b> Stream<'b> {
         let (word, ready) = (self.data.bundle(b), b.wire(&format!("{name}_ready"), 1));
         let params: Vec<_> = params.iter().cloned().chain([("W", word.width())]).collect();
         let ins = [("in_valid", self.valid), ("in_data", word), ("out_ready", ready)];
-        let o = b.instance(module, &format!("u_{name}"), &params, &ins);
+        let o = b.inst(module, &format!("u_{name}"), &params, &ins);
         b.connect(self.ready, o["in_ready"].unstaged());
         if let Some(occupancy) = o.get("occupancy") {
             b.unused(occupancy.named(&format!("{name}_occupancy")));
@@ -83,7 +83,7 @@ impl<'b> Stream<'b> {
         let ready = b.wire(&format!("{name}_ready"), 1);
         let ins = [("in_valid", valid), ("in_data", words), ("out_ready", ready)];
         let width = streams[0].data.width();
-        let o = b.instance(&arbiter(streams.len() as u32), &format!("u_{name}"), &[("W", width)], &ins);
+        let o = b.inst(&arbiter(streams.len() as u32), &format!("u_{name}"), &[("W", width)], &ins);
         b.unused(o["out_grant"].named(&format!("{name}_grant")));
         let readies = o["in_ready"].unstaged().named(&format!("{name}_in_ready"));
         streams.iter().zip(0i64..).for_each(|(s, k)| b.connect(s.ready, readies.bit(k)));

@@ -75,7 +75,7 @@ impl<'b> Pipeline<'b> {
     ) -> Record<'b> {
         let (name, beside_w) = (self.name, beside.width());
         let ins = [("in_valid", valid), ("in_data", beside.bundle(b)), ("ce", self.enable(b))];
-        let o = b.instance(
+        let o = b.inst(
             &stream_delay(&format!("{name}_delay"), clocks),
             &format!("u_{name}_delay"),
             &[("W", beside_w)],
@@ -96,7 +96,7 @@ impl<'b> Pipeline<'b> {
             Decoupling::SpillRegister | Decoupling::Combinational => (spill_register(), "in_ready"),
         };
         ins.extend((self.decoupling == Decoupling::CreditFifo).then_some(("issue", valid)));
-        let o = b.instance(&module, &format!("u_{name}_buffer"), &[("W", bundle.width())], &ins);
+        let o = b.inst(&module, &format!("u_{name}_buffer"), &[("W", bundle.width())], &ins);
         b.connect(self.ready, o[ready].unstaged());
         b.connect(self.valid, o["out_valid"].unstaged());
         let buffered = words.unbundle(o["out_data"]);

@@ -1,9 +1,10 @@
 //! Streams at the ports of a module.
 use super::Stream;
+use crate::quantity::{BIT, Quantity};
 use reliefrtl_ir::{Builder, Expr, OutputRecord, Record, Sig};
 
 /// A field of a port: its name, width, unit and meaning.
-pub type Field<'a> = (&'a str, Expr, &'a str, &'a str);
+pub type Field<'a> = (&'a str, Expr, Quantity, &'a str);
 
 /// A stream that enters: inputs `<name>_valid` and `<name>_<field>`, output `<name>_ready`.
 pub struct InputStream<'b> {
@@ -17,10 +18,10 @@ pub struct InputStream<'b> {
 impl<'b> InputStream<'b> {
     /// Declares the ports.
     pub fn declare(b: &'b Builder, name: &str, ready_doc: &str, fields: &[Field<'_>]) -> Self {
-        let valid = b.input(&format!("{name}_valid"), 1, "bit", "input valid");
-        let ready = b.output(&format!("{name}_ready"), 1, "bit", ready_doc);
+        let valid = b.input(&format!("{name}_valid"), 1, BIT, "input valid");
+        let ready = b.output(&format!("{name}_ready"), 1, BIT, ready_doc);
         let port = |(field, width, unit, doc): &Field<'_>| {
-            ((*field).to_string(), b.input(&format!("{name}_{field}"), width, unit, doc))
+            ((*field).to_string(), b.input(&format!("{name}_{field}"), width, *unit, doc))
         };
         Self { data: fields.iter().map(port).collect(), valid, ready }
     }
@@ -47,9 +48,9 @@ pub struct OutputStream<'b> {
 impl<'b> OutputStream<'b> {
     /// Declares the ports.
     pub fn declare(b: &'b Builder, name: &str, fields: &[Field<'_>]) -> Self {
-        let valid = b.output(&format!("{name}_valid"), 1, "bit", "output valid");
+        let valid = b.output(&format!("{name}_valid"), 1, BIT, "output valid");
         let doc = "output ready (transfer when valid && ready)";
-        let ready = b.input_static(&format!("{name}_ready"), 1, "bit", doc);
+        let ready = b.input_static(&format!("{name}_ready"), 1, BIT, doc);
         Self { valid, ready, data: b.output_record(name, fields) }
     }
     /// Drives the ports.

@@ -2,6 +2,7 @@
 //! The consumer may stall at once; the producer stalls one cycle later, and the word of that cycle spills into the second slot.
 //!
 //! Only registers drive the wide multiplexer and the load enables, so no handshake fans out to every data bit in the cycle in which it is decided.
+use crate::quantity::{BIT, BITS};
 use reliefrtl_ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
@@ -13,12 +14,12 @@ pub fn spill_register() -> Arc<Module> {
     b.require(1, &w);
     b.clock();
     b.reset();
-    let in_valid = b.input("in_valid", 1, "bit", "input valid");
-    let o_ready = b.output("in_ready", 1, "bit", "input ready (transfer when valid && ready); registered");
-    let in_data = b.input("in_data", &w, "bits", "input word");
-    let o_valid = b.output("out_valid", 1, "bit", "output valid");
-    let out_ready = b.input("out_ready", 1, "bit", "output ready (transfer when valid && ready)");
-    let o_data = b.output("out_data", &w, "bits", "output word");
+    let in_valid = b.input("in_valid", 1, BIT, "input valid");
+    let o_ready = b.output("in_ready", 1, BIT, "input ready (transfer when valid && ready); registered");
+    let in_data = b.input("in_data", &w, BITS, "input word");
+    let o_valid = b.output("out_valid", 1, BIT, "output valid");
+    let out_ready = b.input("out_ready", 1, BIT, "output ready (transfer when valid && ready)");
+    let o_data = b.output("out_data", &w, BITS, "output word");
 
     let bit = |name: &str, doc: &str| b.loop_reg(name, 1, true).doc(doc);
     let holds = "the slot holds a word";

@@ -1,4 +1,5 @@
 //! Delay beside a pipeline with a clock enable: a word's valid bit, and what it carries along.
+use crate::quantity::{BIT, BITS};
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
@@ -21,12 +22,12 @@ fn build(name: &str, clocks: u32, with_valid: bool) -> Arc<Module> {
     b.clock_enable();
     if with_valid {
         b.reset();
-        let valid = b.input("in_valid", 1, "bit", "the word is valid").named("valid").valid();
-        let port = b.output("out_valid", 1, "bit", "the delayed word is valid");
+        let valid = b.input("in_valid", 1, BIT, "the word is valid").named("valid").valid();
+        let port = b.output("out_valid", 1, BIT, "the delayed word is valid");
         b.drive(port, valid, Some(clocks));
     }
-    let data = b.input("in_data", &w, "bits", "the word").named("data");
-    let port = b.output("out_data", &w, "bits", "the delayed word");
+    let data = b.input("in_data", &w, BITS, "the word").named("data");
+    let port = b.output("out_data", &w, BITS, "the delayed word");
     b.drive(port, data, Some(clocks));
     b.finish(Some(clocks), &[])
 }

@@ -6,6 +6,7 @@
 use super::cells::cells_level;
 use super::params::{LevelParams, bindings, index_width};
 use super::start_level::start_level;
+use crate::quantity::{BIT, LEVELS, Quantity, TEXELS};
 use reliefrtl_config::{Design, Trim};
 use reliefrtl_ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
@@ -16,35 +17,36 @@ pub fn chord_trim(d: &Design) -> Arc<Module> {
     let b = Builder::new("chord_trim", file!(), "level of the smallest node that holds the ray's way through this one");
     let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
     let idx = index_width(&b, t, Some(&levels));
-    let level = b.input("level", &level_w, "levels", "level of this node");
+    let level = b.input("level", &level_w, LEVELS, "level of this node");
     let enable =
-        (d.mode.trim == Trim::Descent).then(|| b.input("descended", 1, "bit", "trim: this is a descent's child"));
-    let lod = d.mode.lod.then(|| b.input("lod", &level_w, "levels", "the finest level to go to"));
-    let x_first = b.input("x_first", 1, "bit", "the ray leaves by the u plane");
+        (d.mode.trim == Trim::Descent).then(|| b.input("descended", 1, BIT, "trim: this is a descent's child"));
+    let lod = d.mode.lod.then(|| b.input("lod", &level_w, LEVELS, "the finest level to go to"));
+    let x_first = b.input("x_first", 1, BIT, "the ray leaves by the u plane");
     let mut axes = Vec::new();
     for axis in ["x", "y"] {
-        let of = |what: &str, width: &Expr, unit: &str, doc: &str| b.input(&format!("{axis}_{what}"), width, unit, doc);
+        let of =
+            |what: &str, width: &Expr, unit: Quantity, doc: &str| b.input(&format!("{axis}_{what}"), width, unit, doc);
         axes.push(Axis {
             name: axis,
-            at: of("at", &idx, "texels", "the current texel"),
-            low: of("low", &idx, "texels", "least texel of the node that the ray has not passed"),
-            high: of("high", &idx, "texels", "greatest texel of the node that the ray has not passed"),
-            neg: of("neg", &Expr::from(1), "bit", "the ray runs toward smaller coordinates"),
+            at: of("at", &idx, TEXELS, "the current texel"),
+            low: of("low", &idx, TEXELS, "least texel of the node that the ray has not passed"),
+            high: of("high", &idx, TEXELS, "greatest texel of the node that the ray has not passed"),
+            neg: of("neg", &Expr::from(1), BIT, "the ray runs toward smaller coordinates"),
             reach: of(
                 "reach",
                 &idx,
-                "texels",
+                TEXELS,
                 "texel of the ray, or one ahead of it, where it leaves by the other axis' plane",
             ),
-            last: of("last", &idx, "texels", "a texel that the ray does not get beyond"),
+            last: of("last", &idx, TEXELS, "a texel that the ray does not get beyond"),
         });
     }
-    let outs = ["x", "y"].map(|a| b.output(&format!("{a}_chord"), &idx, "texels", "the chord's far end"));
-    let out = b.output("level_read", &level_w, "levels", "level of the node to be read");
+    let outs = ["x", "y"].map(|a| b.output(&format!("{a}_chord"), &idx, TEXELS, "the chord's far end"));
+    let out = b.output("level_read", &level_w, LEVELS, "level of the node to be read");
 
     let ends = [axes[0].far(x_first), axes[1].far(!x_first)];
     let ins = [("x", axes[0].at), ("y", axes[1].at), ("x_end", ends[0]), ("y_end", ends[1])];
-    let tight = b.inst(&start_level(t), "u_start_level", &[("IDX_W", idx)], &ins)[0].named("tight");
+    let tight = b.inst(&start_level(t), "u_start_level", &[("IDX_W", idx)], &ins).only().named("tight");
     let tight = if d.fetch.blocks() { cells_level(tight) } else { tight };
     let kept = lod.map_or(tight, |lod| tight.lt(lod).mux(lod, tight).named("kept"));
     let read = enable.map_or(kept, |e| e.mux(kept, level).named("level_chosen"));

@@ -38,7 +38,7 @@ pub(super) fn climb<'b>(
                 LevelUp::None | LevelUp::Always => {}
             }
             let params = if d.mode.level_up == LevelUp::Selective { vec![("IDX_W", s.idx.clone())] } else { vec![] };
-            b.inst(&unit, "u_up", &params, &ins)[0].named("up")
+            b.inst(&unit, "u_up", &params, &ins).only().named("up")
         }
     };
 
@@ -48,7 +48,7 @@ pub(super) fn climb<'b>(
         _ => {
             let ins = [("level", ray.get("level")), ("level_read", read), ("up", up)];
             let o = b.inst(&trim_return(d), "u_return", &[], &ins);
-            (("level_across", o[0].named("level_across")), o[1].named("grown"))
+            (("level_across", o["level_across"].named("level_across")), o["grown"].named("grown"))
         }
     }
 }

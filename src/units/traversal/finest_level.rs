@@ -1,5 +1,6 @@
 //! `finest_level`: the level at which a ray may end, and the level at which it starts, which is no finer (PDM section 3.4).
 use super::params::{LevelParams, bindings};
+use crate::quantity::LEVELS;
 use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
@@ -10,11 +11,10 @@ pub fn finest_level(d: &Design) -> Arc<Module> {
     let LevelParams { levels, level_w } = LevelParams::declare(&b, &d.traverse);
     // Four cells that are read at once have the root for their block at most.
     let (levels, most) = if d.fetch.blocks() { (levels - 1, "LEVELS - 1") } else { (levels, "LEVELS") };
-    let asked =
-        b.input("lod", &level_w, "levels", &format!("the finest level that was asked for; above {most}: {most}"));
-    let start = b.input("start", &level_w, "levels", "the first level without that choice");
-    let o_finest = b.output("finest", &level_w, "levels", "the finest level");
-    let o_level = b.output("level", &level_w, "levels", "the first level");
+    let asked = b.input("lod", &level_w, LEVELS, &format!("the finest level that was asked for; above {most}: {most}"));
+    let start = b.input("start", &level_w, LEVELS, "the first level without that choice");
+    let o_finest = b.output("finest", &level_w, LEVELS, "the finest level");
+    let o_level = b.output("level", &level_w, LEVELS, "the first level");
     let root = b.konst(&levels, &level_w).named("root");
     // The sign of a difference: a comparison would be constant where LEVELS fills its word.
     let room = (root.zext(&level_w + 1) - asked.zext(&level_w + 1)).named("room");

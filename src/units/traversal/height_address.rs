@@ -4,6 +4,7 @@
 //! index uses, so levels lie without gaps and no adder is needed (`docs/datapath.md`, "The pyramid in memory").
 use super::params::{LevelParams, bindings};
 use crate::interleave::interleave;
+use crate::quantity::{LEVELS, TEXELS, WORDS};
 use reliefrtl_config::TraverseConfig;
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
@@ -12,10 +13,10 @@ use std::sync::Arc;
 pub fn height_address(t: &TraverseConfig) -> Arc<Module> {
     let b = Builder::new("height_address", file!(), "address of a node's height in the pyramid memory");
     let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
-    let level = b.input("level", &level_w, "levels", "0 .. LEVELS");
-    let i = b.input("i", &levels, "texels", "u of a texel in the node");
-    let j = b.input("j", &levels, "texels", "v of a texel in the node");
-    let out = b.output("address", levels.clone() * 2 + 1, "words", "level 0 first, the root last");
+    let level = b.input("level", &level_w, LEVELS, "0 .. LEVELS");
+    let i = b.input("i", &levels, TEXELS, "u of a texel in the node");
+    let j = b.input("j", &levels, TEXELS, "v of a texel in the node");
+    let out = b.output("address", levels.clone() * 2 + 1, WORDS, "level 0 first, the root last");
 
     let root = b.konst(&levels, &level_w).named("root");
     let bits = (root - level).named("index_bits");

@@ -2,6 +2,7 @@
 //! time for anything else.
 use super::height_memory::MEM_INIT;
 use crate::lzc::finish_primitive;
+use crate::quantity::{BIT, BITS, WORDS};
 use reliefrtl_ir::{Builder, Module, Prim};
 use std::sync::Arc;
 
@@ -25,11 +26,11 @@ pub fn height_banks(addr: u32, data: u32, depth: u32) -> Arc<Module> {
     b.file_param(MEM_INIT, "file for $readmemh with all words, the first one's first; \"\": unknown at power-up");
     b.require(&depth, addr_w.pow2());
     b.clock();
-    b.input_static("write_en", 1, "bit", "write at the next edge");
-    b.input_static("write_addr", &addr_w, "words", "where");
-    b.input_static("write_data", &data_w, "bits", "what");
-    b.input("read_addr", &addr_w, "words", "where to read");
-    b.output("read_data", &data_w, "bits", "the word read, two clocks after its address");
+    b.input_static("write_en", 1, BIT, "write at the next edge");
+    b.input_static("write_addr", &addr_w, WORDS, "where");
+    b.input_static("write_data", &data_w, BITS, "what");
+    b.input("read_addr", &addr_w, WORDS, "where to read");
+    b.output("read_data", &data_w, BITS, "the word read, two clocks after its address");
     finish_primitive(b, Prim::Banks, 2)
 }
 

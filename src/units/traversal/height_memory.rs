@@ -1,5 +1,6 @@
 //! `height_memory`: the pyramid's heights on chip: one write port, one read port with a register after it.
 use crate::lzc::finish_primitive;
+use crate::quantity::{BIT, BITS, WORDS};
 use reliefrtl_ir::{Builder, Expr, Module, Prim};
 use std::sync::Arc;
 
@@ -19,11 +20,11 @@ pub fn height_memory(addr: u32, data: u32, depth: u32) -> Arc<Module> {
     b.file_param(MEM_INIT, "file for $readmemh with all words, the first one's first; \"\": unknown at power-up");
     b.require(&depth, addr_w.pow2());
     b.clock();
-    b.input_static("write_en", 1, "bit", "write at the next edge");
-    b.input_static("write_addr", &addr_w, "words", "where");
-    b.input_static("write_data", &data_w, "bits", "what");
-    b.input("read_addr", &addr_w, "words", "where to read");
-    b.output("read_data", &data_w, "bits", "the word, one clock later");
+    b.input_static("write_en", 1, BIT, "write at the next edge");
+    b.input_static("write_addr", &addr_w, WORDS, "where");
+    b.input_static("write_data", &data_w, BITS, "what");
+    b.input("read_addr", &addr_w, WORDS, "where to read");
+    b.output("read_data", &data_w, BITS, "the word, one clock later");
     finish_primitive(b, Prim::Memory, 1)
 }
 

@@ -1,5 +1,6 @@
 //! `level_decision`: hit, descend or cross; the node, level and parameter of the next iteration (PIDM-HW section 4.2).
 use super::params::{LevelParams, bindings, index_width};
+use crate::quantity::{BIT, LEVELS, Quantity, TEXELS};
 use reliefrtl_config::{Design, Trim};
 use reliefrtl_ir::{Binding, Builder, Expr, Module};
 use std::sync::Arc;
@@ -7,7 +8,7 @@ use std::sync::Arc;
 /// A datapath's ray parameter, as `level_decision` passes it on.
 pub struct TimeWord {
     /// Declares what its width follows from; returns width and unit.
-    pub declare: fn(&Builder, &Design) -> (Expr, &'static str),
+    pub declare: fn(&Builder, &Design) -> (Expr, Quantity),
     /// Parameter values at which the module is verified besides those of every datapath.
     pub bindings: fn() -> Vec<Binding>,
 }
@@ -19,33 +20,33 @@ pub fn level_decision(d: &Design, time: &TimeWord) -> Arc<Module> {
     let (time_w, time_unit) = (time.declare)(&b, d);
     let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
     let idx = index_width(&b, t, Some(&levels));
-    let inside = b.input("is_inside", 1, "bit", "the node's height is met before the ray leaves");
-    let x_first = b.input("x_first", 1, "bit", "it leaves by the u plane");
+    let inside = b.input("is_inside", 1, BIT, "the node's height is met before the ray leaves");
+    let x_first = b.input("x_first", 1, BIT, "it leaves by the u plane");
     let trims = d.mode.trim != Trim::None;
-    let up = (!trims).then(|| b.input("up", 1, "bit", "a crossing goes one level up"));
+    let up = (!trims).then(|| b.input("up", 1, BIT, "a crossing goes one level up"));
     let level = b.input(
         "level",
         &level_w,
-        "levels",
+        LEVELS,
         if trims { "level of the node that was read" } else { "level of this node" },
     );
-    let across = trims.then(|| b.input("level_across", &level_w, "levels", "level of a crossing"));
-    let lod = d.mode.lod.then(|| b.input("lod", &level_w, "levels", "the level at which the ray ends"));
-    let level_down = b.input("level_down", &level_w, "levels", "level of a descent");
+    let across = trims.then(|| b.input("level_across", &level_w, LEVELS, "level of a crossing"));
+    let lod = d.mode.lod.then(|| b.input("lod", &level_w, LEVELS, "the level at which the ray ends"));
+    let level_down = b.input("level_down", &level_w, LEVELS, "level of a descent");
     let m = b.input("m", &time_w, time_unit, "parameter of a hit or a descent");
     let t_next = b.input("t_next", &time_w, time_unit, "parameter of a crossing");
     let mut axes = Vec::new();
     for axis in ["x", "y"] {
-        let at = b.input(&format!("{axis}_at"), &idx, "texels", "a texel of this node");
-        let down = b.input(&format!("{axis}_down"), &idx, "texels", "texel of the child");
-        let beyond = b.input(&format!("{axis}_beyond"), &idx, "texels", "first texel beyond the exit plane");
+        let at = b.input(&format!("{axis}_at"), &idx, TEXELS, "a texel of this node");
+        let down = b.input(&format!("{axis}_down"), &idx, TEXELS, "texel of the child");
+        let beyond = b.input(&format!("{axis}_beyond"), &idx, TEXELS, "first texel beyond the exit plane");
         axes.push((at, down, beyond));
     }
-    let o_hit = b.output("hit", 1, "bit", "the ray ends here");
-    let o_cross = b.output("crosses", 1, "bit", "the ray goes to the neighbour");
-    let o_level = b.output("level_next", &level_w, "levels", "level of the next iteration");
-    let o_x = b.output("x_next", &idx, "texels", "texel of the next node");
-    let o_y = b.output("y_next", &idx, "texels", "texel of the next node");
+    let o_hit = b.output("hit", 1, BIT, "the ray ends here");
+    let o_cross = b.output("crosses", 1, BIT, "the ray goes to the neighbour");
+    let o_level = b.output("level_next", &level_w, LEVELS, "level of the next iteration");
+    let o_x = b.output("x_next", &idx, TEXELS, "texel of the next node");
+    let o_y = b.output("y_next", &idx, TEXELS, "texel of the next node");
     let o_t = b.output("t_out", &time_w, time_unit, "parameter of the next iteration, or of the hit");
 
     let finest = lod.map_or_else(|| level.none(), |lod| level.eq(lod));

@@ -1,5 +1,6 @@
 //! `level_up`: does a crossing go one level up? (PIDM-HW section 3.3; the rules stand in `docs/datapath.md`.)
 use super::params::{LevelParams, bindings, index_width};
+use crate::quantity::{BIT, LEVELS, TEXELS};
 use reliefrtl_config::{Design, LevelUp};
 use reliefrtl_ir::{Builder, Module, Sig};
 use std::sync::Arc;
@@ -36,27 +37,27 @@ pub fn level_up(d: &Design, clocks: u32) -> Option<Arc<Module>> {
         b.clock();
         b.clock_enable();
     }
-    let level = b.input("level", &level_w, "levels", "level of the crossed node");
+    let level = b.input("level", &level_w, LEVELS, "level of the crossed node");
     let below_root = level.eq(b.konst(&levels, &level_w).named("root"));
     let below_root = (!below_root).named("below_root");
     let go = match rule {
         LevelUp::None => unreachable!("returned above"),
         LevelUp::Always => None,
-        LevelUp::Coherent => Some(b.input("prev_crossed", 1, "bit", "the iteration before was a crossing")),
-        LevelUp::Tevs => Some(b.input("even", 1, "bit", "the crossed plane also bounds the parent")),
+        LevelUp::Coherent => Some(b.input("prev_crossed", 1, BIT, "the iteration before was a crossing")),
+        LevelUp::Tevs => Some(b.input("even", 1, BIT, "the crossed plane also bounds the parent")),
         LevelUp::Selective => {
             let idx = index_width(&b, t, Some(&levels));
-            let even = b.input("even", 1, "bit", "the crossed plane also bounds the parent");
+            let even = b.input("even", 1, BIT, "the crossed plane also bounds the parent");
             let ends = ["x", "y"].map(|axis| {
-                let at = b.input(&format!("{axis}_at"), &idx, "texels", "a texel of the node");
-                (axis, at, b.input(&format!("{axis}_hit"), &idx, "texels", "predicted hit"))
+                let at = b.input(&format!("{axis}_at"), &idx, TEXELS, "a texel of the node");
+                (axis, at, b.input(&format!("{axis}_hit"), &idx, TEXELS, "predicted hit"))
             });
             let near = ends.map(|(axis, at, hit)| distance(&b, at, hit, level, axis, clocks));
             let neighbour = near[0].1 & near[1].1 & !(near[0].0 & near[1].0);
             Some(even & !neighbour.named("is_neighbour"))
         }
     };
-    let out = b.output("up", 1, "bit", "one level up; never at the root");
+    let out = b.output("up", 1, BIT, "one level up; never at the root");
     b.drive(out, go.map_or(below_root, |g| g & below_root), (clocks > 0).then_some(clocks));
     Some(b.finish(Some(clocks), &bindings()))
 }

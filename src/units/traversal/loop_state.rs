@@ -1,6 +1,7 @@
 //! The state of a ray in the loop.
 use super::cells;
 use crate::float::FormatParams;
+use crate::quantity::Quantity;
 use reliefrtl_config::{Design, LevelUp, Trim};
 use reliefrtl_ir::{Builder, Expr, Module, Sig};
 
@@ -29,11 +30,11 @@ pub struct Sizes {
 /// What the words at the ports of `traverse` are.
 pub struct Numbers {
     /// Width and unit of an entry point, in tiles.
-    pub entry: (Expr, &'static str),
+    pub entry: (Expr, Quantity),
     /// Width and unit of a travel, in tiles.
-    pub travel: (Expr, &'static str),
+    pub travel: (Expr, Quantity),
     /// Width and unit of the ray parameter.
-    pub time: (Expr, &'static str),
+    pub time: (Expr, Quantity),
     /// The number format, where the numbers are floating-point ones.
     pub float: Option<FormatParams>,
 }

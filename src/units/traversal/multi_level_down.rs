@@ -2,6 +2,7 @@
 //!
 //! Until the first crossing the step is `levels_down` levels where that many are left, afterwards one.
 use super::params::{LevelParams, bindings, index_width};
+use crate::quantity::{BIT, LEVELS, TEXELS};
 use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module, Sig};
 use std::sync::Arc;
@@ -27,22 +28,21 @@ pub fn multi_level_down(d: &Design) -> Arc<Module> {
         b.clock();
         b.clock_enable();
     }
-    let level = b.input("level", &level_w, "levels", "1 .. LEVELS (the result is not used at 0)");
-    let crossed = (many > 1).then(|| b.input("crossed", 1, "bit", "the ray has crossed a node boundary already"));
-    let lod = mode.lod.then(|| b.input("lod", &level_w, "levels", "the finest level to go to"));
+    let level = b.input("level", &level_w, LEVELS, "1 .. LEVELS (the result is not used at 0)");
+    let crossed = (many > 1).then(|| b.input("crossed", 1, BIT, "the ray has crossed a node boundary already"));
+    let lod = mode.lod.then(|| b.input("lod", &level_w, LEVELS, "the finest level to go to"));
     let mut axes = Vec::new();
     for axis in ["x", "y"] {
-        let low =
-            b.input(&format!("{axis}_low"), &idx, "texels", "least texel of the node that the ray has not passed");
+        let low = b.input(&format!("{axis}_low"), &idx, TEXELS, "least texel of the node that the ray has not passed");
         let high =
-            b.input(&format!("{axis}_high"), &idx, "texels", "greatest texel of the node that the ray has not passed");
-        let e = b.input(&format!("{axis}_hit"), &idx, "texels", "predicted hit");
+            b.input(&format!("{axis}_high"), &idx, TEXELS, "greatest texel of the node that the ray has not passed");
+        let e = b.input(&format!("{axis}_hit"), &idx, TEXELS, "predicted hit");
         axes.push((axis, low, high, e));
     }
-    let out = b.output("level_down", &level_w, "levels", "level after the descent");
+    let out = b.output("level_down", &level_w, LEVELS, "level after the descent");
     let outs: Vec<usize> = axes
         .iter()
-        .map(|a| b.output(&format!("{}_down", a.0), &idx, "texels", "predicted hit, kept between low and high"))
+        .map(|a| b.output(&format!("{}_down", a.0), &idx, TEXELS, "predicted hit, kept between low and high"))
         .collect();
 
     let one = b.lit(1, &level_w);

@@ -15,5 +15,5 @@ pub fn node_address<'b>(
 ) -> Sig<'b> {
     let texel = |axis: &str| level.stage().map_or(ray.get(axis), |k| ray.get(axis).at(k)).slice(0, &s.levels).id();
     let (i, j) = (b.sig(texel("x")), b.sig(texel("y")));
-    b.inst(&height_address(&d.traverse), instance, &[], &[("level", level), ("i", i), ("j", j)])[0]
+    b.inst(&height_address(&d.traverse), instance, &[], &[("level", level), ("i", i), ("j", j)]).only()
 }

@@ -2,6 +2,7 @@
 //!
 //! Which texel of the node the ray carries depends on the way it came; the hit position, kept in the node, does not.
 use super::params::{LevelParams, index_width};
+use crate::quantity::{LEVELS, TEXELS, integer};
 use reliefrtl_config::TraverseConfig;
 use reliefrtl_ir::{Binding, Builder, Module};
 use std::sync::Arc;
@@ -14,11 +15,11 @@ pub fn node_hit(t: &TraverseConfig) -> Arc<Module> {
     let frac = b.param("FRAC_W", t.frac_bits, "fraction bits of the position");
     b.require(1, &frac);
     b.require(&frac, 16);
-    let at = b.input("at", &idx + &frac, "1/2^FRAC_W texel", "the position, signed");
-    let x = b.input("x", &idx, "texels", "a texel of the node, unwrapped");
-    let lod = b.input("lod", &level_w, "levels", "level of the node");
-    let o_texel = b.output("texel", &levels, "texels", "the texel, wrapped into the map");
-    let o_fraction = b.output("fraction", &frac, "1/2^FRAC_W texel", "position inside the texel");
+    let at = b.input("at", &idx + &frac, integer("1/2^FRAC_W texel"), "the position, signed");
+    let x = b.input("x", &idx, TEXELS, "a texel of the node, unwrapped");
+    let lod = b.input("lod", &level_w, LEVELS, "level of the node");
+    let o_texel = b.output("texel", &levels, TEXELS, "the texel, wrapped into the map");
+    let o_fraction = b.output("fraction", &frac, integer("1/2^FRAC_W texel"), "position inside the texel");
     let keep = b.ones(&idx).shift_left(lod).named("keep");
     let low = b.cat(&[(x & keep).named("first"), b.zeros(&frac)]).named("low");
     let high = b.cat(&[(x | !keep).named("last"), b.ones(&frac)]).named("high");

@@ -1,6 +1,7 @@
 //! `node_planes`: along one axis, the texels that a descent may go to, the plane by which the ray can leave,
 //! and the texel beyond it (PIDM-HW section 3.2, node crossing).
 use super::params::{LevelParams, bindings, index_width};
+use crate::quantity::{BIT, LEVELS, TEXELS};
 use reliefrtl_config::{Design, TraverseConfig};
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
@@ -21,15 +22,14 @@ pub fn node_planes(d: &Design, parity: bool) -> Arc<Module> {
         b.clock();
         b.clock_enable();
     }
-    let level = b.input("level", &level_w, "levels", "0 .. LEVELS");
-    let x = b.input("x", &idx, "texels", "any texel of the node");
-    let minus = b.input("neg", 1, "bit", "the ray runs toward smaller coordinates");
-    let low = b.output("low", &idx, "texels", "least texel that a descent may enter: none that the ray has passed");
-    let high =
-        b.output("high", &idx, "texels", "greatest texel that a descent may enter: none that the ray has passed");
-    let plane = b.output("plane", &idx, "texels", "coordinate of the exit plane");
-    let beyond = b.output("beyond", &idx, "texels", "the first texel beyond the exit plane");
-    let even = parity.then(|| b.output("even", 1, "bit", "the plane also bounds the parent node"));
+    let level = b.input("level", &level_w, LEVELS, "0 .. LEVELS");
+    let x = b.input("x", &idx, TEXELS, "any texel of the node");
+    let minus = b.input("neg", 1, BIT, "the ray runs toward smaller coordinates");
+    let low = b.output("low", &idx, TEXELS, "least texel that a descent may enter: none that the ray has passed");
+    let high = b.output("high", &idx, TEXELS, "greatest texel that a descent may enter: none that the ray has passed");
+    let plane = b.output("plane", &idx, TEXELS, "coordinate of the exit plane");
+    let beyond = b.output("beyond", &idx, TEXELS, "the first texel beyond the exit plane");
+    let even = parity.then(|| b.output("even", 1, BIT, "the plane also bounds the parent node"));
 
     let stage = (clocks > 0).then_some(clocks);
     let keep = b.ones(&idx).shift_left(level).named("keep");

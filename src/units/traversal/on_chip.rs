@@ -52,6 +52,6 @@ fn read<'b>(place: Place<'b>, load: &Load<'b>, address: Sig<'b>) -> Sig<'b> {
     // The last part of the file's name tells memories apart, where there are several.
     let of = load.file.replace('.', "_");
     let height = b.inst_of_file(&memory(d), &format!("u_heights{of}"), &params, &ins, load.file);
-    let height = height[0].named(&format!("height{of}")).doc("highest code in the node [height codes]");
+    let height = height.only().named(&format!("height{of}")).doc("highest code in the node [height codes]");
     if clocks > 2 { height.reg() } else { height }
 }

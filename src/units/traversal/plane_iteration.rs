@@ -10,7 +10,7 @@ use super::plane_units::{Pair, PlaneUnits};
 use super::trim;
 use super::write_back::Found;
 use reliefrtl_config::{Design, Trim};
-use reliefrtl_ir::{Builder, Sig};
+use reliefrtl_ir::{Builder, Record, Sig};
 
 /// Builds the iteration; operands meet at the stage at which the latest of them is known.
 pub fn plane_iteration<'b>(
@@ -30,26 +30,26 @@ pub fn plane_iteration<'b>(
     let [px, py] = extent(b, s, d, ray, ray.get("level"), true);
     let plane_times = || {
         b.section("plane parameters", "");
-        times(b, s, d, ray, units, ["time", "t"], [px[2], py[2]]).map(|t| t.id())
+        times(b, s, d, ray, units, ["time", "t"], [px["plane"], py["plane"]]).map(|t| t.id())
     };
     let (heights, [t_x, t_y], read) = if d.mode.trim == Trim::None {
         let heights = read_heights(b, s, d, ray, source, ray.get("level"));
         (heights, plane_times().map(|t| b.sig(t)), ray.get("level"))
     } else {
         let times = plane_times().map(|t| b.sig(t));
-        let read = trim::trim(b, s, d, ray, units, [[px[0], px[1]], [py[0], py[1]]], times);
+        let read = trim::trim(b, s, d, ray, units, [[px["low"], px["high"]], [py["low"], py["high"]]], times);
         b.section("address", "");
         (read_heights(b, s, d, ray, source, read), times, read)
     };
 
     b.section("height test", "");
     let o = b.inst(&(units.height_test)(d), "u_height_test", &[], &[("height", heights.single()), ("t", ray.get("t"))]);
-    let (m, below) = (o[0].named("m"), o[1].named("below"));
+    let (m, below) = (o["m"].named("m"), o["below"].named("below"));
 
     b.section("predicted hit", "");
     let reach = |axis: &str| {
         let ins = [ray.constants(axis, units.predicted_inputs), vec![("m", m)]].concat();
-        let e = b.inst(&(units.predicted_hit)(d), &format!("u_predict_{axis}"), &idx(), &ins)[0];
+        let e = b.inst(&(units.predicted_hit)(d), &format!("u_predict_{axis}"), &idx(), &ins).only();
         e.named(&format!("{axis}_hit")).id()
     };
     let (hit_x, hit_y) = (b.sig(reach("x")), b.sig(reach("y")));
@@ -57,22 +57,22 @@ pub fn plane_iteration<'b>(
     b.section("node crossing", "");
     let ins = [("t", ray.get("t")), ("m", m), ("t_x", t_x), ("t_y", t_y)];
     let o = b.inst(&(units.node_crossing)(d), "u_crossing", &[], &ins);
-    let (inside, x_first, t_next) = (o[0].named("is_inside"), o[1].named("x_first"), o[2].named("t_next"));
+    let [inside, x_first, t_next] = ["is_inside", "x_first", "t_next"].map(|n| o[n].named(n));
 
     b.section("multi-level down", "");
     let mut ins = vec![("level", read)];
     ins.extend(ray.find("crossed").map(|c| ("crossed", c)));
     ins.extend(ray.find("lod").map(|lod| ("lod", lod)));
-    ins.extend([("x_low", px[0]), ("x_high", px[1]), ("x_hit", hit_x)]);
-    ins.extend([("y_low", py[0]), ("y_high", py[1]), ("y_hit", hit_y)]);
+    ins.extend([("x_low", px["low"]), ("x_high", px["high"]), ("x_hit", hit_x)]);
+    ins.extend([("y_low", py["low"]), ("y_high", py["high"]), ("y_hit", hit_y)]);
     let o = b.inst(&multi_level_down(d), "u_down", &idx(), &ins);
-    let (level_down, x_down, y_down) = (o[0].named("level_down"), o[1].named("x_down"), o[2].named("y_down"));
+    let [level_down, x_down, y_down] = ["level_down", "x_down", "y_down"].map(|n| o[n].named(n));
 
-    let even = || x_first.mux(px[4], py[4]).named("even");
+    let even = || x_first.mux(px["even"], py["even"]).named("even");
     let (across, grown) = climb(b, s, d, ray, read, &even, [[ray.get("x"), ray.get("y")], [hit_x, hit_y]]);
 
     let at = [ray.get("x"), ray.get("y")];
-    let (down, beyond) = ([x_down, y_down], [px[3], py[3]]);
+    let (down, beyond) = ([x_down, y_down], [px["beyond"], py["beyond"]]);
     let found = Found { inside, x_first, below, m, t_next, read, across, grown, level_down, at, down, beyond };
     found.decide(b, s, d, ray, units, heights.missed)
 }
@@ -100,22 +100,20 @@ pub(super) fn extent<'b>(
     ray: &Ray<'b>,
     level: Sig<'b>,
     bounds: bool,
-) -> [Vec<Sig<'b>>; 2] {
+) -> [Record<'b>; 2] {
     let parity = reads_parity(d);
     ["x", "y"].map(|axis| {
         let ins = [("level", level), ("x", ray.get(axis)), ("neg", ray.get(&format!("neg_{axis}")))];
         let o = b.inst(&node_planes(d, parity), &format!("u_planes_{axis}"), &[("IDX_W", s.idx.clone())], &ins);
-        let names = ["low", "high", "plane", "beyond", "even"];
         let reg = |v: Sig<'b>| if d.latency.node > 0 { v.reg() } else { v };
-        let word = |(v, n): (&Sig<'b>, &str)| {
+        o.record().map(|n, v| {
             let v = v.named(&format!("{axis}_{n}"));
             if !bounds && ["low", "high"].contains(&n) {
                 b.unused(v);
                 return v;
             }
             reg(v)
-        };
-        o.iter().zip(names).map(word).collect()
+        })
     })
 }
 
@@ -133,6 +131,6 @@ pub(super) fn times<'b>(
         let axis = ["x", "y"][k];
         let ins = [vec![("plane", planes[k])], ray.constants(axis, units.plane_inputs)].concat();
         let o = b.inst(&(units.plane_time)(d), &format!("u_{instance}_{axis}"), &[("IDX_W", s.idx.clone())], &ins);
-        o[0].named(&format!("{net}_{axis}"))
+        o.only().named(&format!("{net}_{axis}"))
     })
 }

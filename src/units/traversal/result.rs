@@ -3,6 +3,7 @@ use super::bilinear::bilinear_hit;
 use super::datapath::Datapath;
 use super::height_source::Load;
 use super::loop_state::{Ray, Sizes};
+use crate::quantity::{BIT, BITS, ITERATIONS, LEVELS, Quantity, TEXELS, integer};
 use crate::stream::{Pipeline, word_delay};
 use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Expr, Record, Sig};
@@ -11,26 +12,26 @@ use reliefrtl_ir::{Builder, Expr, Record, Sig};
 const HIT: [&str; 5] = ["i", "j", "fu", "fv", "t"];
 
 /// The fields of a result in the order of their ports, each with its width, unit and meaning.
-pub(super) fn result_fields<'a>(b: &Builder, s: &Sizes, d: &Design) -> Vec<(&'a str, Expr, &'a str, &'a str)> {
+pub(super) fn result_fields<'a>(b: &Builder, s: &Sizes, d: &Design) -> Vec<(&'a str, Expr, Quantity, &'a str)> {
     let (texel, position, one) = (|| s.levels.clone(), || s.frac.clone(), || Expr::from(1));
     let (time, unit) = s.numbers.time.clone();
-    const FRACTION: &str = "1/2^FRAC_W texel";
+    const FRACTION: Quantity = integer("1/2^FRAC_W texel");
     let mut list = vec![
-        ("tag", s.tag.clone(), "bits", "tag of the ray"),
-        ("i", texel(), "texels", "hit texel, column (u)"),
-        ("j", texel(), "texels", "hit texel, row (v)"),
+        ("tag", s.tag.clone(), BITS, "tag of the ray"),
+        ("i", texel(), TEXELS, "hit texel, column (u)"),
+        ("j", texel(), TEXELS, "hit texel, row (v)"),
         ("fu", position(), FRACTION, "position in the texel along u"),
         ("fv", position(), FRACTION, "position in the texel along v"),
         ("t", time.clone(), unit, "ray parameter: 0 at the top plane"),
-        ("wall", one(), "bit", "the hit is on the side of a texel"),
-        ("limit", one(), "bit", "given up: STEP_LIMIT reached, or not a ray (steps 0)"),
+        ("wall", one(), BIT, "the hit is on the side of a texel"),
+        ("limit", one(), BIT, "given up: STEP_LIMIT reached, or not a ray (steps 0)"),
     ];
     let windows = !d.datapath.kind.facts().counts_levels;
     let visited = if windows { "iterations, each over all windows" } else { "nodes visited" };
-    list.push(("steps", 16.into(), "iterations", visited));
+    list.push(("steps", 16.into(), ITERATIONS, visited));
     if !windows {
-        list.push(("crossings", 16.into(), "iterations", "iterations that crossed into a neighbour"));
-        list.push(("ups", 16.into(), "levels", "levels gone up"));
+        list.push(("crossings", 16.into(), ITERATIONS, "iterations that crossed into a neighbour"));
+        list.push(("ups", 16.into(), LEVELS, "levels gone up"));
     }
     if d.mode.bilinear {
         b.require(&s.height + s.frac.clone() * 2 + &s.numbers.float.as_ref().expect("the watertight datapath").man, 60);
@@ -38,11 +39,11 @@ pub(super) fn result_fields<'a>(b: &Builder, s: &Sizes, d: &Design) -> Vec<(&'a 
             (
                 "patch",
                 2.into(),
-                "code",
+                integer("code"),
                 "surface between texel centres: 0 given up, 1 hit; not met: 2 above it, 3 below it",
             ),
-            ("bi", texel(), "texels", "texel of the refined hit, column (u); not met: of the hit"),
-            ("bj", texel(), "texels", "texel of the refined hit, row (v); not met: of the hit"),
+            ("bi", texel(), TEXELS, "texel of the refined hit, column (u); not met: of the hit"),
+            ("bj", texel(), TEXELS, "texel of the refined hit, row (v); not met: of the hit"),
             ("bfu", position(), FRACTION, "position of the refined hit in its texel along u"),
             ("bfv", position(), FRACTION, "position of the refined hit in its texel along v"),
             ("bt", time, unit, "ray parameter of the refined hit"),
@@ -96,8 +97,8 @@ impl<'b> Result<'_, 'b> {
         let axis = |name: &str, axis: &str| {
             let mut ins = (self.path.hit_inputs)(self.held, axis);
             ins.push(("ce", ce));
-            let o = b.instance(&hit, &format!("u_hit_{name}"), &[("IDX_W", self.sizes.idx.clone())], &ins);
-            o.map(|_, v| v.rebase_stage(0))
+            let o = b.inst(&hit, &format!("u_hit_{name}"), &[("IDX_W", self.sizes.idx.clone())], &ins);
+            o.record().map(|_, v| v.rebase_stage(0))
         };
         let (u, v) = (axis("u", "x"), axis("v", "y"));
         let mut place: Record<'b> = [("fu", u["fraction"]), ("fv", v["fraction"])].into();
@@ -106,7 +107,7 @@ impl<'b> Result<'_, 'b> {
             // The refinement takes longer.
             let place_early = place.named("block");
             let ins = [("in_data", place_early.bundle(b)), ("ce", ce)];
-            let o = b.instance(&word_delay("fraction_delay", early), "u_hit_fraction", &[("W", place.width())], &ins);
+            let o = b.inst(&word_delay("fraction_delay", early), "u_hit_fraction", &[("W", place.width())], &ins);
             place = place_early.unbundle(o["out_data"].rebase_stage(0));
         }
         let texel = [("i", u.get("texel")), ("j", v.get("texel"))];
@@ -119,7 +120,7 @@ impl<'b> Result<'_, 'b> {
         b.section("refine", "Bilinear refinement: moves the hit to the surface interpolated between texel centres.");
         let mut ins = vec![("load_en", load.en), ("load_addr", load.addr), ("load_data", load.data), ("ce", ce)];
         ins.extend(["p_x", "d_x", "r_x", "p_y", "d_y", "r_y", "t"].map(|n| (n, self.held.get(n))));
-        let o = b.instance(&bilinear_hit(self.d), "u_bilinear", &[("IDX_W", self.sizes.idx.clone())], &ins);
+        let o = b.inst(&bilinear_hit(self.d), "u_bilinear", &[("IDX_W", self.sizes.idx.clone())], &ins);
         let ports = [("patch", "patch"), ("bi", "i"), ("bj", "j"), ("bfu", "fu"), ("bfv", "fv"), ("bt", "t_refined")];
         ports.map(|(field, port)| (field, o[port].rebase_stage(0))).into()
     }

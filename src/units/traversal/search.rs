@@ -3,6 +3,7 @@ use super::height_memory::pyramid_words;
 use super::height_source::Load;
 use super::loop_state::{Field, Ray, Sizes, level_state};
 use super::slot_memory::SlotMemory;
+use crate::quantity::{BIT, CODES, WORDS};
 use reliefrtl_config::Design;
 use reliefrtl_ir::Builder;
 
@@ -41,14 +42,9 @@ pub static PYRAMID: Search = Search {
     },
     loads: |b, s, _| {
         vec![Load {
-            en: b.input_static("load_en", 1, "bit", "write a word of the pyramid (while idle is 1)"),
-            addr: b.input_static(
-                "load_addr",
-                s.levels.clone() * 2 + 1,
-                "words",
-                "address: level 0 first, the root last",
-            ),
-            data: b.input_static("load_data", &s.height, "height codes", "largest height in that node"),
+            en: b.input_static("load_en", 1, BIT, "write a word of the pyramid (while idle is 1)"),
+            addr: b.input_static("load_addr", s.levels.clone() * 2 + 1, WORDS, "address: level 0 first, the root last"),
+            data: b.input_static("load_data", &s.height, CODES, "largest height in that node"),
             words: pyramid_words(&s.levels),
             file: "",
         }]

@@ -61,7 +61,7 @@ impl<'b> SlotMemory<'b> {
         let params =
             [("ADDR_W", address_bits(self.slots).into()), ("DATA_W", words.width()), ("DEPTH", self.slots.into())];
         let ins = [("write_en", self.accept), ("write_addr", self.slot), ("write_data", data), ("read_addr", slot)];
-        let read = b.instance(&fifo_mem(), &format!("u_{name}"), &params, &ins)["read_data"];
+        let read = b.inst(&fifo_mem(), &format!("u_{name}"), &params, &ins)["read_data"];
         read.named(&format!("{name}_words"))
     }
 }

@@ -12,6 +12,7 @@ use super::on_chip::OnChip;
 use super::result::{Result, result_fields};
 use super::slot_memory::SlotMemory;
 use crate::delay_line::in_lines;
+use crate::quantity::{BIT, BITS, LEVELS};
 use crate::stream::{Decoupling, InputStream, OutputStream, Pipeline, SLOTS};
 use reliefrtl_config::{Design, Trim};
 use reliefrtl_ir::{Binding, Builder, Module, Sig};
@@ -67,11 +68,11 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
     let loads = (search.loads)(&b, &s, d);
     let rays = ray_ports(&b, &s, d);
     let results = OutputStream::declare(&b, "out", &result_fields(&b, &s, d));
-    let o_busy = b.output("slot_busy", 1, "bit", "the slot in stage 0 holds a ray; its mean is the loop's utilization");
+    let o_busy = b.output("slot_busy", 1, BIT, "the slot in stage 0 holds a ray; its mean is the loop's utilization");
     let o_idle = b.output(
         "idle",
         1,
-        "bit",
+        BIT,
         "no ray in flight; falls one clock after an input transfer, rises two after the last output transfer",
     );
 
@@ -103,7 +104,7 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
     let issue = if credits { (rays.valid & setup.ready).named("issue") } else { rays.valid };
     let operands = rays.data.iter().filter(|f| f.0 != "tag");
     let ins: Vec<(&str, Sig<'_>)> = operands.chain([("ce", setup.enable(&b))]).collect();
-    let constants = b.instance(&module, "u_setup", &[], &ins).map(|_, v| v.rebase_stage(0));
+    let constants = b.inst(&module, "u_setup", &[], &ins).record().map(|_, v| v.rebase_stage(0));
     let words = (constants, [("tag", rays.data["tag"])].into());
     let new = setup.pass(&b, clocks_setup, issue, words, ["set", "new"]);
     rays.ready(&b, setup.ready);
@@ -156,13 +157,13 @@ fn ray_ports<'b>(b: &'b Builder, s: &Sizes, d: &Design) -> InputStream<'b> {
     };
     let (entry, travel) = (&s.numbers.entry, &s.numbers.travel);
     let mut ray = vec![
-        ("tag", s.tag.clone(), "bits", "identifies the ray: out_tag of its result"),
+        ("tag", s.tag.clone(), BITS, "identifies the ray: out_tag of its result"),
         ("u", entry.0.clone(), entry.1, "entry point at the top plane, 0 <= u < 1"),
         ("v", entry.0.clone(), entry.1, "entry point at the top plane, 0 <= v < 1"),
         ("du", travel.0.clone(), travel.1, "u travelled while the height falls from 1 to 0"),
         ("dv", travel.0.clone(), travel.1, "v travelled while the height falls from 1 to 0"),
     ];
-    ray.extend(d.mode.lod.then(|| ("lod", s.level_w.clone(), "levels", "the finest level at which the ray may end")));
+    ray.extend(d.mode.lod.then(|| ("lod", s.level_w.clone(), LEVELS, "the finest level at which the ray may end")));
     InputStream::declare(b, "in", ready_doc, &ray)
 }
 

@@ -23,7 +23,10 @@ pub(super) fn trim<'b>(
     );
     let reach = |axis: &str, t: Sig<'b>| {
         let ins = [ray.constants(axis, units.chord_inputs), vec![("t", t)]].concat();
-        b.inst(&(units.chord_end)(d), &format!("u_reach_{axis}"), &idx, &ins)[0].named(&format!("{axis}_reach")).id()
+        b.inst(&(units.chord_end)(d), &format!("u_reach_{axis}"), &idx, &ins)
+            .only()
+            .named(&format!("{axis}_reach"))
+            .id()
     };
     let reaches = [b.sig(reach("x", times[1])), b.sig(reach("y", times[0]))];
     let y_first = (units.leaves_y)(b, d, times).named("leaves_y");
@@ -38,8 +41,8 @@ pub(super) fn trim<'b>(
     ins.extend([("y_at", ray.get("y")), ("y_low", y_low), ("y_high", y_high), ("y_neg", ray.get("neg_y"))]);
     ins.extend([("y_reach", reaches[1]), ("y_last", ray.get("le_y"))]);
     let o = b.inst(&chord_trim(d), "u_trim", &idx, &ins);
-    b.unused(o[0].named("x_chord"));
-    b.unused(o[1].named("y_chord"));
+    b.unused(o["x_chord"].named("x_chord"));
+    b.unused(o["y_chord"].named("y_chord"));
     // A stage of its own: leading zeros and memory address are one long path else.
-    o[2].named("level_read").reg()
+    o["level_read"].named("level_read").reg()
 }

@@ -54,10 +54,10 @@ impl<'b> Found<'b> {
         let o = b.inst(&(units.level_decision)(d), "u_decision", &[("IDX_W", s.idx.clone())], &ins);
         // The last of the clocks stands between the decision and what is written back.
         let done = |v: Sig<'b>| if d.latency.decision > 3 { v.reg() } else { v };
-        let (hit, crosses) = (done(o[0].named("hit")), o[1].named("crosses"));
-        let names = ["level_next", "x_next", "y_next", "t_after"];
-        let n: Vec<Sig<'b>> = o[2..].iter().zip(names).map(|(v, n)| done(v.named(n))).collect();
-        let decided = Decided { hit, crosses, below, grown, next: [n[0], n[1], n[2], n[3]] };
+        let (hit, crosses) = (done(o["hit"].named("hit")), o["crosses"].named("crosses"));
+        let next = [("level_next", "level_next"), ("x_next", "x_next"), ("y_next", "y_next"), ("t_out", "t_after")];
+        let next = next.map(|(port, net)| done(o[port].named(net)));
+        let decided = Decided { hit, crosses, below, grown, next };
         write_back(b, s, ray, missed, decided, &done)
     }
 }

@@ -160,7 +160,7 @@ fn a_parking_source_in_icarus() {
     let t = traverse_from(&d, &source);
     let modules = reliefrtl::emit::modules(std::slice::from_ref(&t.module)).unwrap();
     let mut files = reliefrtl::emit::rtl(&c, &modules);
-    files.extend(bench_files(&[], Some((&t.module, t.setup + t.slots + t.finish)), &c.emit));
+    files.extend(bench_files(&[], Some((&d, &t)), &c.emit));
     let set = ray_set(&d, &map, &rays, 1).unwrap();
     let vectors = reliefrtl::vectors::set_files(&set.set).into_iter();
     files.extend(vectors.map(|(n, text)| (format!("golden/traverse/{n}"), text)));

@@ -1,7 +1,7 @@
 //! Small modules: one operation, or operations as operands of others, with nothing named that needs no name.
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
-use reliefrtl::ir::{Builder, Expr, Module, Sig};
+use reliefrtl::ir::{BITS, Builder, Expr, Module, Sig};
 use std::cell::Cell;
 use std::sync::Arc;
 
@@ -127,7 +127,7 @@ pub fn module(name: &str, tree: &Tree, w: u32, rng: &mut ChaCha8Rng) -> Option<A
     let b = Builder::new(name, file!(), "a test of operations");
     let count = Cell::new(0);
     let y = build(&b, tree, w, false, &count, rng)?;
-    let out = b.output("y", w, "bits", "result");
+    let out = b.output("y", w, BITS, "result");
     b.drive(out, y, None);
     (count.get() > 0).then(|| b.finish(Some(0), &[]))
 }
@@ -150,7 +150,7 @@ fn build<'b>(
             1 if !named => b.ones(w),
             2 if !named => b.lit(rng.random::<u64>() & reliefrtl::bits::mask(w), w),
             3 if !named => b.konst(rng.random_range(0..1000i64), w).named(&format!("konst_{}", next())),
-            _ => b.input(&format!("i{}", next()), w, "bits", "operand"),
+            _ => b.input(&format!("i{}", next()), w, BITS, "operand"),
         });
     };
     if !op.gives(w) {
@@ -190,9 +190,9 @@ pub fn parametric(op: O) -> Arc<Module> {
     b.require(&result, 64);
     operands.iter().for_each(|o| b.require(o.clone(), 64));
     let x: Vec<Sig<'_>> =
-        operands.iter().enumerate().map(|(k, o)| b.input(&format!("i{k}"), o, "bits", "operand")).collect();
+        operands.iter().enumerate().map(|(k, o)| b.input(&format!("i{k}"), o, BITS, "operand")).collect();
     let y = op.apply(&b, &x, result.clone(), 2);
-    let out = b.output("y", result, "bits", "result");
+    let out = b.output("y", result, BITS, "result");
     b.drive(out, y, None);
     b.finish(Some(0), &[])
 }

@@ -154,8 +154,7 @@ fn in_mode(sim: Simulator, mode: ModeConfig) -> usize {
     c.mode = mode;
     let d = c.design();
     let mut p = hardware(&c).unwrap();
-    let depth = p.traverse.setup + p.traverse.slots + p.traverse.finish;
-    p.files.extend(bench_files(&[], Some((&p.traverse.module, depth)), "relief_"));
+    p.files.extend(bench_files(&[], Some((&d, &p.traverse)), "relief_"));
     let (pyramid, rays) = hard(&d, RAYS, 2);
     let set = ray_set(&d, &pyramid, &rays, 1).unwrap();
     let mut files = set_files(&set.set);

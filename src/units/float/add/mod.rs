@@ -9,6 +9,7 @@
 use super::fields::FormatParams;
 use super::general;
 use crate::lzc::lzc;
+use crate::quantity::FLOAT;
 use align::{Halves, align};
 use far::Far;
 use order::Ordered;
@@ -51,9 +52,9 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
         Widths::declare(&b, &f);
     b.clock();
     b.clock_enable();
-    let a_in = b.input("a", &f.width, "float", "first operand");
-    let b_in = b.input("b", &f.width, "float", "second operand");
-    let out = b.output("result", &f.width, "float", "a + b");
+    let a_in = b.input("a", &f.width, FLOAT, "first operand");
+    let b_in = b.input("b", &f.width, FLOAT, "second operand");
+    let out = b.output("result", &f.width, FLOAT, "a + b");
     let deep = latency as usize > PLAN.len();
     b.plan(latency, if deep { DEEP } else { PLAN });
     let mag_w = &f.exp + &f.man;

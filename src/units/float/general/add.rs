@@ -2,6 +2,7 @@
 use super::super::fields::FormatParams;
 use super::{Classes, Exact, Operand, Range, any, exponent_width, round};
 use crate::lzc::lzc;
+use crate::quantity::FLOAT;
 use reliefrtl_base::format::{FloatFormat, Rounding};
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
@@ -29,9 +30,9 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
     let e_w = exponent_width(&b, &f);
     b.clock();
     b.clock_enable();
-    let a_in = b.input("a", &f.width, "float", "first operand");
-    let b_in = b.input("b", &f.width, "float", "second operand");
-    let out = b.output("result", &f.width, "float", "a + b");
+    let a_in = b.input("a", &f.width, FLOAT, "first operand");
+    let b_in = b.input("b", &f.width, FLOAT, "second operand");
+    let out = b.output("result", &f.width, FLOAT, "a + b");
     b.plan(latency, PLAN);
 
     b.section("compare", "");

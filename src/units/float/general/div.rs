@@ -3,6 +3,7 @@ use super::super::fields::FormatParams;
 use super::super::rows::Groups;
 use super::{Classes, Exact, Operand, Range, any, exponent_width, round};
 use crate::div_rows::div_rows;
+use crate::quantity::FLOAT;
 use reliefrtl_base::format::FloatFormat;
 use reliefrtl_ir::{Builder, Module, Sig};
 use std::sync::Arc;
@@ -20,9 +21,9 @@ pub fn fp_div(format: FloatFormat, latency: u32) -> Arc<Module> {
     let rows = b.local("QuotW", &p + 2);
     b.clock();
     b.clock_enable();
-    let a_in = b.input("a", &f.width, "float", "dividend");
-    let b_in = b.input("b", &f.width, "float", "divisor");
-    let out = b.output("result", &f.width, "float", "a / b");
+    let a_in = b.input("a", &f.width, FLOAT, "dividend");
+    let b_in = b.input("b", &f.width, FLOAT, "divisor");
+    let out = b.output("result", &f.width, FLOAT, "a / b");
     let groups = Groups::planned(&b, latency, format.man + 3, format.is_gradual().then_some(HEAD), &tail(format));
     b.require(groups.least_rows() - 3, &f.man);
 

@@ -1,6 +1,7 @@
 //! `fp_mul` at any choice of rounding, subnormals and specials.
 use super::super::fields::FormatParams;
 use super::{Classes, Exact, Operand, Range, any, exponent_width, round};
+use crate::quantity::FLOAT;
 use reliefrtl_base::format::FloatFormat;
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
@@ -12,9 +13,9 @@ pub fn fp_mul(format: FloatFormat, latency: u32) -> Arc<Module> {
     let e_w = exponent_width(&b, &f);
     b.clock();
     b.clock_enable();
-    let a_in = b.input("a", &f.width, "float", "first factor");
-    let b_in = b.input("b", &f.width, "float", "second factor");
-    let out = b.output("result", &f.width, "float", "a * b");
+    let a_in = b.input("a", &f.width, FLOAT, "first factor");
+    let b_in = b.input("b", &f.width, FLOAT, "second factor");
+    let out = b.output("result", &f.width, FLOAT, "a * b");
     let flat = [("multiply", 55), ("normalize", 12), ("round", 30), ("select", 20)];
     let gradual = [("operands", 50), ("multiply", 45), ("normalize", 12), ("shift", 35), ("round", 30), ("select", 20)];
     b.plan(latency, if format.is_gradual() { &gradual } else { &flat });

@@ -1,6 +1,7 @@
 //! `bilinear_hit`: a hit on a texel moved to the surface interpolated between the centres of texels, one ray a clock.
 use super::{bilinear_window, patch_corner, patch_memory, ray_place, secant_step, surface_gap};
 use crate::float::FormatParams;
+use crate::quantity::{BIT, CODES, TEXELS, WORDS, float, integer};
 use crate::traversal::params::{LevelParams, index_width};
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Binding, Builder, Module, Sig};
@@ -36,30 +37,31 @@ pub fn bilinear_hit(d: &Design) -> Arc<Module> {
     b.clock();
     b.clock_enable();
     let load = [
-        b.input_static("load_en", 1, "bit", "write a word of the pyramid"),
-        b.input_static("load_addr", levels.clone() * 2 + 1, "words", "address: level 0 first, the root last"),
-        b.input_static("load_data", &h, "height codes", "largest height in that node"),
+        b.input_static("load_en", 1, BIT, "write a word of the pyramid"),
+        b.input_static("load_addr", levels.clone() * 2 + 1, WORDS, "address: level 0 first, the root last"),
+        b.input_static("load_data", &h, CODES, "largest height in that node"),
     ];
     let axes = ["x", "y"].map(|a| Axis {
-        p: b.input(&format!("p_{a}"), &f.width, "float, texels", "entry point"),
-        d: b.input(&format!("d_{a}"), &f.width, "float, texels per height code", "direction"),
-        r: b.input(&format!("r_{a}"), &f.width, "float, height codes per texel", "reciprocal direction"),
+        p: b.input(&format!("p_{a}"), &f.width, float("texels"), "entry point"),
+        d: b.input(&format!("d_{a}"), &f.width, float("texels per height code"), "direction"),
+        r: b.input(&format!("r_{a}"), &f.width, float("height codes per texel"), "reciprocal direction"),
     });
-    let time = b.input("t", &f.width, "float, height codes", "parameter of the hit");
-    let o_patch = b.output("patch", 2, "code", "1 hit, 2 above the surface at the end, 3 below it at the begin");
-    let o_t = b.output("t_refined", &f.width, "float, height codes", "parameter of the refined hit");
-    let places = ["i", "j"].map(|n| b.output(n, &levels, "texels", "texel of the refined hit, wrapped"));
-    let fractions =
-        ["fu", "fv"].map(|n| b.output(n, &frac, "1/2^FRAC_W texel", "position of the refined hit in its texel"));
+    let time = b.input("t", &f.width, float("height codes"), "parameter of the hit");
+    let o_patch =
+        b.output("patch", 2, integer("code"), "1 hit, 2 above the surface at the end, 3 below it at the begin");
+    let o_t = b.output("t_refined", &f.width, float("height codes"), "parameter of the refined hit");
+    let places = ["i", "j"].map(|n| b.output(n, &levels, TEXELS, "texel of the refined hit, wrapped"));
+    let fractions = ["fu", "fv"]
+        .map(|n| b.output(n, &frac, integer("1/2^FRAC_W texel"), "position of the refined hit in its texel"));
     let place = |name: &str, a: &Axis<'_>, t: Sig<'_>| {
         let o = b.inst(&ray_place(d), name, &[], &[("p", a.p), ("d", a.d), ("t", t)]);
-        [o[0].named(&format!("{}_texel", &name[2..])).id(), o[1].named(&format!("{}_fraction", &name[2..])).id()]
+        ["texel", "fraction"].map(|n| o[n].named(&format!("{}_{n}", &name[2..])).id())
     };
 
     b.section("window", "");
     let ins = [("r_x", axes[0].r), ("r_y", axes[1].r), ("t", time)];
     let window = b.inst(&bilinear_window(d), "u_window", &[], &ins);
-    let window = [window[0].named("t_begin"), window[1].named("t_end")];
+    let window = ["t_begin", "t_end"].map(|n| window[n].named(n));
 
     let mut gaps = Vec::new();
     for (end, t_end) in ["begin", "end"].iter().zip(window) {
@@ -69,7 +71,7 @@ pub fn bilinear_hit(d: &Design) -> Arc<Module> {
             let at = place(&format!("u_{end}_{a}"), axis, t_end);
             let ins = [("texel", b.sig(at[0])), ("fraction", b.sig(at[1]))];
             let o = b.inst(&patch_corner(t), &format!("u_{end}_corner_{a}"), &[], &ins);
-            corners.push([o[0].named(&format!("{end}_corner_{a}")), o[1].named(&format!("{end}_weight_{a}"))]);
+            corners.push(["corner", "weight"].map(|n| o[n].named(&format!("{end}_{n}_{a}"))));
         }
         let ins = [
             ("load_en", load[0]),
@@ -80,15 +82,15 @@ pub fn bilinear_hit(d: &Design) -> Arc<Module> {
         ];
         let codes = b.inst(&patch_memory(t), &format!("u_{end}_patch"), &[], &ins);
         let names = ["code_00", "code_10", "code_01", "code_11"];
-        let mut ins: Vec<_> = names.iter().zip(codes).map(|(n, c)| (*n, c.named(&format!("{end}_{n}")))).collect();
+        let mut ins: Vec<_> = names.map(|n| (n, codes[n].named(&format!("{end}_{n}")))).to_vec();
         ins.extend([("weight_x", corners[0][1]), ("weight_y", corners[1][1]), ("t", t_end)]);
-        gaps.push(b.inst(&surface_gap(d), &format!("u_{end}_gap"), &[], &ins)[0].named(&format!("gap_{end}")));
+        gaps.push(b.inst(&surface_gap(d), &format!("u_{end}_gap"), &[], &ins).only().named(&format!("gap_{end}")));
     }
 
     b.section("step", "");
     let ins = [("t_begin", window[0]), ("t_end", window[1]), ("gap_begin", gaps[0]), ("gap_end", gaps[1])];
     let step = b.inst(&secant_step(d), "u_step", &[], &ins);
-    let (patch, refined) = (step[0].named("found"), step[1].named("t_step"));
+    let (patch, refined) = (step["patch"].named("found"), step["t"].named("t_step"));
 
     b.section("position", "");
     let l = latency(&d.latency);

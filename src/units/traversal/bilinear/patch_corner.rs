@@ -1,5 +1,6 @@
 //! `patch_corner`: along one axis, the first texel of the patch in which a place lies. Heights stand at the centres of texels, so it is half a texel further
 //! back.
+use crate::quantity::{TEXELS, integer};
 use crate::traversal::params::LevelParams;
 use reliefrtl_config::TraverseConfig;
 use reliefrtl_ir::{Binding, Builder, Module};
@@ -16,10 +17,10 @@ pub fn patch_corner(t: &TraverseConfig) -> Arc<Module> {
     let frac = b.param("FRAC_W", t.frac_bits, "fraction bits of the position");
     b.require(1, &frac);
     b.require(&frac, 16);
-    let texel = b.input("texel", &levels, "texels", "texel of the place, wrapped");
-    let fraction = b.input("fraction", &frac, "1/2^FRAC_W texel", "position inside the texel");
-    let o_texel = b.output("corner", &levels, "texels", "texel whose centre is the last one not beyond the place");
-    let o_weight = b.output("weight", &frac, "1/2^FRAC_W texel", "distance from that centre");
+    let texel = b.input("texel", &levels, TEXELS, "texel of the place, wrapped");
+    let fraction = b.input("fraction", &frac, integer("1/2^FRAC_W texel"), "position inside the texel");
+    let o_texel = b.output("corner", &levels, TEXELS, "texel whose centre is the last one not beyond the place");
+    let o_weight = b.output("weight", &frac, integer("1/2^FRAC_W texel"), "distance from that centre");
     let wide = &levels + &frac;
     let half = b.lit(1, &wide).shift_left(b.konst(&frac - 1, 5).named("half_bit")).named("half");
     let at = (b.cat(&[texel, fraction]) - half).named("from_centre");

@@ -3,6 +3,7 @@
 //! Four memories, one for each parity of column and row, so that a patch is one read of each. They are loaded with the pyramid, word by word; what is
 //! not level 0 is left out.
 use super::bank_address;
+use crate::quantity::{BIT, CODES, TEXELS, WORDS};
 use crate::traversal::height_memory;
 use crate::traversal::params::LevelParams;
 use reliefrtl_config::TraverseConfig;
@@ -23,19 +24,18 @@ pub fn patch_memory(t: &TraverseConfig) -> Arc<Module> {
     b.require(&height, 16);
     b.clock();
     let ce = b.clock_enable();
-    let load_en = b.input_static("load_en", 1, "bit", "write a word of the pyramid");
-    let load_addr =
-        b.input_static("load_addr", levels.clone() * 2 + 1, "words", "address: level 0 first, the root last");
-    let load_data = b.input_static("load_data", &height, "height codes", "largest height in that node");
-    let i = b.input("i", &levels, "texels", "first column of the patch; the other one is the next, wrapped");
-    let j = b.input("j", &levels, "texels", "first row of the patch; the other one is the next, wrapped");
+    let load_en = b.input_static("load_en", 1, BIT, "write a word of the pyramid");
+    let load_addr = b.input_static("load_addr", levels.clone() * 2 + 1, WORDS, "address: level 0 first, the root last");
+    let load_data = b.input_static("load_data", &height, CODES, "largest height in that node");
+    let i = b.input("i", &levels, TEXELS, "first column of the patch; the other one is the next, wrapped");
+    let j = b.input("j", &levels, TEXELS, "first row of the patch; the other one is the next, wrapped");
     let outs = [
         ("00", "first column, first row"),
         ("10", "second column, first row"),
         ("01", "first column, second row"),
         ("11", "second column, second row"),
     ]
-    .map(|(name, doc)| b.output(&format!("code_{name}"), &height, "height codes", doc));
+    .map(|(name, doc)| b.output(&format!("code_{name}"), &height, CODES, doc));
 
     b.section(
         "load",
@@ -49,8 +49,8 @@ pub fn patch_memory(t: &TraverseConfig) -> Arc<Module> {
     let addresses = b.inst(&bank_address(t), "u_address", &[], &[("i", i), ("j", j)]);
     let mut loops = Vec::new();
     let mut banks: Vec<Sig<'_>> = Vec::new();
-    for (k, address) in addresses.into_iter().enumerate() {
-        let address = address.named(&format!("address_{k}"));
+    for (k, bank) in ["00", "10", "01", "11"].into_iter().enumerate() {
+        let address = addresses[format!("address_{bank}").as_str()].named(&format!("address_{k}"));
         let held =
             b.loop_reg(&format!("held_{k}"), word.clone(), false).doc("address read in the clock before [words]");
         loops.push((held, address));
@@ -61,7 +61,7 @@ pub fn patch_memory(t: &TraverseConfig) -> Arc<Module> {
         let params = [("ADDR_W", word.clone()), ("DATA_W", height.clone()), ("DEPTH", word.pow2())];
         let ins = [("write_en", en), ("write_addr", to), ("write_data", load_data), ("read_addr", read)];
         let memory = height_memory(2 * t.levels - 2, t.height_bits, 1 << (2 * t.levels - 2));
-        let bank = b.inst_of_file(&memory, &format!("u_bank_{k}"), &params, &ins, &format!(".{k}"))[0];
+        let bank = b.inst_of_file(&memory, &format!("u_bank_{k}"), &params, &ins, &format!(".{k}")).only();
         banks.push(bank.named(&format!("bank_{k}")));
     }
     b.close(&loops);

@@ -1,5 +1,6 @@
 //! `ray_place`: along one axis, the texel of a map that repeats in which the ray is at a parameter, and where in it.
 use crate::float::{FormatParams, fp_add, fp_mul, fp_to_fixed};
+use crate::quantity::{TEXELS, float, integer};
 use crate::traversal::params::{LevelParams, index_width};
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Binding, Builder, Module};
@@ -23,19 +24,19 @@ pub fn ray_place(d: &Design) -> Arc<Module> {
     b.require(&idx + &frac + &f.man, 60);
     b.clock();
     b.clock_enable();
-    let p = b.input("p", &f.width, "float, texels", "entry point");
-    let dir = b.input("d", &f.width, "float, texels per height code", "direction");
-    let time = b.input("t", &f.width, "float, height codes", "parameter");
-    let o_texel = b.output("texel", &levels, "texels", "texel, wrapped into the map");
-    let o_fraction = b.output("fraction", &frac, "1/2^FRAC_W texel", "position inside the texel");
+    let p = b.input("p", &f.width, float("texels"), "entry point");
+    let dir = b.input("d", &f.width, float("texels per height code"), "direction");
+    let time = b.input("t", &f.width, float("height codes"), "parameter");
+    let o_texel = b.output("texel", &levels, TEXELS, "texel, wrapped into the map");
+    let o_fraction = b.output("fraction", &frac, integer("1/2^FRAC_W texel"), "position inside the texel");
     let l = latency(&d.latency);
 
     b.section("position", "");
-    let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", time)])[0].named("way");
-    let at = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)])[0].named("position");
+    let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", time)]).only().named("way");
+    let at = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)]).only().named("position");
     let to = fp_to_fixed(d.format, t.idx_bits() + t.frac_bits, t.frac_bits, d.latency.to_int);
     let int = [("INT_W", &idx + &frac), ("FRAC_W", frac.clone())];
-    let fixed = b.inst(&to, "u_to_fixed", &int, &[("a", at)])[0].named("fixed");
+    let fixed = b.inst(&to, "u_to_fixed", &int, &[("a", at)]).only().named("fixed");
 
     b.section("wrap", "The map repeats: the bits above a texel's are the tile.");
     b.unused(fixed.slice(&levels + &frac, &idx - &levels));

@@ -1,6 +1,7 @@
 //! `surface_gap`: how high a ray is over the surface interpolated between the centres of four texels.
 use super::common::negated;
 use crate::float::{FormatParams, fp_add, fp_from_fixed};
+use crate::quantity::{CODES, float, integer};
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Binding, Builder, Module, Sig};
 use std::sync::Arc;
@@ -35,11 +36,11 @@ pub fn surface_gap(d: &Design) -> Arc<Module> {
         ("01", "first column, second row"),
         ("11", "second column, second row"),
     ]
-    .map(|(name, doc)| b.input(&format!("code_{name}"), &h, "height codes", doc));
-    let wx = b.input("weight_x", &frac, "1/2^FRAC_W texel", "distance from the first column");
-    let wy = b.input("weight_y", &frac, "1/2^FRAC_W texel", "distance from the first row");
-    let time = b.input("t", &f.width, "float, height codes", "ray parameter: its own depth");
-    let out = b.output("gap", &f.width, "float, height codes", "above 0: the ray is above the surface");
+    .map(|(name, doc)| b.input(&format!("code_{name}"), &h, CODES, doc));
+    let wx = b.input("weight_x", &frac, integer("1/2^FRAC_W texel"), "distance from the first column");
+    let wy = b.input("weight_y", &frac, integer("1/2^FRAC_W texel"), "distance from the first row");
+    let time = b.input("t", &f.width, float("height codes"), "ray parameter: its own depth");
+    let out = b.output("gap", &f.width, float("height codes"), "above 0: the ray is above the surface");
     let m = d.latency.mul;
     let one_less = |w: Sig<'_>, name: &str| {
         let one = b.cat(&[b.lit(1, 1), b.zeros(&frac)]);
@@ -67,10 +68,10 @@ pub fn surface_gap(d: &Design) -> Arc<Module> {
     let from = fp_from_fixed(d.format, t.height_bits + 2 * t.frac_bits + 1, 2 * t.frac_bits, d.latency.from_int);
     let int = [("INT_W", wide), ("FRAC_W", frac.clone() * 2)];
     // At most M, so the top bit is 0: not negative.
-    let depth = b.inst(&from, "u_from_fixed", &int, &[("a", depth.at(2 * m))])[0].named("surface");
+    let depth = b.inst(&from, "u_from_fixed", &int, &[("a", depth.at(2 * m))]).only().named("surface");
     let minus = negated(&b, time, "minus_t");
     let add = fp_add(d.format, d.latency.add);
-    let gap = b.inst(&add, "u_sub", &[], &[("a", depth), ("b", minus)])[0].named("height_over");
+    let gap = b.inst(&add, "u_sub", &[], &[("a", depth), ("b", minus)]).only().named("height_over");
     let l = latency(&d.latency);
     b.drive(out, gap, Some(l));
     let at = |e: i64, m: i64, h: i64, k: i64| {

@@ -1,4 +1,5 @@
 //! `block_descent`: the level and the texel of a descent from one of four cells: some levels until the first crossing, others after it.
+use crate::quantity::{BIT, LEVELS, TEXELS};
 use crate::traversal::multi_level_down::{clamp, latency};
 use crate::traversal::params::{LevelParams, bindings, index_width};
 use reliefrtl_config::Design;
@@ -27,21 +28,20 @@ pub fn block_descent(d: &Design) -> Arc<Module> {
         b.clock();
         b.clock_enable();
     }
-    let level =
-        b.input("level", &level_w, "levels", "level of the cell, 0 .. LEVELS - 1 (the result is not used at 0)");
-    let crossed = reads_crossed(d).then(|| b.input("crossed", 1, "bit", "the ray has crossed a boundary already"));
-    let lod = d.mode.lod.then(|| b.input("lod", &level_w, "levels", "the finest level to go to"));
+    let level = b.input("level", &level_w, LEVELS, "level of the cell, 0 .. LEVELS - 1 (the result is not used at 0)");
+    let crossed = reads_crossed(d).then(|| b.input("crossed", 1, BIT, "the ray has crossed a boundary already"));
+    let lod = d.mode.lod.then(|| b.input("lod", &level_w, LEVELS, "the finest level to go to"));
     let mut axes = Vec::new();
     for axis in ["x", "y"] {
-        let of = |what: &str, doc: &str| b.input(&format!("{axis}_{what}"), &idx, "texels", doc);
+        let of = |what: &str, doc: &str| b.input(&format!("{axis}_{what}"), &idx, TEXELS, doc);
         let low = of("low", "least texel of the cell that the ray has not passed");
         let high = of("high", "greatest texel of the cell that the ray has not passed");
         axes.push((axis, low, high, of("hit", "predicted hit")));
     }
-    let out = b.output("level_down", &level_w, "levels", "level after the descent");
+    let out = b.output("level_down", &level_w, LEVELS, "level after the descent");
     let outs: Vec<usize> = axes
         .iter()
-        .map(|a| b.output(&format!("{}_down", a.0), &idx, "texels", "predicted hit, kept between the two"))
+        .map(|a| b.output(&format!("{}_down", a.0), &idx, TEXELS, "predicted hit, kept between the two"))
         .collect();
 
     let levels_of = |n: u32| b.lit(u64::from(n), &level_w);

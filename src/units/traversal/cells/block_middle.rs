@@ -1,4 +1,5 @@
 //! `block_middle`: along one axis, the plane between the two halves of a block of four cells, and how the ray stands to it (`docs/cells.md`).
+use crate::quantity::{BIT, LEVELS, TEXELS};
 use crate::traversal::params::{LevelParams, bindings, index_width};
 use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module};
@@ -19,13 +20,12 @@ pub fn block_middle(d: &Design) -> Arc<Module> {
         b.clock();
         b.clock_enable();
     }
-    let level = b.input("level", &level_w, "levels", "level of the cells, 0 .. LEVELS - 1");
-    let x = b.input("x", &idx, "texels", "the ray's texel, in the block");
-    let minus = b.input("neg", 1, "bit", "the ray runs toward smaller coordinates");
-    let middle = b.output("middle", &idx, "texels", "coordinate of the plane between the halves");
-    let past = b.output("past", 1, "bit", "the texel is in the far half, seen along the ray");
-    let first =
-        b.output("first", &idx, "texels", "where the ray enters the far half: its first texel, or the ray's own");
+    let level = b.input("level", &level_w, LEVELS, "level of the cells, 0 .. LEVELS - 1");
+    let x = b.input("x", &idx, TEXELS, "the ray's texel, in the block");
+    let minus = b.input("neg", 1, BIT, "the ray runs toward smaller coordinates");
+    let middle = b.output("middle", &idx, TEXELS, "coordinate of the plane between the halves");
+    let past = b.output("past", 1, BIT, "the texel is in the far half, seen along the ray");
+    let first = b.output("first", &idx, TEXELS, "where the ray enters the far half: its first texel, or the ray's own");
 
     let stage = (clocks > 0).then_some(clocks);
     let keep = b.ones(&idx).shift_left(level).named("keep");

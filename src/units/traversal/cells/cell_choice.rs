@@ -2,6 +2,7 @@
 //!
 //! Cells are named by the half along x, then along y: n is the near one, f the far one, seen along the ray. Those that the ray is in for a while lie
 //! on different diagonals, so the first hit needs no sorting. Of parameters it sees the order alone, and passes two on.
+use crate::quantity::{BIT, CODES};
 use crate::traversal::level_decision::TimeWord;
 use reliefrtl_config::Design;
 use reliefrtl_ir::{Binding, Builder, Module, Sig};
@@ -46,24 +47,24 @@ pub fn cell_choice(d: &Design, time: &TimeWord) -> Arc<Module> {
     }
     let mut order = Vec::new();
     for (name, first, second) in ORDER {
-        order.push((name, b.input(name, 1, "bit", &format!("{first} is less than {second}"))));
+        order.push((name, b.input(name, 1, BIT, &format!("{first} is less than {second}"))));
     }
     let order = Order(order);
     let less = |name: &str| order.less(name);
-    let flag = |name: &str, doc: &str| b.input(name, 1, "bit", doc);
+    let flag = |name: &str, doc: &str| b.input(name, 1, BIT, doc);
     let past = ["x", "y"].map(|a| flag(&format!("past_{a}"), "the ray is in the far half already"));
     let neg = ["x", "y"].map(|a| flag(&format!("neg_{a}"), "the ray runs toward smaller coordinates"));
-    let limit = |name: &str| b.input(name, &h + 1, "height codes", "depths below it are met before that plane");
+    let limit = |name: &str| b.input(name, &h + 1, CODES, "depths below it are met before that plane");
     let [mid, far] = ["mid", "far"].map(|p| ["x", "y"].map(|a| limit(&format!("limit_{p}_{a}"))));
-    let heights = CELLS.map(|name| b.input(name, &h, "height codes", "largest height in that cell"));
+    let heights = CELLS.map(|name| b.input(name, &h, CODES, "largest height in that cell"));
     let parameter = |name: &str, doc: &str| b.input(name, &time_w, unit, doc);
     let t = parameter("t", "parameter so far");
     let t_mid = ["x", "y"].map(|a| parameter(&format!("mid_{a}"), "parameter of the middle plane"));
     let t_far = ["x", "y"].map(|a| parameter(&format!("far_{a}"), "parameter of the exit plane"));
-    let o_inside = b.output("is_inside", 1, "bit", "a height is met before the ray leaves its cell");
-    let o_half = ["x", "y"].map(|a| b.output(&format!("is_far_{a}"), 1, "bit", "the cell is in the far half"));
-    let o_first = b.output("x_first", 1, "bit", "the ray leaves the block by the x plane, also if both come at once");
-    let o_height = b.output("height", &h, "height codes", "that cell's height");
+    let o_inside = b.output("is_inside", 1, BIT, "a height is met before the ray leaves its cell");
+    let o_half = ["x", "y"].map(|a| b.output(&format!("is_far_{a}"), 1, BIT, "the cell is in the far half"));
+    let o_first = b.output("x_first", 1, BIT, "the ray leaves the block by the x plane, also if both come at once");
+    let o_height = b.output("height", &h, CODES, "that cell's height");
     let o_enters = b.output("enters", &time_w, unit, "parameter at which the ray enters that cell, at least t");
     let o_next = b.output("t_next", &time_w, unit, "parameter after a crossing, at least t");
 

@@ -35,11 +35,11 @@ pub fn block_iteration<'b>(
     let level_block = (ray.get("level") + b.lit(1, s.level_w.clone())).named("level_block");
     let [px, py] = extent(b, s, d, ray, level_block, d.mode.trim != Trim::None);
     b.section("exit parameters", "");
-    let [far_x, far_y] = times(b, s, d, ray, units, ["time", "t"], [px[2], py[2]]);
+    let [far_x, far_y] = times(b, s, d, ray, units, ["time", "t"], [px["plane"], py["plane"]]);
     let read = if d.mode.trim == Trim::None {
         ray.get("level")
     } else {
-        trim::trim(b, s, d, ray, units, [[px[0], px[1]], [py[0], py[1]]], [far_x, far_y])
+        trim::trim(b, s, d, ray, units, [[px["low"], px["high"]], [py["low"], py["high"]]], [far_x, far_y])
     };
 
     b.section("middle", "The planes between the cells, and the block's address in memory.");
@@ -47,8 +47,8 @@ pub fn block_iteration<'b>(
         let ins = [("level", read), ("x", ray.get(axis)), ("neg", ray.get(&format!("neg_{axis}")))];
         let o = b.inst(&block_middle(d), &format!("u_middle_{axis}"), &idx(), &ins);
         let reg = |v: Sig<'b>| if d.latency.node > 0 { v.reg() } else { v };
-        let names = ["middle", "past", "first_far"];
-        o.iter().zip(names).map(|(v, n)| reg(v.named(&format!("{axis}_{n}")))).collect::<Vec<_>>()
+        let net = |port: &str| format!("{axis}_{}", if port == "first" { "first_far" } else { port });
+        o.record().map(|port, v| reg(v.named(&net(port))))
     });
     let cell = node_address(b, s, d, "u_address", ray, read).named("cell_address");
     b.unused(cell.slice(0, 2));
@@ -56,16 +56,16 @@ pub fn block_iteration<'b>(
     b.section("height", "");
     let heights = source.read(ray, &[address; CELLS.len()]);
     b.section("middle parameters", "");
-    let [mid_x, mid_y] = times(b, s, d, ray, units, ["middle_time", "t_middle"], [mx[0], my[0]]);
+    let [mid_x, mid_y] = times(b, s, d, ray, units, ["middle_time", "t_middle"], [mx["middle"], my["middle"]]);
 
-    let planes = Planes { mid: [mid_x, mid_y], far: [far_x, far_y], past: [mx[1], my[1]] };
+    let planes = Planes { mid: [mid_x, mid_y], far: [far_x, far_y], past: [mx["past"], my["past"]] };
     let o = planes.choose(b, d, ray, units, &heights.words);
     let (inside, x_first, t_next) = (o["is_inside"], o["x_first"], o["t_next"]);
 
     b.section("cell", "Where the ray enters the chosen cell, and how far a descent into it may go.");
     let starts = [0, 1].map(|k| {
         let axis = AXES[k];
-        let first = [&mx, &my][k][2];
+        let first = [&mx, &my][k]["first"];
         o[format!("is_far_{axis}").as_str()].mux(first, ray.get(axis)).named(&format!("{axis}_start")).reg().id()
     });
     let starts = starts.map(|v| b.sig(v));
@@ -73,20 +73,20 @@ pub fn block_iteration<'b>(
         let axis = AXES[k];
         let ins = [("level", read), ("x", starts[k]), ("neg", ray.get(&format!("neg_{axis}")))];
         let o = b.inst(&node_planes(d, reads_parity(d)), &format!("u_cell_{axis}"), &idx(), &ins);
-        let unused = ["plane", "beyond", "even"];
-        o[2..].iter().zip(unused).for_each(|(v, n)| b.unused(v.named(&format!("{axis}_cell_{n}"))));
-        [o[0].named(&format!("{axis}_cell_low")), o[1].named(&format!("{axis}_cell_high"))]
+        let unused = ["plane", "beyond", "even"].into_iter().filter_map(|n| Some((n, o.get(n)?)));
+        unused.for_each(|(n, v)| b.unused(v.named(&format!("{axis}_cell_{n}"))));
+        ["low", "high"].map(|n| o[n].named(&format!("{axis}_cell_{n}")))
     });
 
     b.section("height test", "");
     let ins = [("height", o["height"]), ("t", o["enters"])];
     let test = b.inst(&(units.height_test)(d), "u_height_test", &[], &ins);
-    let (m, below) = (test[0].named("m"), test[1].named("below"));
+    let (m, below) = (test["m"].named("m"), test["below"].named("below"));
 
     b.section("predicted hit", "");
     let predicted = AXES.map(|axis| {
         let ins = [ray.constants(axis, units.predicted_inputs), vec![("m", m)]].concat();
-        let e = b.inst(&(units.predicted_hit)(d), &format!("u_predict_{axis}"), &idx(), &ins)[0];
+        let e = b.inst(&(units.predicted_hit)(d), &format!("u_predict_{axis}"), &idx(), &ins).only();
         e.named(&format!("{axis}_hit"))
     });
 
@@ -97,15 +97,15 @@ pub fn block_iteration<'b>(
     ins.extend([("x_low", bounds[0][0]), ("x_high", bounds[0][1]), ("x_hit", predicted[0])]);
     ins.extend([("y_low", bounds[1][0]), ("y_high", bounds[1][1]), ("y_hit", predicted[1])]);
     let down = b.inst(&block_descent(d), "u_descent", &idx(), &ins);
-    let level_down = down[0].named("level_down");
-    let down = [down[1].named("x_down"), down[2].named("y_down")];
+    let level_down = down["level_down"].named("level_down");
+    let down = ["x_down", "y_down"].map(|n| down[n].named(n));
 
     // The cells of the root's block are the coarsest.
     let top = b.konst(&s.levels - 1, &s.level_w).named("top_level");
     let below_top = (!read.eq(top)).named("is_below_top");
-    let even = || (x_first.mux(px[4], py[4]) & below_top).named("even");
+    let even = || (x_first.mux(px["even"], py["even"]) & below_top).named("even");
     let (across, grown) = climb(b, s, d, ray, read, &even, [starts, predicted]);
-    let beyond = [px[3], py[3]];
+    let beyond = [px["beyond"], py["beyond"]];
     let found = Found { inside, x_first, below, m, t_next, read, across, grown, level_down, at: starts, down, beyond };
     found.decide(b, s, d, ray, units, heights.missed)
 }
@@ -128,15 +128,15 @@ impl<'b> Planes<'b> {
         let t = ray.get("t");
         let mut ins: Vec<(String, Sig<'b>)> = Vec::new();
         let order = b.inst(&(units.plane_order)(d), "u_order", &[], &[&[("t", t)][..], &planes].concat());
-        for ((name, ..), less) in ORDER.iter().zip(order) {
-            ins.push(((*name).to_string(), less.named(&format!("{name}_less"))));
+        for (name, ..) in ORDER {
+            ins.push((name.to_string(), order[name].named(&format!("{name}_less"))));
         }
         b.section(
             "height codes of planes",
             "Rounded up while the memory is read: no height becomes a parameter before it is chosen.",
         );
         for (name, time) in planes {
-            let limit = b.inst(&(units.depth_limit)(d), &format!("u_limit_{name}"), &[], &[("t", time)])[0];
+            let limit = b.inst(&(units.depth_limit)(d), &format!("u_limit_{name}"), &[], &[("t", time)]).only();
             let name = format!("limit_{name}");
             ins.push((name.clone(), limit.named(&name)));
         }
@@ -148,7 +148,7 @@ impl<'b> Planes<'b> {
         ins.extend([("t", t)].iter().chain(&planes).map(|(name, v)| ((*name).to_string(), *v)));
         b.section("choice", "");
         let ins: Vec<(&str, Sig<'b>)> = ins.iter().map(|(n, v)| (n.as_str(), *v)).collect();
-        let o = b.instance(&(units.cell_choice)(d), "u_choice", &[], &ins);
-        o.map(|name, v| v.named(name))
+        let o = b.inst(&(units.cell_choice)(d), "u_choice", &[], &ins);
+        o.record().map(|name, v| v.named(name))
     }
 }

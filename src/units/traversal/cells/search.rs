@@ -1,5 +1,6 @@
 //! The memories of blocks: one for each of four siblings, loaded word by word as the pyramid of nodes is.
 use super::{block_address, block_words};
+use crate::quantity::{BIT, CODES, WORDS};
 use crate::traversal::height_source::Load;
 use crate::traversal::loop_state::{Sizes, level_state};
 use crate::traversal::search::{PYRAMID, Search};
@@ -27,9 +28,9 @@ pub(in crate::traversal) static BLOCKS: Search = Search {
 /// The four memories; the two lowest bits of an address in the pyramid tell siblings apart. The root, which has none, is left out.
 fn loads<'b>(b: &'b Builder, s: &Sizes, _: &Design) -> Vec<Load<'b>> {
     let whole = s.levels.clone() * 2 + 1;
-    let en = b.input_static("load_en", 1, "bit", "write a word of the pyramid (while idle is 1)");
-    let addr = b.input_static("load_addr", &whole, "words", "address: level 0 first, the root last, which is not kept");
-    let data = b.input_static("load_data", &s.height, "height codes", "largest height in that node");
+    let en = b.input_static("load_en", 1, BIT, "write a word of the pyramid (while idle is 1)");
+    let addr = b.input_static("load_addr", &whole, WORDS, "address: level 0 first, the root last, which is not kept");
+    let data = b.input_static("load_data", &s.height, CODES, "largest height in that node");
     b.section(
         "load",
         "Siblings are neighbours in the pyramid: each goes into a memory of its own, at their block's address.",

@@ -4,6 +4,7 @@
 //! by more, and a travel that is larger by more than its roundings, make up for it (`docs/fixed.md`, "Chord trim").
 use super::params::{LENGTH, Params, TIME, bindings, time_width};
 use super::predicted_hit::{position, way};
+use crate::quantity::{BIT, TEXELS, integer};
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
@@ -31,10 +32,10 @@ pub fn chord_end(d: &Design) -> Arc<Module> {
     b.clock();
     b.clock_enable();
     let p = b.input("p", &f, LENGTH, "entry point");
-    let s = b.input("s", &reach + 1, "2^-(FRACTION_W+HEIGHT_W) tiles", "travel per height code");
-    let neg = b.input("neg", 1, "bit", "the ray runs toward smaller coordinates");
+    let s = b.input("s", &reach + 1, integer("2^-(FRACTION_W+HEIGHT_W) tiles"), "travel per height code");
+    let neg = b.input("neg", 1, BIT, "the ray runs toward smaller coordinates");
     let t = b.input("t", &time, TIME, "parameter of the other axis' exit plane");
-    let out = b.output("reach", &idx, "texels", "signed coordinate");
+    let out = b.output("reach", &idx, TEXELS, "signed coordinate");
     let l = latency(&d.latency);
     b.plan(l, &[("larger", 3), ("way", 10), ("position", 4)]);
     b.section("larger", "By more than one part in 2^RECIP_W, and by more than all that is rounded down.");

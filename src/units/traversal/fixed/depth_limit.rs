@@ -1,5 +1,6 @@
 //! `depth_limit`: a plane's parameter rounded up to a height code: depths below it, as integers, are met before the plane (`docs/cells.md`).
 use super::params::{GUARD, Params, TIME, bindings, time_width};
+use crate::quantity::CODES;
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
@@ -22,7 +23,7 @@ pub fn depth_limit(d: &Design) -> Arc<Module> {
         b.clock_enable();
     }
     let t = b.input("t", &time, TIME, "parameter of the plane");
-    let out = b.output("limit", &h + 1, "height codes", "t rounded up, 0 to 2^HEIGHT_W");
+    let out = b.output("limit", &h + 1, CODES, "t rounded up, 0 to 2^HEIGHT_W");
 
     b.section("round up", "The largest parameter, of a plane that is never met, becomes 2^HEIGHT_W.");
     let rest = t.slice(0, &f - &h + GUARD).any().named("has_fraction");

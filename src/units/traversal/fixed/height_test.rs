@@ -1,5 +1,6 @@
 //! `height_test`: how far the ray may go before it meets the node's height: max(t, M - height), M the largest code.
 use super::params::{GUARD, Params, TIME, bindings, time_width};
+use crate::quantity::{BIT, CODES};
 use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
@@ -14,10 +15,10 @@ pub fn height_test(d: &Design) -> Arc<Module> {
     let time = b.local("TimeW", time_width(&f));
     b.clock();
     b.clock_enable();
-    let height = b.input("height", &h, "height codes", "largest height in the node");
+    let height = b.input("height", &h, CODES, "largest height in the node");
     let t = b.input("t", &time, TIME, "parameter so far");
     let out = b.output("m", &time, TIME, "the larger of t and the height plane's parameter");
-    let below = b.output("below", 1, "bit", "the ray is below the node's height already: a hit would be on a wall");
+    let below = b.output("below", 1, BIT, "the ray is below the node's height already: a hit would be on a wall");
 
     b.section("depth", "The complement of a code is its distance from the top plane, and a parameter as it stands.");
     let t_v = b.cat(&[!height, b.zeros(&f - &h + GUARD)]).named("t_v");

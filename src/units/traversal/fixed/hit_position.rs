@@ -1,6 +1,7 @@
 //! `hit_position`: where in its texel a ray hit, along one axis, as a fraction that never leaves the texel.
 use super::params::{LENGTH, Params, TIME, bindings, time_width};
 use super::predicted_hit::position;
+use crate::quantity::{BIT, LEVELS, TEXELS, integer};
 use crate::traversal::node_hit;
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Builder, Expr, Module, Sig};
@@ -27,13 +28,13 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
     b.clock();
     b.clock_enable();
     let p = b.input("p", &f, LENGTH, "entry point");
-    let s = b.input("s", &reach + 1, "2^-(FRACTION_W+HEIGHT_W) tiles", "travel per height code");
-    let neg = b.input("neg", 1, "bit", "the ray runs toward smaller coordinates");
+    let s = b.input("s", &reach + 1, integer("2^-(FRACTION_W+HEIGHT_W) tiles"), "travel per height code");
+    let neg = b.input("neg", 1, BIT, "the ray runs toward smaller coordinates");
     let t = b.input("t", &time, TIME, "parameter of the hit");
-    let x = b.input("x", &idx, "texels", "hit texel, unwrapped");
-    let lod = level_w.map(|w| b.input("lod", &w, "levels", "level of the node that is hit"));
-    let out = b.output("fraction", &frac, "1/2^FRAC_W texel", "position inside the texel");
-    let o_texel = d.mode.lod.then(|| b.output("texel", &n, "texels", "texel of the hit, wrapped"));
+    let x = b.input("x", &idx, TEXELS, "hit texel, unwrapped");
+    let lod = level_w.map(|w| b.input("lod", &w, LEVELS, "level of the node that is hit"));
+    let out = b.output("fraction", &frac, integer("1/2^FRAC_W texel"), "position inside the texel");
+    let o_texel = d.mode.lod.then(|| b.output("texel", &n, TEXELS, "texel of the hit, wrapped"));
     let l = latency(&d.latency);
     // A register before the multipliers, where there is a clock for it: their operands come from memories far away.
     let plan =
@@ -51,8 +52,8 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
         let fixed = long.slice(&f - &n, &idx + &frac).named("fixed");
         let ins = [("at", fixed), ("x", x), ("lod", lod)];
         let kept = b.inst(&node_hit(&d.traverse), "u_node_hit", &[("IDX_W", idx)], &ins);
-        b.drive(out, kept[1].named("kept"), Some(l));
-        b.drive(o_texel, kept[0].named("hit_texel"), Some(l));
+        b.drive(out, kept["fraction"].named("kept"), Some(l));
+        b.drive(o_texel, kept["texel"].named("hit_texel"), Some(l));
         return b.finish(Some(l), &bindings());
     }
     // A bit below the point keeps the texel's corner wider than the texel; a sign bit holds the difference.

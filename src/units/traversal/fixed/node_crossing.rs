@@ -1,5 +1,6 @@
 //! `node_crossing`: does the ray meet the node's height before it leaves, and if not, by which plane does it leave?
 use super::params::{Params, TIME, bindings, time_width};
+use crate::quantity::BIT;
 use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
@@ -16,8 +17,8 @@ pub fn node_crossing(d: &Design) -> Arc<Module> {
     let m = b.input("m", &time, TIME, "parameter at which the node's height is met");
     let t_x = b.input("t_x", &time, TIME, "parameter of the x exit plane");
     let t_y = b.input("t_y", &time, TIME, "parameter of the y exit plane");
-    let inside = b.output("is_inside", 1, "bit", "the height is met before the ray leaves");
-    let x_first = b.output("x_first", 1, "bit", "the x plane comes first, or both at once");
+    let inside = b.output("is_inside", 1, BIT, "the height is met before the ray leaves");
+    let x_first = b.output("x_first", 1, BIT, "the x plane comes first, or both at once");
     let t_next = b.output("t_next", &time, TIME, "parameter after a crossing, at least t");
 
     b.section("compare", "All five comparisons at once; the selects follow.");

@@ -1,4 +1,5 @@
 //! Parameters and widths of the fixed-point units. What they may be: `docs/fixed.md`, Parameters.
+use crate::quantity::{Quantity, integer};
 use reliefrtl_config::Design;
 use reliefrtl_ir::{Binding, Builder, Expr};
 
@@ -95,9 +96,9 @@ pub fn shift_width(reach: &Expr) -> Expr {
 }
 
 /// Unit of a position or travel.
-pub const LENGTH: &str = "2^-FRACTION_W tiles";
+pub const LENGTH: Quantity = integer("2^-FRACTION_W tiles");
 /// Unit of a ray parameter.
-pub const TIME: &str = "2^-(FRACTION_W+2-HEIGHT_W) height codes";
+pub const TIME: Quantity = integer("2^-(FRACTION_W+2-HEIGHT_W) height codes");
 
 /// Parameter values at which the fixed-point units are verified besides their defaults.
 pub fn bindings() -> Vec<Binding> {

@@ -1,5 +1,6 @@
 //! `plane_order`: which of the planes of a block of four cells comes before which (`docs/cells.md`).
 use super::params::{Params, TIME, bindings, time_width};
+use crate::quantity::BIT;
 use crate::traversal::cells::ORDER;
 use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module};
@@ -21,7 +22,7 @@ pub fn plane_order(d: &Design) -> Arc<Module> {
         parameter("far_y", "parameter of the y exit plane"),
     ];
     let of = |name: &str| parameters.iter().find(|p| p.0 == name).expect("a parameter").1;
-    let outs = ORDER.map(|(name, first, second)| b.output(name, 1, "bit", &format!("{first} is less than {second}")));
+    let outs = ORDER.map(|(name, first, second)| b.output(name, 1, BIT, &format!("{first} is less than {second}")));
     b.section("compare", "");
     for ((name, first, second), out) in ORDER.into_iter().zip(outs) {
         let less = of(first).lt(of(second)).named(&format!("{name}_less"));

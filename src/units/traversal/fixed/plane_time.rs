@@ -2,6 +2,7 @@
 //! is a monotone function of the integer plane: what makes the traversal watertight (`docs/fixed.md`).
 use super::params::{GUARD, LENGTH, Params, TIME, bindings, shift_width, time_width};
 use crate::lzc::lzc;
+use crate::quantity::{BIT, BITS, TEXELS, integer};
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
@@ -26,11 +27,11 @@ pub fn plane_time(d: &Design) -> Arc<Module> {
     let time = b.local("TimeW", time_width(&f));
     b.clock();
     b.clock_enable();
-    let plane = b.input("plane", &idx, "texels", "coordinate of the plane, signed; not passed yet");
+    let plane = b.input("plane", &idx, TEXELS, "coordinate of the plane, signed; not passed yet");
     let p = b.input("p", &f, LENGTH, "coordinate of the entry point");
-    let neg = b.input("neg", 1, "bit", "the ray runs toward smaller coordinates");
-    let r = b.input("r", &w, "a number of RECIP_W bits", "reciprocal of the travel");
-    let z = b.input("z", &shift_w, "bits", "its power of two");
+    let neg = b.input("neg", 1, BIT, "the ray runs toward smaller coordinates");
+    let r = b.input("r", &w, integer("a number of RECIP_W bits"), "reciprocal of the travel");
+    let z = b.input("z", &shift_w, BITS, "its power of two");
     let out = b.output("t", &time, TIME, "all ones: not before the bottom plane");
     let l = latency(&d.latency);
     b.plan(l, &[("distance", 5), ("align", 5), ("multiply", 10)]);

@@ -3,6 +3,7 @@
 //! The reciprocal, and with it a plane's parameter, may be too large by one part in 2^RECIP_W; a parameter smaller by as much
 //! makes up for it, and everything else is rounded down (`docs/fixed.md`).
 use super::params::{LENGTH, Params, TIME, bindings, time_width};
+use crate::quantity::{BIT, TEXELS, integer};
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
@@ -25,10 +26,10 @@ pub fn predicted_hit(d: &Design) -> Arc<Module> {
     b.clock();
     b.clock_enable();
     let p = b.input("p", &f, LENGTH, "entry point");
-    let s = b.input("s", &reach + 1, "2^-(FRACTION_W+HEIGHT_W) tiles", "travel per height code");
-    let neg = b.input("neg", 1, "bit", "the ray runs toward smaller coordinates");
+    let s = b.input("s", &reach + 1, integer("2^-(FRACTION_W+HEIGHT_W) tiles"), "travel per height code");
+    let neg = b.input("neg", 1, BIT, "the ray runs toward smaller coordinates");
     let m = b.input("m", &time, TIME, "parameter");
-    let out = b.output("e", &idx, "texels", "signed coordinate");
+    let out = b.output("e", &idx, TEXELS, "signed coordinate");
     let l = latency(&d.latency);
     b.plan(l, &[("way", 10), ("position", 4)]);
     b.section("way", "");

@@ -4,6 +4,7 @@
 //! level. What each is, to the bit: `docs/fixed.md`, "Once per ray".
 use super::params::{LENGTH, Params, bindings, shift_width};
 use super::reciprocal::reciprocal;
+use crate::quantity::{BIT, BITS, LEVELS, Quantity, TEXELS, integer};
 use crate::traversal::cells::cells_level;
 use crate::traversal::finest_level::finest_doc;
 use crate::traversal::{finest_level, start_level};
@@ -61,29 +62,29 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let v = b.input("v", &f, LENGTH, "entry point at the top plane");
     let du = b.input("du", &reach + 1, LENGTH, "u travelled while the height falls from 1 to 0, signed");
     let dv = b.input("dv", &reach + 1, LENGTH, "v travelled while the height falls from 1 to 0, signed");
-    let lod = d.mode.lod.then(|| b.input("lod", &level_w, "levels", finest_doc(d)));
-    let o_ok = b.output("ok", 1, "bit", "the ray can be traced: no travel is the most negative word");
+    let lod = d.mode.lod.then(|| b.input("lod", &level_w, LEVELS, finest_doc(d)));
+    let o_ok = b.output("ok", 1, BIT, "the ray can be traced: no travel is the most negative word");
     // A search by windows knows no level, and takes the first texel from the entry point.
     let nodes = d.datapath.kind.facts().reads_nodes;
-    let o_level = nodes.then(|| b.output("level", &level_w, "levels", "level of the first iteration"));
+    let o_level = nodes.then(|| b.output("level", &level_w, LEVELS, "level of the first iteration"));
     let outs = ["x", "y"].map(|a| {
-        let of = |n: &str, w: &Expr, unit: &str, doc: &str| b.output(&format!("{n}_{a}"), w, unit, doc);
+        let of = |n: &str, w: &Expr, unit: Quantity, doc: &str| b.output(&format!("{n}_{a}"), w, unit, doc);
         let mut outs = vec![
             of("p", &f, LENGTH, "entry point"),
-            of("s", &(&reach + 1), "2^-(FRACTION_W+HEIGHT_W) tiles", "travel per height code, its magnitude"),
-            of("r", &w, "a number of RECIP_W bits", "reciprocal of the travel"),
-            of("z", &shift_w, "bits", "its power of two"),
-            of("neg", &Expr::from(1), "bit", "the ray runs toward smaller coordinates"),
+            of("s", &(&reach + 1), integer("2^-(FRACTION_W+HEIGHT_W) tiles"), "travel per height code, its magnitude"),
+            of("r", &w, integer("a number of RECIP_W bits"), "reciprocal of the travel"),
+            of("z", &shift_w, BITS, "its power of two"),
+            of("neg", &Expr::from(1), BIT, "the ray runs toward smaller coordinates"),
         ];
         if nodes {
-            outs.push(of("first", &idx, "texels", "texel of the entry point"));
+            outs.push(of("first", &idx, TEXELS, "texel of the entry point"));
         }
         if d.mode.trim != Trim::None {
-            outs.push(of("le", &idx, "texels", "a texel that the ray does not get beyond"));
+            outs.push(of("le", &idx, TEXELS, "a texel that the ray does not get beyond"));
         }
         outs
     });
-    let o_lod = d.mode.lod.then(|| b.output("finest", &level_w, "levels", "finest level, in the pyramid"));
+    let o_lod = d.mode.lod.then(|| b.output("finest", &level_w, LEVELS, "finest level, in the pyramid"));
     let s = Sizes { f, w, n, h, reach, idx };
     let axes = [axis(&b, d, &s, "x", u, du), axis(&b, d, &s, "y", v, dv)];
     let l = latency(d);
@@ -98,15 +99,15 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
                 let first = |k: usize| axes[k].first.expect("with the nodes' level comes a first texel");
                 let ins = [("x", first(0)), ("y", first(1)), ("x_end", x_end), ("y_end", y_end)];
                 let unit = start_level(&d.traverse);
-                b.inst(&unit, "u_start_level", &[("IDX_W", s.idx.clone())], &ins)[0].named("start")
+                b.inst(&unit, "u_start_level", &[("IDX_W", s.idx.clone())], &ins).only().named("start")
             }
             _ => b.konst(&s.n, &level_w).named("root"),
         };
         let mut level = if d.fetch.blocks() { cells_level(level) } else { level };
         if let Some((lod, o_lod)) = lod.zip(o_lod) {
             let o = b.inst(&finest_level(d), "u_finest", &[], &[("lod", lod), ("start", level)]);
-            level = o[1].named("first_level");
-            b.drive(o_lod, b.sig(gate(o[0].named("finest"))), Some(l));
+            level = o["level"].named("first_level");
+            b.drive(o_lod, b.sig(gate(o["finest"].named("finest"))), Some(l));
         }
         b.drive(o_level, b.sig(gate(level)), Some(l));
     }
@@ -132,7 +133,7 @@ fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &str, p: Sig<'b>, trave
 
     b.section(&n("slope"), "Height codes per length, and lengths per height code: the travel times 2^HEIGHT_W / M.");
     let o = b.inst(&reciprocal(d), &format!("u_{name}_reciprocal"), &[], &[("a", a)]);
-    let (r, z) = (o[0].named(&n("r")), o[1].named(&n("z")));
+    let (r, z) = (o["r"].named(&n("r")), o["z"].named(&n("z")));
     let tall = reach + 2;
     let mut sum = a.zext(tall.clone()).named(&n("s_0"));
     for k in 0..4u32 {

@@ -4,6 +4,7 @@
 use super::params::{LENGTH, Params, bindings, chunks, shift_width};
 use crate::div_rows::div_rows;
 use crate::lzc::lzc;
+use crate::quantity::{BITS, integer};
 use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Expr, Module};
 use std::sync::Arc;
@@ -23,8 +24,8 @@ pub fn reciprocal(d: &Design) -> Arc<Module> {
     b.clock();
     b.clock_enable();
     let a = b.input("a", &reach, LENGTH, "travel, its magnitude");
-    let o_r = b.output("r", &w, "a number of RECIP_W bits", "M / a without its power of two; 0 if a is");
-    let o_z = b.output("z", &shift_w, "bits", "that power: how far a distance is moved up before it meets r");
+    let o_r = b.output("r", &w, integer("a number of RECIP_W bits"), "M / a without its power of two; 0 if a is");
+    let o_z = b.output("z", &shift_w, BITS, "that power: how far a distance is moved up before it meets r");
     let chunks = chunks(d);
     let titles: Vec<String> = (0..chunks).map(|c| format!("rows {c}")).collect();
     let mut plan: Vec<(&str, u32)> = vec![("leading zeros", 3), ("normalize", 3)];

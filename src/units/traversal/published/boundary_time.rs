@@ -4,6 +4,7 @@
 //! The nudge is this project's: without it a crossing position often rounds back into the node that it should leave, and
 //! a ray toward smaller coordinates lands on the plane itself, which belongs to the old node (`docs/published.md`).
 use crate::float::{FormatParams, fp_add, fp_div, fp_from_fixed};
+use crate::quantity::{BIT, TEXELS, float};
 use crate::traversal::params::index_width;
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Binding, Builder, Expr, Module};
@@ -34,11 +35,11 @@ pub fn boundary_time(d: &Design) -> Arc<Module> {
     let wide = b.local("FixedW", &idx + &nudge + 1);
     b.clock();
     b.clock_enable();
-    let plane = b.input("plane", &idx, "texels", "coordinate of the plane, signed");
-    let neg = b.input("neg", 1, "bit", "the ray runs toward smaller coordinates");
-    let p = b.input("p", &f.width, "float, texels", "coordinate of the entry point");
-    let dir = b.input("d", &f.width, "float, texels", "travel over the height range");
-    let out = b.output("t", &f.width, "float, height range", "infinity if the ray does not move along this axis");
+    let plane = b.input("plane", &idx, TEXELS, "coordinate of the plane, signed");
+    let neg = b.input("neg", 1, BIT, "the ray runs toward smaller coordinates");
+    let p = b.input("p", &f.width, float("texels"), "coordinate of the entry point");
+    let dir = b.input("d", &f.width, float("texels"), "travel over the height range");
+    let out = b.output("t", &f.width, float("height range"), "infinity if the ray does not move along this axis");
 
     b.section("nudge", "In fixed point: a plane has no fraction bits, so the nudge is its last one.");
     let by = b.konst(&nudge, 5).named("nudge_bits");
@@ -50,13 +51,13 @@ pub fn boundary_time(d: &Design) -> Arc<Module> {
     let fixed = d.traverse.idx_bits() + d.datapath.nudge_bits + 1;
     let from = fp_from_fixed(d.format, fixed, d.datapath.nudge_bits, d.latency.from_int);
     let params = [("INT_W", wide), ("FRAC_W", nudge)];
-    let at = b.inst(&from, "u_from_fixed", &params, &[("a", target)])[0].named("plane_float");
+    let at = b.inst(&from, "u_from_fixed", &params, &[("a", target)]).only().named("plane_float");
     let minus_p = b.cat(&[!p.msb(), p.slice(0, &f.width - 1)]).named("minus_p");
     let add = fp_add(d.format, d.latency.add);
-    let dist = b.inst(&add, "u_sub", &[], &[("a", at), ("b", minus_p)])[0].named("distance");
+    let dist = b.inst(&add, "u_sub", &[], &[("a", at), ("b", minus_p)]).only().named("distance");
 
     b.section("parameter", "");
-    let t = b.inst(&div, "u_div", &[], &[("a", dist), ("b", dir)])[0].named("when_met");
+    let t = b.inst(&div, "u_div", &[], &[("a", dist), ("b", dir)]).only().named("when_met");
     let l = latency(&d.latency);
     b.drive(out, t, Some(l));
     let at = |n: i64, e: i64, m: i64| Binding::from([("NUDGE_W".into(), n), ("EXP_W".into(), e), ("MAN_W".into(), m)]);

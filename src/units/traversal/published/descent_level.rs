@@ -1,5 +1,6 @@
 //! `descent_level`: the level of a descent (PIDM-HW section 3.2, MLD test): until the first crossing `levels_down` levels
 //! where that many are left, afterwards one. The child follows from the position.
+use crate::quantity::{BIT, LEVELS};
 use crate::traversal::params::{LevelParams, bindings};
 use reliefrtl_config::{ModeConfig, TraverseConfig};
 use reliefrtl_ir::{Builder, Module};
@@ -14,9 +15,9 @@ pub fn descent_level(t: &TraverseConfig, mode: &ModeConfig) -> Arc<Module> {
     let b = Builder::new("descent_level", file!(), &what);
     let LevelParams { level_w, .. } = LevelParams::declare(&b, t);
     let many = u64::from(mode.levels_down);
-    let level = b.input("level", &level_w, "levels", "1 .. LEVELS (the result is not used at 0)");
-    let crossed = (many > 1).then(|| b.input("crossed", 1, "bit", "the ray has crossed a node boundary already"));
-    let out = b.output("level_down", &level_w, "levels", "level after the descent");
+    let level = b.input("level", &level_w, LEVELS, "1 .. LEVELS (the result is not used at 0)");
+    let crossed = (many > 1).then(|| b.input("crossed", 1, BIT, "the ray has crossed a node boundary already"));
+    let out = b.output("level_down", &level_w, LEVELS, "level after the descent");
     let by_one = level - b.lit(1, &level_w);
     let next = match crossed {
         None => by_one,

@@ -1,4 +1,5 @@
 //! `exit_plane`: along one axis, the plane by which the ray can leave a node (PIDM-HW section 3.2, node crossing).
+use crate::quantity::{BIT, LEVELS, TEXELS};
 use crate::traversal::params::{LevelParams, bindings, index_width};
 use reliefrtl_config::TraverseConfig;
 use reliefrtl_ir::{Builder, Module};
@@ -9,11 +10,11 @@ pub fn exit_plane(t: &TraverseConfig, parity: bool) -> Arc<Module> {
     let b = Builder::new("exit_plane", file!(), "the plane by which the ray can leave a node along one axis");
     let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
     let idx = index_width(&b, t, Some(&levels));
-    let level = b.input("level", &level_w, "levels", "0 .. LEVELS");
-    let x = b.input("x", &idx, "texels", "any texel of the node");
-    let minus = b.input("neg", 1, "bit", "the ray runs toward smaller coordinates");
-    let plane = b.output("plane", &idx, "texels", "coordinate of the plane");
-    let even = parity.then(|| b.output("even", 1, "bit", "the plane also bounds the parent node"));
+    let level = b.input("level", &level_w, LEVELS, "0 .. LEVELS");
+    let x = b.input("x", &idx, TEXELS, "any texel of the node");
+    let minus = b.input("neg", 1, BIT, "the ray runs toward smaller coordinates");
+    let plane = b.output("plane", &idx, TEXELS, "coordinate of the plane");
+    let even = parity.then(|| b.output("even", 1, BIT, "the plane also bounds the parent node"));
 
     let keep = b.ones(&idx).shift_left(level).named("keep");
     let side = minus.mux(x & keep, x | !keep).named("side");

@@ -31,8 +31,8 @@ pub(super) fn iteration<'b>(
     for (axis, neg) in ["x", "y"].into_iter().zip(neg) {
         let ins = [("level", ray.get("level")), ("x", ray.get(axis)), ("neg", neg)];
         let o = b.inst(&exit_plane(t, reads_parity(d)), &format!("u_plane_{axis}"), &idx(), &ins);
-        planes.push(o[0].named(&format!("{axis}_plane")));
-        evens.extend(o.get(1).map(|e| e.named(&format!("{axis}_even"))));
+        planes.push(o["plane"].named(&format!("{axis}_plane")));
+        evens.extend(o.get("even").map(|e| e.named(&format!("{axis}_even"))));
     }
     let address = node_address(b, s, d, "u_address", ray, ray.get("level")).named("address");
 
@@ -43,7 +43,7 @@ pub(super) fn iteration<'b>(
     let when = |axis: &str, plane: Sig<'b>, neg: Sig<'b>| {
         let (p, dir) = (ray.get(&format!("p_{axis}")), ray.get(&format!("d_{axis}")));
         let ins = [("plane", plane.reg()), ("neg", neg), ("p", p), ("d", dir)];
-        b.inst(&boundary_time(d), &format!("u_time_{axis}"), &idx(), &ins)[0].named(&format!("t_{axis}"))
+        b.inst(&boundary_time(d), &format!("u_time_{axis}"), &idx(), &ins).only().named(&format!("t_{axis}"))
     };
     let (t_x, t_y) = (when("x", planes[0], neg[0]), when("y", planes[1], neg[1]));
 
@@ -51,16 +51,16 @@ pub(super) fn iteration<'b>(
     let mut ins = vec![("height", heights.single()), ("t", ray.get("t"))];
     ins.extend(first.map(|f| ("first", f)));
     let o = b.inst(&surface_time(d), "u_surface", &[], &ins);
-    let (m, below) = (o[0].named("m"), o[1].named("below"));
+    let (m, below) = (o["m"].named("m"), o["below"].named("below"));
 
     b.section("nearer plane", "");
     let o = b.inst(&nearer_plane(d, reads_parity(d)), "u_nearer", &[], &[("t_x", t_x), ("t_y", t_y)]);
-    let (t_exit, x_first) = (o[0].named("t_exit"), o.get(1).map(|x| x.named("x_first")));
+    let (t_exit, x_first) = (o["t_exit"].named("t_exit"), o.get("x_first").map(|x| x.named("x_first")));
 
     b.section("positions", "Hit position and node-crossing position, both before it is known which one counts.");
     let point = |axis: &str, what: &str, t: Sig<'b>| {
         let ins = [("p", ray.get(&format!("p_{axis}"))), ("d", ray.get(&format!("d_{axis}"))), ("t", t)];
-        b.inst(&ray_point(d), &format!("u_{what}_{axis}"), &[], &ins)[0].named(&format!("{axis}_{what}_at")).id()
+        b.inst(&ray_point(d), &format!("u_{what}_{axis}"), &[], &ins).only().named(&format!("{axis}_{what}_at")).id()
     };
     let hit = ["x", "y"].map(|a| b.sig(point(a, "hit", m)));
     let cross = ["x", "y"].map(|a| b.sig(point(a, "cross", t_exit)));
@@ -70,20 +70,23 @@ pub(super) fn iteration<'b>(
     let late = cross[0].stage().map_or(0, |k| k - l.from_int);
     let edge = |axis: &str, plane: Sig<'b>| {
         let from = fp_from_int(d.format, t.idx_bits(), l.from_int);
-        b.inst(&from, &format!("u_edge_{axis}"), &int, &[("a", plane.at(late))])[0].named(&format!("{axis}_edge")).id()
+        b.inst(&from, &format!("u_edge_{axis}"), &int, &[("a", plane.at(late))])
+            .only()
+            .named(&format!("{axis}_edge"))
+            .id()
     };
     let edges = [b.sig(edge("x", planes[0])), b.sig(edge("y", planes[1]))];
     let mut ins = vec![("x_hit", hit[0]), ("x_edge", edges[0]), ("x_neg", neg[0])];
     ins.extend([("y_hit", hit[1]), ("y_edge", edges[1]), ("y_neg", neg[1])]);
     ins.extend([("t", ray.get("t")), ("t_exit", t_exit)]);
     let o = b.inst(&crossing_test(d), "u_crossing", &[], &ins);
-    let (leaves, t_next) = (o[0].named("leaves_node"), o[1].named("t_next"));
+    let (leaves, t_next) = (o["crosses"].named("leaves_node"), o["t_next"].named("t_next"));
     let mut ins = vec![("level", ray.get("level"))];
     ins.extend(ray.find("crossed").map(|c| ("crossed", c)));
-    let level_down = b.inst(&descent_level(t, &d.mode), "u_down", &[], &ins)[0].named("level_down");
+    let level_down = b.inst(&descent_level(t, &d.mode), "u_down", &[], &ins).only().named("level_down");
     let texel = |axis: &str, what: &str, at: Sig<'b>| {
         let to = fp_to_int(d.format, t.idx_bits(), l.to_int);
-        b.inst(&to, &format!("u_{what}_texel_{axis}"), &int, &[("a", at)])[0].named(&format!("{axis}_{what}"))
+        b.inst(&to, &format!("u_{what}_texel_{axis}"), &int, &[("a", at)]).only().named(&format!("{axis}_{what}"))
     };
     let even = || x_first.map(|x| x.mux(evens[0], evens[1]).named("even"));
     let near = || ["x", "y"].map(|a| texel(a, "hit", hit[usize::from(a == "y")]));
@@ -95,9 +98,11 @@ pub(super) fn iteration<'b>(
     ins.extend([("m", m), ("t_next", t_next)]);
     ins.extend([("x_hit", hit[0]), ("x_cross", cross[0]), ("y_hit", hit[1]), ("y_cross", cross[1])]);
     let o = b.inst(&level_choice(d), "u_decision", &[], &ins);
-    let names = ["is_hit", "crosses", "level_next", "x_next_at", "y_next_at", "t_after"];
-    let o: Vec<Sig<'b>> = o.iter().zip(names).map(|(v, n)| (0..l.decision).fold(v.named(n), |v, _| v.reg())).collect();
-    let [hit, crosses, level_next, x_at, y_at, t_after] = o[..] else { unreachable!("as many as names") };
+    let late = |port: &str, net: &str| (0..l.decision).fold(o[port].named(net), |v, _| v.reg());
+    let [hit, crosses, level_next] =
+        [("hit", "is_hit"), ("crosses", "crosses"), ("level_next", "level_next")].map(|(p, n)| late(p, n));
+    let [x_at, y_at, t_after] =
+        [("x_next", "x_next_at"), ("y_next", "y_next_at"), ("t_out", "t_after")].map(|(p, n)| late(p, n));
 
     b.section("address conversion", "");
     let at = [texel("x", "next", x_at), texel("y", "next", y_at)];
@@ -126,7 +131,7 @@ fn climbs<'b>(
                 ins.extend([("x_at", ray.get("x")), ("x_hit", near[0]), ("y_at", ray.get("y")), ("y_hit", near[1])]);
                 params.push(("IDX_W", s.idx.clone()));
             }
-            b.inst(&unit, "u_up", &params, &ins)[0].named("up")
+            b.inst(&unit, "u_up", &params, &ins).only().named("up")
         }
     }
 }
@@ -172,8 +177,10 @@ fn write_back<'b>(
         None => level_next,
         Some(first) => {
             let ins = [("x", ray.get("x")), ("y", ray.get("y")), ("x_end", x), ("y_end", y)];
-            let start =
-                b.inst(&start_level(&d.traverse), "u_start_level", &[("IDX_W", s.idx.clone())], &ins)[0].named("start");
+            let start = b
+                .inst(&start_level(&d.traverse), "u_start_level", &[("IDX_W", s.idx.clone())], &ins)
+                .only()
+                .named("start");
             first.mux(start, level_next)
         }
     };

@@ -30,6 +30,7 @@ use super::params::float_sizes;
 use super::search::PYRAMID;
 use crate::divider::divider_core;
 use crate::float::{self, FormatParams};
+use crate::quantity::float;
 use reliefrtl_config::Design;
 use reliefrtl_ir::{Expr, Module};
 use std::sync::Arc;
@@ -60,9 +61,9 @@ pub(super) static DATAPATH: Datapath = Datapath {
         b.require(levels + tile + 2 + Expr::param("NUDGE_W") + &f.man, 60);
         let of = |unit| (f.width.clone(), unit);
         Numbers {
-            entry: of("float, tiles"),
-            travel: of("float, tiles"),
-            time: of("float, height range"),
+            entry: of(float("tiles")),
+            travel: of(float("tiles")),
+            time: of(float("height range")),
             float: Some(f),
         }
     },

@@ -1,5 +1,6 @@
 //! `nearer_plane`: which exit plane the ray meets first (PIDM-HW section 3.2, node crossing).
 use crate::float::{FormatParams, bindings, fp_lt};
+use crate::quantity::{BIT, float};
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
@@ -15,12 +16,12 @@ pub fn nearer_plane(d: &Design, parity: bool) -> Arc<Module> {
     let f = FormatParams::declare(&b, d.format);
     b.clock();
     b.clock_enable();
-    let t_x = b.input("t_x", &f.width, "float, height range", "parameter of the u exit plane");
-    let t_y = b.input("t_y", &f.width, "float, height range", "parameter of the v exit plane");
-    let out = b.output("t_exit", &f.width, "float, height range", "the smaller of the two");
-    let x_first = parity.then(|| b.output("x_first", 1, "bit", "the u plane comes first, or both at once"));
+    let t_x = b.input("t_x", &f.width, float("height range"), "parameter of the u exit plane");
+    let t_y = b.input("t_y", &f.width, float("height range"), "parameter of the v exit plane");
+    let out = b.output("t_exit", &f.width, float("height range"), "the smaller of the two");
+    let x_first = parity.then(|| b.output("x_first", 1, BIT, "the u plane comes first, or both at once"));
     let lt = fp_lt(d.format, d.latency.compare);
-    let y_less = b.inst(&lt, "u_ty_tx", &[], &[("a", t_y), ("b", t_x)])[0].named("y_before_x");
+    let y_less = b.inst(&lt, "u_ty_tx", &[], &[("a", t_y), ("b", t_x)]).only().named("y_before_x");
     let l = latency(&d.latency);
     b.drive(out, y_less.mux(t_y, t_x).named("nearer"), Some(l));
     if let Some(port) = x_first {

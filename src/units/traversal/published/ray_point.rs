@@ -1,6 +1,7 @@
 //! `ray_point`: where the ray is at a parameter, along one axis: p + d * t (PIDM-HW section 3.1). The hit position and the
 //! node-crossing position are both of this form, and so is the ray's end.
 use crate::float::{FormatParams, bindings, fp_add, fp_mul};
+use crate::quantity::float;
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
@@ -16,12 +17,13 @@ pub fn ray_point(d: &Design) -> Arc<Module> {
     let f = FormatParams::declare(&b, d.format);
     b.clock();
     b.clock_enable();
-    let p = b.input("p", &f.width, "float, texels", "coordinate of the entry point");
-    let dir = b.input("d", &f.width, "float, texels", "travel over the height range");
-    let t = b.input("t", &f.width, "float, height range", "parameter");
-    let out = b.output("position", &f.width, "float, texels", "coordinate at t");
-    let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", t)])[0].named("displacement");
-    let at = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)])[0].named("at");
+    let p = b.input("p", &f.width, float("texels"), "coordinate of the entry point");
+    let dir = b.input("d", &f.width, float("texels"), "travel over the height range");
+    let t = b.input("t", &f.width, float("height range"), "parameter");
+    let out = b.output("position", &f.width, float("texels"), "coordinate at t");
+    let way =
+        b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", t)]).only().named("displacement");
+    let at = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)]).only().named("at");
     let l = latency(&d.latency);
     b.drive(out, at, Some(l));
     b.finish(Some(l), &bindings())

@@ -4,6 +4,7 @@
 //! units of the hit position. What each output is, to the bit: `docs/published.md`, "Once per ray".
 
 use crate::float::{Fields, FormatParams, fp_to_int};
+use crate::quantity::{BIT, LEVELS, Quantity, TEXELS, float};
 use crate::traversal::params::{LevelParams, float_sizes};
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Binding, Builder, Expr, Module, Sig};
@@ -27,18 +28,18 @@ pub fn ray_scale(d: &Design) -> Arc<Module> {
     let idx = b.local("IdxW", &levels + &tile + 2);
     b.clock();
     b.clock_enable();
-    let u = b.input("u", &f.width, "float, tiles", "entry point at the top plane, 0 <= u < 1");
-    let v = b.input("v", &f.width, "float, tiles", "entry point at the top plane, 0 <= v < 1");
-    let du = b.input("du", &f.width, "float, tiles", "u travelled while the height falls from 1 to 0");
-    let dv = b.input("dv", &f.width, "float, tiles", "v travelled while the height falls from 1 to 0");
-    let o_ok = b.output("ok", 1, "bit", "the ray can be traced: finite, entry in the tile, travel below 2^TILE_W");
-    let o_level = b.output("level", &level_w, "levels", "the root; a start level replaces it after the first trip");
+    let u = b.input("u", &f.width, float("tiles"), "entry point at the top plane, 0 <= u < 1");
+    let v = b.input("v", &f.width, float("tiles"), "entry point at the top plane, 0 <= v < 1");
+    let du = b.input("du", &f.width, float("tiles"), "u travelled while the height falls from 1 to 0");
+    let dv = b.input("dv", &f.width, float("tiles"), "v travelled while the height falls from 1 to 0");
+    let o_ok = b.output("ok", 1, BIT, "the ray can be traced: finite, entry in the tile, travel below 2^TILE_W");
+    let o_level = b.output("level", &level_w, LEVELS, "the root; a start level replaces it after the first trip");
     let outs = ["x", "y"].map(|a| {
-        let of = |n: &str, w: &Expr, unit: &str, doc: &str| b.output(&format!("{n}_{a}"), w, unit, doc);
+        let of = |n: &str, w: &Expr, unit: Quantity, doc: &str| b.output(&format!("{n}_{a}"), w, unit, doc);
         [
-            of("p", &f.width, "float, texels", "entry point"),
-            of("d", &f.width, "float, texels", "travel over the height range; +0 if there is none"),
-            of("first", &idx, "texels", "texel of the entry point"),
+            of("p", &f.width, float("texels"), "entry point"),
+            of("d", &f.width, float("texels"), "travel over the height range; +0 if there is none"),
+            of("first", &idx, TEXELS, "texel of the entry point"),
         ]
     });
     let l = latency(&d.latency);
@@ -59,7 +60,7 @@ pub fn ray_scale(d: &Design) -> Arc<Module> {
         };
         let (p, dir) = (b.sig(scaled(&fp, b.zeros(1), "p")), scaled(&fd, fd.sign, "d"));
         let to = fp_to_int(d.format, d.traverse.idx_bits(), d.latency.to_int);
-        let first = b.inst(&to, &format!("u_{axis}_first"), &[("INT_W", idx.clone())], &[("a", p)])[0];
+        let first = b.inst(&to, &format!("u_{axis}_first"), &[("INT_W", idx.clone())], &[("a", p)]).only();
         values.push([p.id(), dir, first.named(&n("first")).id()]);
     }
     b.section("result", "");

@@ -1,6 +1,7 @@
 //! `texel_fraction`: where in its texel a ray hit, along one axis. The texel is the floor of the same position, so the
 //! fraction bits after its point are all that is left to find.
 use crate::float::{FormatParams, fp_add, fp_mul, fp_to_fixed};
+use crate::quantity::{float, integer};
 use crate::traversal::params::index_width;
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Binding, Builder, Module};
@@ -24,15 +25,16 @@ pub fn texel_fraction(d: &Design) -> Arc<Module> {
     b.require(&idx + &frac + &f.man, 60);
     b.clock();
     b.clock_enable();
-    let p = b.input("p", &f.width, "float, texels", "entry point");
-    let dir = b.input("d", &f.width, "float, texels", "travel over the height range");
-    let at = b.input("t", &f.width, "float, height range", "parameter of the hit");
-    let out = b.output("fraction", &frac, "1/2^FRAC_W texel", "position inside the texel");
-    let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", at)])[0].named("displacement");
-    let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)])[0].named("position");
+    let p = b.input("p", &f.width, float("texels"), "entry point");
+    let dir = b.input("d", &f.width, float("texels"), "travel over the height range");
+    let at = b.input("t", &f.width, float("height range"), "parameter of the hit");
+    let out = b.output("fraction", &frac, integer("1/2^FRAC_W texel"), "position inside the texel");
+    let way =
+        b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", at)]).only().named("displacement");
+    let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)]).only().named("position");
     let to = fp_to_fixed(d.format, t.idx_bits() + t.frac_bits, t.frac_bits, d.latency.to_int);
     let int = [("INT_W", &idx + &frac), ("FRAC_W", frac.clone())];
-    let fixed = b.inst(&to, "u_to_fixed", &int, &[("a", pos)])[0].named("fixed");
+    let fixed = b.inst(&to, "u_to_fixed", &int, &[("a", pos)]).only().named("fixed");
     b.unused(fixed.slice(&frac, &idx));
     let l = latency(&d.latency);
     b.drive(out, fixed.slice(0, &frac).named("after_point"), Some(l));

@@ -1,5 +1,6 @@
 //! `axis_ends`: the texels, along one axis, of a ray's entry and of the point where it meets the bottom plane.
 use crate::float::{FormatParams, bindings, fp_add, fp_to_int};
+use crate::quantity::{TEXELS, float};
 use crate::traversal::params::index_width;
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Builder, Module};
@@ -19,15 +20,15 @@ pub fn axis_ends(d: &Design) -> Arc<Module> {
     b.require(2, &idx);
     b.clock();
     b.clock_enable();
-    let p = b.input("p", &f.width, "float, texels", "entry point");
-    let travel = b.input("dn", &f.width, "float, texels", "travel down to the bottom plane");
-    let o_first = b.output("first", &idx, "texels", "texel of the entry point");
-    let o_last = b.output("last", &idx, "texels", "texel of the rounded end point p + dn");
+    let p = b.input("p", &f.width, float("texels"), "entry point");
+    let travel = b.input("dn", &f.width, float("texels"), "travel down to the bottom plane");
+    let o_first = b.output("first", &idx, TEXELS, "texel of the entry point");
+    let o_last = b.output("last", &idx, TEXELS, "texel of the rounded end point p + dn");
     b.section("texels", "");
     let to = fp_to_int(d.format, d.traverse.idx_bits(), d.latency.to_int);
-    let texel = |at, unit: &str| b.inst(&to, unit, &[("INT_W", idx.clone())], &[("a", at)])[0];
+    let texel = |at, unit: &str| b.inst(&to, unit, &[("INT_W", idx.clone())], &[("a", at)]).only();
     let first = texel(p, "u_first").named("entry_texel").doc("floor of p [texels]");
-    let end = b.inst(&fp_add(d.format, d.latency.add), "u_end", &[], &[("a", p), ("b", travel)])[0];
+    let end = b.inst(&fp_add(d.format, d.latency.add), "u_end", &[], &[("a", p), ("b", travel)]).only();
     let end = end.named("end_point").doc("p + dn [float, texels]");
     let last = texel(end, "u_last").named("end_texel").doc("floor of end_point [texels]");
     let l = latency(&d.latency);

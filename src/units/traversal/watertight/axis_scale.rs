@@ -1,5 +1,6 @@
 //! `axis_scale`: a ray along one axis, from tiles to texels, and whether it can be traced.
 use crate::float::{Fields, FormatParams, bindings};
+use crate::quantity::{BIT, float};
 use crate::traversal::params::LevelParams;
 use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module};
@@ -15,11 +16,11 @@ pub fn axis_scale(d: &Design) -> Arc<Module> {
     b.require(1, &tile);
     b.require(&tile, 8);
     b.require(&levels + &tile + 1, f.bias());
-    let p = b.input("p", &f.width, "float, tiles", "entry point at the top plane");
-    let travel = b.input("d", &f.width, "float, tiles", "travel while the height falls from 1 to 0");
-    let o_ok = b.output("ok", 1, "bit", "can be traced: 0 <= p < 1 and |d| < 2^TILE_W");
-    let o_p = b.output("p_texels", &f.width, "float, texels", "entry point, without its sign");
-    let o_travel = b.output("d_texels", &f.width, "float, texels", "travel");
+    let p = b.input("p", &f.width, float("tiles"), "entry point at the top plane");
+    let travel = b.input("d", &f.width, float("tiles"), "travel while the height falls from 1 to 0");
+    let o_ok = b.output("ok", 1, BIT, "can be traced: 0 <= p < 1 and |d| < 2^TILE_W");
+    let o_p = b.output("p_texels", &f.width, float("texels"), "entry point, without its sign");
+    let o_travel = b.output("d_texels", &f.width, float("texels"), "travel");
 
     b.section("range", "Compares exponents alone: those of 1 and of 2^TILE_W are the least that are too large.");
     let (fp, fd) = (Fields::of(&f, p, "p"), Fields::of(&f, travel, "d"));

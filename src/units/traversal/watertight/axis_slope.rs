@@ -1,6 +1,7 @@
 //! `axis_slope`: a ray's constants along one axis, from entry point and travel in texels. What each is, to the bit: `docs/datapath.md`, "Once
 //! per ray".
 use crate::float::{FormatParams, fp_add, fp_div, fp_mul, fp_to_int};
+use crate::quantity::{BIT, TEXELS, float};
 use crate::traversal::params::LevelParams;
 use reliefrtl_config::{Design, LatencyConfig, Trim};
 use reliefrtl_ir::{Binding, Builder, Expr, Module, Sig};
@@ -46,15 +47,15 @@ pub fn axis_slope(d: &Design) -> Arc<Module> {
     let div = fp_div(d.format, &d.latency);
     b.clock();
     b.clock_enable();
-    let p = b.input("p", &f.width, "float, texels", "entry point");
-    let dn = b.input("dn", &f.width, "float, texels", "travel down to the bottom plane");
-    let o_back = b.output("p_back", &f.width, "float, texels", "entry point, biased against the direction");
-    let o_d = b.output("d", &f.width, "float, texels per height code", "direction");
-    let o_r = b.output("r", &f.width, "float, height codes per texel", "reciprocal direction");
-    let o_never = b.output("never", 1, "bit", "the ray does not move along this axis: dn is zero, or M / dn overflows");
+    let p = b.input("p", &f.width, float("texels"), "entry point");
+    let dn = b.input("dn", &f.width, float("texels"), "travel down to the bottom plane");
+    let o_back = b.output("p_back", &f.width, float("texels"), "entry point, biased against the direction");
+    let o_d = b.output("d", &f.width, float("texels per height code"), "direction");
+    let o_r = b.output("r", &f.width, float("height codes per texel"), "reciprocal direction");
+    let o_never = b.output("never", 1, BIT, "the ray does not move along this axis: dn is zero, or M / dn overflows");
     let o_ahead = idx.as_ref().map(|idx| {
-        let p = b.output("p_ahead", &f.width, "float, texels", "entry point, biased in the direction");
-        (p, b.output("farthest", idx, "texels", "a texel that the ray does not get beyond"))
+        let p = b.output("p_ahead", &f.width, float("texels"), "entry point, biased in the direction");
+        (p, b.output("farthest", idx, TEXELS, "a texel that the ray does not get beyond"))
     });
     let l = latency(d);
 
@@ -62,9 +63,9 @@ pub fn axis_slope(d: &Design) -> Arc<Module> {
         "slope",
         "Direction dn * R, with R = 1 / M rounded to a float, and its reciprocal M / dn; M = 2^HEIGHT_W - 1.",
     );
-    let r = b.inst(&div, "u_div", &[], &[("a", bottom(&b, &f, &height)), ("b", dn)])[0];
+    let r = b.inst(&div, "u_div", &[], &[("a", bottom(&b, &f, &height)), ("b", dn)]).only();
     let by_bottom = recip_of_bottom(&b, &f, &height);
-    let direction = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dn), ("b", by_bottom)])[0];
+    let direction = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dn), ("b", by_bottom)]).only();
     let r = r.named("height_per_texel").doc("M / dn [float, height codes per texel]");
     let direction = direction.named("direction").doc("dn * R, rounded once more [float, texels per height code]");
     let dn_exp = dn.slice(f.man.clone(), f.exp.clone());
@@ -84,12 +85,14 @@ pub fn axis_slope(d: &Design) -> Arc<Module> {
         let bias = b.cat(&[sign, bias_exp, b.zeros(&f.man)]).named(net);
         if d.latency.node > 0 { bias.reg() } else { bias }
     };
-    let back = b.inst(
-        &add,
-        "u_back",
-        &[],
-        &[("a", p), ("b", bias((!neg).named("forward").doc("sign of the bias: against the direction"), "bias"))],
-    )[0];
+    let back = b
+        .inst(
+            &add,
+            "u_back",
+            &[],
+            &[("a", p), ("b", bias((!neg).named("forward").doc("sign of the bias: against the direction"), "bias"))],
+        )
+        .only();
     b.drive(o_back, back.named("moved_back").doc("p + bias [float]"), Some(l));
 
     if let Some((o_p, o_farthest)) = o_ahead {
@@ -98,13 +101,13 @@ pub fn axis_slope(d: &Design) -> Arc<Module> {
             "The same bias along the direction. A direction that underflows to 0 says nothing about the way: then the \
              end of the ray.",
         );
-        let moved = b.inst(&add, "u_ahead", &[], &[("a", p), ("b", bias(neg, "bias_ahead"))])[0];
+        let moved = b.inst(&add, "u_ahead", &[], &[("a", p), ("b", bias(neg, "bias_ahead"))]).only();
         let begin = is_zero.mux(p, moved.named("moved_ahead").doc("p + bias_ahead [float]")).named("begin_point");
-        let end = b.inst(&add, "u_whole", &[], &[("a", begin), ("b", dn)])[0];
+        let end = b.inst(&add, "u_whole", &[], &[("a", begin), ("b", dn)]).only();
         let end = end.named("end_point").doc("begin_point + dn [float]");
         let no_direction = direction.slice(f.man.clone(), f.exp.clone()).none().named("no_direction");
         let to = fp_to_int(d.format, t.idx_bits(), d.latency.to_int);
-        let texel = b.inst(&to, "u_farthest", &[("INT_W", idx.expect("a trim has it"))], &[("a", end)])[0];
+        let texel = b.inst(&to, "u_farthest", &[("INT_W", idx.expect("a trim has it"))], &[("a", end)]).only();
         b.drive(o_p, no_direction.mux(end, begin).named("begin_ahead"), Some(l));
         b.drive(o_farthest, texel.named("end_texel").doc("floor of end_point [texels]"), Some(l));
     }

@@ -2,6 +2,7 @@
 //!
 //! The entry point that comes in is moved forward by more than the estimate can err (`docs/datapath.md`, "Chord trim").
 use crate::float::{FormatParams, bindings, fp_add, fp_mul, fp_to_int};
+use crate::quantity::{BIT, TEXELS, float};
 use crate::traversal::params::index_width;
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Builder, Module};
@@ -24,19 +25,20 @@ pub fn chord_end(d: &Design) -> Arc<Module> {
     b.require(2, &idx);
     b.clock();
     b.clock_enable();
-    let p = b.input("p_ahead", &f.width, "float, texels", "entry point, biased forward");
-    let dir = b.input("d", &f.width, "float, texels per height code", "direction");
-    let neg = b.input("neg", 1, "bit", "the ray runs toward smaller coordinates");
-    let t = b.input("t", &f.width, "float, height codes", "parameter of the other axis' exit plane");
-    let out = b.output("reach", &idx, "texels", "signed coordinate; the farthest one if t is infinite");
+    let p = b.input("p_ahead", &f.width, float("texels"), "entry point, biased forward");
+    let dir = b.input("d", &f.width, float("texels per height code"), "direction");
+    let neg = b.input("neg", 1, BIT, "the ray runs toward smaller coordinates");
+    let t = b.input("t", &f.width, float("height codes"), "parameter of the other axis' exit plane");
+    let out = b.output("reach", &idx, TEXELS, "signed coordinate; the farthest one if t is infinite");
     b.section(
         "displacement",
         "The position is rounded down to its texel; the bias keeps it from falling short of the ray.",
     );
-    let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", t)])[0].named("displacement");
-    let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)])[0].named("position");
+    let way =
+        b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", t)]).only().named("displacement");
+    let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)]).only().named("position");
     let to = fp_to_int(d.format, d.traverse.idx_bits(), d.latency.to_int);
-    let texel = b.inst(&to, "u_to_int", &[("INT_W", idx.clone())], &[("a", pos)])[0].named("texel");
+    let texel = b.inst(&to, "u_to_int", &[("INT_W", idx.clone())], &[("a", pos)]).only().named("texel");
 
     b.section(
         "farthest",

@@ -1,5 +1,6 @@
 //! `depth_limit`: a plane's parameter rounded up to a height code: depths below it, as integers, are met before the plane (`docs/cells.md`).
 use crate::float::{Fields, FormatParams, bindings};
+use crate::quantity::{CODES, float};
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
@@ -20,8 +21,8 @@ pub fn depth_limit(d: &Design) -> Arc<Module> {
     let diff_w = b.local("DiffW", &f.exp + 6);
     b.clock();
     b.clock_enable();
-    let t = b.input("t", &f.width, "float, height codes", "parameter of the plane");
-    let out = b.output("limit", &h + 1, "height codes", "t rounded up, 0 to 2^HEIGHT_W; of NaN 0");
+    let t = b.input("t", &f.width, float("height codes"), "parameter of the plane");
+    let out = b.output("limit", &h + 1, CODES, "t rounded up, 0 to 2^HEIGHT_W; of NaN 0");
     let l = latency(&d.latency);
     b.plan(l, &[("class", 5), ("shift", 5), ("round up", 5)]);
 

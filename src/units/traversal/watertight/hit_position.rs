@@ -1,5 +1,6 @@
 //! `hit_position`: where in its texel a ray hit, along one axis, as a fraction that never leaves the texel.
 use crate::float::{FormatParams, fp_add, fp_mul, fp_to_fixed};
+use crate::quantity::{LEVELS, TEXELS, float, integer};
 use crate::traversal::node_hit;
 use crate::traversal::params::{LevelParams, index_width};
 use reliefrtl_config::{Design, LatencyConfig};
@@ -37,21 +38,22 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
     b.require(&idx + &frac + &f.man, 60);
     b.clock();
     b.clock_enable();
-    let p = b.input("p", &f.width, "float, texels", "entry point");
-    let dir = b.input("d", &f.width, "float, texels per height code", "direction");
-    let t = b.input("t", &f.width, "float, height codes", "parameter of the hit");
-    let x = b.input("x", &idx, "texels", "hit texel, unwrapped");
-    let lod = levels.as_ref().map(|l| b.input("lod", &l.level_w, "levels", "level of the node that is hit"));
-    let out = b.output("fraction", &frac, "1/2^FRAC_W texel", "position inside the texel");
-    let o_texel = levels.as_ref().map(|l| b.output("texel", &l.levels, "texels", "texel of the hit, wrapped"));
+    let p = b.input("p", &f.width, float("texels"), "entry point");
+    let dir = b.input("d", &f.width, float("texels per height code"), "direction");
+    let t = b.input("t", &f.width, float("height codes"), "parameter of the hit");
+    let x = b.input("x", &idx, TEXELS, "hit texel, unwrapped");
+    let lod = levels.as_ref().map(|l| b.input("lod", &l.level_w, LEVELS, "level of the node that is hit"));
+    let out = b.output("fraction", &frac, integer("1/2^FRAC_W texel"), "position inside the texel");
+    let o_texel = levels.as_ref().map(|l| b.output("texel", &l.levels, TEXELS, "texel of the hit, wrapped"));
     let coarse = lod.zip(o_texel);
     b.section("position", "");
-    let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", t)])[0].named("displacement");
-    let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)])[0].named("position");
+    let way =
+        b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", t)]).only().named("displacement");
+    let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)]).only().named("position");
     let to =
         fp_to_fixed(d.format, d.traverse.idx_bits() + d.traverse.frac_bits, d.traverse.frac_bits, d.latency.to_int);
     let int = [("INT_W", &idx + &frac), ("FRAC_W", frac.clone())];
-    let fixed = b.inst(&to, "u_to_fixed", &int, &[("a", pos)])[0].named("fixed");
+    let fixed = b.inst(&to, "u_to_fixed", &int, &[("a", pos)]).only().named("fixed");
 
     b.section("clamp", "A hit on a wall lies exactly on a border: the integer texel decides, the fraction follows.");
     let wide = &idx + &frac + 1;
@@ -59,8 +61,8 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
     if let Some((lod, o_texel)) = coarse {
         let ins = [("at", fixed), ("x", x.at(known)), ("lod", lod.at(known))];
         let kept = b.inst(&node_hit(&d.traverse), "u_node_hit", &[("IDX_W", idx)], &ins);
-        b.drive(out, kept[1].named("kept"), Some(l));
-        b.drive(o_texel, kept[0].named("hit_texel"), Some(l));
+        b.drive(out, kept["fraction"].named("kept"), Some(l));
+        b.drive(o_texel, kept["texel"].named("hit_texel"), Some(l));
         return b.finish(Some(l), &BINDINGS.map(|(e, m)| at(e, m)));
     }
     let corner = b.cat(&[x.at(known), b.zeros(&frac)]).named("corner");

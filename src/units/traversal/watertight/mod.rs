@@ -36,6 +36,7 @@ use super::plane_units::PlaneUnits;
 use super::search::PYRAMID;
 use crate::divider::divider_core;
 use crate::float::{self, FormatParams};
+use crate::quantity::float;
 use reliefrtl_config::{Design, Trim};
 use reliefrtl_ir::{Expr, Module};
 use std::sync::Arc;
@@ -56,9 +57,9 @@ pub(in crate::traversal) static DATAPATH: Datapath = Datapath {
         ray_conditions(b, d, &f, levels, height, tile);
         let of = |unit| (f.width.clone(), unit);
         Numbers {
-            entry: of("float, tiles"),
-            travel: of("float, tiles"),
-            time: of("float, height codes"),
+            entry: of(float("tiles")),
+            travel: of(float("tiles")),
+            time: of(float("height codes")),
             float: Some(f),
         }
     },
@@ -115,7 +116,7 @@ const UNITS: PlaneUnits = PlaneUnits {
     chord_inputs: &[("p_ahead", "pf"), ("d", "d"), ("neg", "neg")],
     leaves_y: |b, d, [t_x, t_y]| {
         let lt = float::fp_lt(d.format, d.latency.compare);
-        b.inst(&lt, "u_exit_order", &[], &[("a", t_y), ("b", t_x)])[0]
+        b.inst(&lt, "u_exit_order", &[], &[("a", t_y), ("b", t_x)]).only()
     },
     node_crossing,
     plane_order,
@@ -125,7 +126,7 @@ const UNITS: PlaneUnits = PlaneUnits {
 };
 
 const TIME: TimeWord = TimeWord {
-    declare: |b, d| (FormatParams::declare(b, d.format).width, "float, height codes"),
+    declare: |b, d| (FormatParams::declare(b, d.format).width, float("height codes")),
     bindings: float::bindings,
 };
 

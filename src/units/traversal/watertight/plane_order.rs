@@ -1,5 +1,6 @@
 //! `plane_order`: which of the planes of a block of four cells comes before which (`docs/cells.md`).
 use crate::float::{FormatParams, bindings, fp_lt};
+use crate::quantity::{BIT, float};
 use crate::traversal::cells::ORDER;
 use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module};
@@ -11,7 +12,7 @@ pub fn plane_order(d: &Design) -> Arc<Module> {
     let f = FormatParams::declare(&b, d.format);
     b.clock();
     b.clock_enable();
-    let parameter = |name: &'static str, doc: &str| (name, b.input(name, &f.width, "float, height codes", doc));
+    let parameter = |name: &'static str, doc: &str| (name, b.input(name, &f.width, float("height codes"), doc));
     let parameters = [
         parameter("t", "parameter so far"),
         parameter("mid_x", "parameter of the x middle plane"),
@@ -20,10 +21,10 @@ pub fn plane_order(d: &Design) -> Arc<Module> {
         parameter("far_y", "parameter of the y exit plane"),
     ];
     let of = |name: &str| parameters.iter().find(|p| p.0 == name).expect("a parameter").1;
-    let outs = ORDER.map(|(name, first, second)| b.output(name, 1, "bit", &format!("{first} is less than {second}")));
+    let outs = ORDER.map(|(name, first, second)| b.output(name, 1, BIT, &format!("{first} is less than {second}")));
     let lt = fp_lt(d.format, d.latency.compare);
     for ((name, first, second), out) in ORDER.into_iter().zip(outs) {
-        let less = b.inst(&lt, &format!("u_{name}"), &[], &[("a", of(first)), ("b", of(second))])[0];
+        let less = b.inst(&lt, &format!("u_{name}"), &[], &[("a", of(first)), ("b", of(second))]).only();
         b.drive(out, less.named(&format!("{name}_less")), Some(d.latency.compare));
     }
     b.finish(Some(d.latency.compare), &bindings())

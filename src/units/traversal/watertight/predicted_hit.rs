@@ -2,6 +2,7 @@
 //!
 //! The entry point that comes in is biased backwards by more than the estimate can err (`docs/datapath.md`).
 use crate::float::{FormatParams, bindings, fp_add, fp_mul, fp_to_int};
+use crate::quantity::{TEXELS, float};
 use crate::traversal::params::index_width;
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Builder, Module};
@@ -20,18 +21,19 @@ pub fn predicted_hit(d: &Design) -> Arc<Module> {
     b.require(2, &idx);
     b.clock();
     b.clock_enable();
-    let p = b.input("p_back", &f.width, "float, texels", "entry point, biased backwards");
-    let dir = b.input("d", &f.width, "float, texels per height code", "direction");
-    let m = b.input("m", &f.width, "float, height codes", "parameter");
-    let out = b.output("e", &idx, "texels", "signed coordinate");
+    let p = b.input("p_back", &f.width, float("texels"), "entry point, biased backwards");
+    let dir = b.input("d", &f.width, float("texels per height code"), "direction");
+    let m = b.input("m", &f.width, float("height codes"), "parameter");
+    let out = b.output("e", &idx, TEXELS, "signed coordinate");
     b.section(
         "displacement",
         "The position is rounded down to its texel; the bias keeps it from lying ahead of the ray.",
     );
-    let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", m)])[0].named("displacement");
-    let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)])[0].named("position");
+    let way =
+        b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", m)]).only().named("displacement");
+    let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)]).only().named("position");
     let to = fp_to_int(d.format, d.traverse.idx_bits(), d.latency.to_int);
-    let e = b.inst(&to, "u_to_int", &[("INT_W", idx)], &[("a", pos)])[0].named("texel");
+    let e = b.inst(&to, "u_to_int", &[("INT_W", idx)], &[("a", pos)]).only().named("texel");
     let l = latency(&d.latency);
     b.drive(out, e, Some(l));
     b.finish(Some(l), &bindings())

@@ -6,6 +6,7 @@ use super::axis_ends::{self, axis_ends};
 use super::axis_scale::axis_scale;
 use super::axis_slope::{self, axis_slope};
 use crate::float::{FormatParams, fp_to_int};
+use crate::quantity::{BIT, LEVELS, Quantity, TEXELS, float};
 use crate::traversal::cells::cells_level;
 use crate::traversal::finest_level::finest_doc;
 use crate::traversal::params::{LevelParams, ray_conditions};
@@ -49,22 +50,22 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let idx = b.local("IdxW", &levels.levels + &tile + 2);
     b.clock();
     b.clock_enable();
-    let u = b.input("u", &f.width, "float, tiles", "entry point at the top plane, 0 <= u < 1");
-    let v = b.input("v", &f.width, "float, tiles", "entry point at the top plane, 0 <= v < 1");
-    let du = b.input("du", &f.width, "float, tiles", "u travelled while the height falls from 1 to 0");
-    let dv = b.input("dv", &f.width, "float, tiles", "v travelled while the height falls from 1 to 0");
-    let lod = d.mode.lod.then(|| b.input("lod", &levels.level_w, "levels", finest_doc(d)));
-    let o_ok = b.output("ok", 1, "bit", "the ray can be traced: finite, entry in the tile, direction below 2^TILE_W");
-    let o_level = b.output("level", &levels.level_w, "levels", "level of the first iteration");
+    let u = b.input("u", &f.width, float("tiles"), "entry point at the top plane, 0 <= u < 1");
+    let v = b.input("v", &f.width, float("tiles"), "entry point at the top plane, 0 <= v < 1");
+    let du = b.input("du", &f.width, float("tiles"), "u travelled while the height falls from 1 to 0");
+    let dv = b.input("dv", &f.width, float("tiles"), "v travelled while the height falls from 1 to 0");
+    let lod = d.mode.lod.then(|| b.input("lod", &levels.level_w, LEVELS, finest_doc(d)));
+    let o_ok = b.output("ok", 1, BIT, "the ray can be traced: finite, entry in the tile, direction below 2^TILE_W");
+    let o_level = b.output("level", &levels.level_w, LEVELS, "level of the first iteration");
     let outs = ["x", "y"].map(|a| outputs(&b, d, &f, &idx, a));
-    let o_lod = d.mode.lod.then(|| b.output("finest", &levels.level_w, "levels", "finest level, in the pyramid"));
+    let o_lod = d.mode.lod.then(|| b.output("finest", &levels.level_w, LEVELS, "finest level, in the pyramid"));
     let axes = [axis(&b, d, &idx, "x", u, du), axis(&b, d, &idx, "y", v, dv)];
     b.section("acceptance and level", "");
     let level = match (axes[0].last, axes[1].last) {
         (Some(x_end), Some(y_end)) => {
             let (x, y) = (axes[0].words["first"], axes[1].words["first"]);
             let ins = [("x", x), ("y", y), ("x_end", x_end), ("y_end", y_end)];
-            let start = b.inst(&start_level(t), "u_start_level", &[("IDX_W", idx)], &ins)[0].named("start");
+            let start = b.inst(&start_level(t), "u_start_level", &[("IDX_W", idx)], &ins).only().named("start");
             if d.latency.setup > 0 { start.reg() } else { start }
         }
         _ => b.konst(&levels.levels, &levels.level_w).named("root"),
@@ -77,8 +78,8 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let mut level = if d.fetch.blocks() { cells_level(level) } else { level };
     if let Some((lod, o_lod)) = lod.zip(o_lod) {
         let o = b.inst(&finest_level(d), "u_finest", &[], &[("lod", lod), ("start", level)]);
-        level = o[1].named("first_level");
-        b.drive(o_lod, b.sig(gate(o[0].named("finest"))), Some(l));
+        level = o["level"].named("first_level");
+        b.drive(o_lod, b.sig(gate(o["finest"].named("finest"))), Some(l));
     }
     b.drive(o_level, b.sig(gate(level)), Some(l));
     for (axis, ports) in axes.iter().zip(outs) {
@@ -91,21 +92,21 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
 
 /// Declares the outputs of one axis: name without the axis, and port.
 fn outputs(b: &Builder, d: &Design, f: &FormatParams, idx: &Expr, axis: &str) -> Vec<(&'static str, usize)> {
-    let of = |name: &'static str, width: &Expr, unit: &str, doc: &str| {
+    let of = |name: &'static str, width: &Expr, unit: Quantity, doc: &str| {
         (name, b.output(&format!("{name}_{axis}"), width, unit, &doc.replace('#', axis)))
     };
     let mut list = vec![
-        of("p", &f.width, "float, texels", "entry point along #"),
-        of("pb", &f.width, "float, texels", "entry point along #, biased against the direction"),
-        of("d", &f.width, "float, texels per height code", "direction along #"),
-        of("r", &f.width, "float, height codes per texel", "reciprocal of the direction along #"),
-        of("never", &Expr::from(1), "bit", "the ray does not move along #"),
-        of("neg", &Expr::from(1), "bit", "the ray runs toward smaller # coordinates"),
-        of("first", idx, "texels", "# coordinate of the texel of the entry point"),
+        of("p", &f.width, float("texels"), "entry point along #"),
+        of("pb", &f.width, float("texels"), "entry point along #, biased against the direction"),
+        of("d", &f.width, float("texels per height code"), "direction along #"),
+        of("r", &f.width, float("height codes per texel"), "reciprocal of the direction along #"),
+        of("never", &Expr::from(1), BIT, "the ray does not move along #"),
+        of("neg", &Expr::from(1), BIT, "the ray runs toward smaller # coordinates"),
+        of("first", idx, TEXELS, "# coordinate of the texel of the entry point"),
     ];
     if d.mode.trim != Trim::None {
-        list.push(of("pf", &f.width, "float, texels", "entry point along #, biased in the direction"));
-        list.push(of("le", idx, "texels", "# coordinate of a texel that the ray does not get beyond"));
+        list.push(of("pf", &f.width, float("texels"), "entry point along #, biased in the direction"));
+        list.push(of("le", idx, TEXELS, "# coordinate of a texel that the ray does not get beyond"));
     }
     list
 }
@@ -114,21 +115,21 @@ fn axis<'b>(b: &'b Builder, d: &Design, idx: &Expr, name: &str, p: Sig<'b>, trav
     let n = |what: &str| format!("{name}_{what}");
     let int = |param: &'static str| [(param, idx.clone())];
     b.section(&format!("axis {name}"), "");
-    let o = b.instance(&axis_scale(d), &format!("u_scale_{name}"), &[], &[("p", p), ("d", travel)]);
+    let o = b.inst(&axis_scale(d), &format!("u_scale_{name}"), &[], &[("p", p), ("d", travel)]);
     let ok = o["ok"].named(&n("ok"));
     let cut = |v: Sig<'b>| if scale_clocks(&d.latency) > 0 { v.reg() } else { v };
     let (p, dn) = (cut(o["p_texels"].named(&n("p"))), cut(o["d_texels"].named(&n("dn"))));
 
-    let o = b.instance(&axis_slope(d), &format!("u_slope_{name}"), &[], &[("p", p), ("dn", dn)]);
+    let o = b.inst(&axis_slope(d), &format!("u_slope_{name}"), &[], &[("p", p), ("dn", dn)]);
     let ports = [("pb", "p_back"), ("d", "d"), ("r", "r"), ("never", "never"), ("pf", "p_ahead"), ("le", "farthest")];
     let slope = ports.iter().filter_map(|(word, port)| Some((*word, o.get(port)?.named(&n(word)))));
 
     let (first, last) = if d.mode.start_level {
-        let o = b.instance(&axis_ends(d), &format!("u_ends_{name}"), &int("IDX_W"), &[("p", p), ("dn", dn)]);
+        let o = b.inst(&axis_ends(d), &format!("u_ends_{name}"), &int("IDX_W"), &[("p", p), ("dn", dn)]);
         (o["first"], Some(o["last"].named(&n("last"))))
     } else {
         let to = fp_to_int(d.format, d.traverse.idx_bits(), d.latency.to_int);
-        (b.inst(&to, &format!("u_first_{name}"), &int("INT_W"), &[("a", p)])[0], None)
+        (b.inst(&to, &format!("u_first_{name}"), &int("INT_W"), &[("a", p)]).only(), None)
     };
     let rest = [("p", p), ("neg", dn.msb().named(&n("neg"))), ("first", first.named(&n("first")))];
     Axis { ok, words: slope.chain(rest).collect(), last }

@@ -44,19 +44,15 @@ pub fn iteration<'b>(
     let texel = AXES.map(|a| {
         let of = |n: &str| origin[format!("{n}_{a}").as_str()];
         let ins = [("origin", of("origin")), ("neg", of("neg")), ("k", ray.get(if a == "x" { "k_x" } else { "k_y" }))];
-        cut(b.inst(&window_texel(d), &format!("u_texel_{a}"), &[], &ins)[0].named(&format!("texel_{a}")))
+        cut(b.inst(&window_texel(d), &format!("u_texel_{a}"), &[], &ins).only().named(&format!("texel_{a}")))
     });
     b.section("address", "");
     let (mut addresses, mut borders) = (Vec::new(), Vec::new());
     for (c, size) in set.sizes().iter().enumerate() {
         b.local(&format!("Address{c}W"), window_address::address_width(&s.levels, &Expr::from(size.grid_bits())));
         let ins = [("x", texel[0]), ("y", texel[1]), ("neg_x", origin["neg_x"]), ("neg_y", origin["neg_y"])];
-        let o = b.instance(
-            &window_address::window_address(d),
-            &format!("u_address_{c}"),
-            &window_address::size(*size),
-            &ins,
-        );
+        let o =
+            b.inst(&window_address::window_address(d), &format!("u_address_{c}"), &window_address::size(*size), &ins);
         addresses.push(o["address"].named(&format!("address_{c}")));
         borders.push(AXES.map(|a| o[format!("border_{a}").as_str()].named(&format!("border_{a}_{c}"))));
     }
@@ -69,15 +65,15 @@ pub fn iteration<'b>(
     let products = AXES.map(|a| {
         let k = ray.get(if a == "x" { "k_x" } else { "k_y" });
         let ins = [("k", k), ("q", step[format!("q_{a}").as_str()])];
-        let o = b.instance(&plane_product(d), &format!("u_product_{a}"), &[], &ins);
-        o.named(&format!("{a}_product"))
+        let o = b.inst(&plane_product(d), &format!("u_product_{a}"), &[], &ins);
+        o.record().named(&format!("{a}_product"))
     });
     let at = products[0]["low"].stage().expect("a product has a stage");
     let first = slots.read("entry", &two("c"), at);
     let plane = [0, 1].map(|k| {
         let a = AXES[k];
         let ins = [("c", first[format!("c_{a}").as_str()]), ("low", products[k]["low"]), ("high", products[k]["high"])];
-        b.inst(&plane_sum(d), &format!("u_plane_{a}"), &[], &ins)[0].named(&format!("plane_{a}"))
+        b.inst(&plane_sum(d), &format!("u_plane_{a}"), &[], &ins).only().named(&format!("plane_{a}"))
     });
 
     let ahead = Ahead { step, plane, borders, heights: heights.words };
@@ -86,21 +82,21 @@ pub fn iteration<'b>(
     b.section("advance", "");
     let mut ins: Vec<(&str, Sig<'_>)> = choice.iter().filter(|(n, _)| *n != "hit").collect();
     ins.extend(["t", "k_x", "k_y"].map(|n| (n, ray.get(n))));
-    let o = b.instance(&window_advance::window_advance(d), "u_advance", &[], &ins);
+    let o = b.inst(&window_advance::window_advance(d), "u_advance", &[], &ins);
     let (m, below) = (o["m"].named("m"), o["below"].named("is_below"));
 
     b.section("estimate", "Never ahead of the ray, and of a hit no further than its texel.");
     let travels = slots.read("speed", &two("travel"), m.stage().expect("m has a stage"));
     let ways = AXES.map(|a| {
         let ins = [("travel", travels[format!("travel_{a}").as_str()]), ("m", m)];
-        b.inst(&window_way::window_way(d), &format!("u_way_{a}"), &[], &ins)[0].named(&format!("way_{a}"))
+        b.inst(&window_way::window_way(d), &format!("u_way_{a}"), &[], &ins).only().named(&format!("way_{a}"))
     });
     let offsets = slots.read("offset", &two("offset"), ways[0].stage().expect("a way has a stage"));
     let k = [0, 1].map(|n| {
         let a = AXES[n];
         let passed = o[format!("passed_{a}").as_str()].named(&format!("passed_{a}"));
         let ins = [("passed", passed), ("way", ways[n]), ("offset", offsets[format!("offset_{a}").as_str()])];
-        b.inst(&window_index::window_index(d), &format!("u_index_{a}"), &[], &ins)[0].named(&format!("k_{a}_next"))
+        b.inst(&window_index::window_index(d), &format!("u_index_{a}"), &[], &ins).only().named(&format!("k_{a}_next"))
     });
     ended(b, s, ray, hit, below).with(&[("k_x", k[0]), ("k_y", k[1]), ("t", m)])
 }
@@ -135,13 +131,14 @@ impl<'b> Ahead<'b> {
                 let span = [("q", self.step[format!("q_{a}").as_str()]), ("border", self.borders[c][k])];
                 let span =
                     b.inst(&window_span::window_span(d), &format!("u_span_{a}_{c}"), &window_span::size(*size), &span);
-                let ins = [("plane", self.plane[k]), ("span", span[0].named(&format!("span_{a}_{c}")))];
-                b.inst(&window_end::window_end(d), &format!("u_end_{a}_{c}"), &[], &ins)[0]
+                let ins = [("plane", self.plane[k]), ("span", span.only().named(&format!("span_{a}_{c}")))];
+                b.inst(&window_end::window_end(d), &format!("u_end_{a}_{c}"), &[], &ins)
+                    .only()
                     .named(&format!("end_{a}_{c}"))
             });
             let exits = [("end_x", ends[0]), ("end_y", ends[1]), ("height", self.heights[c]), ("t", ray.get("t"))];
-            let o = b.instance(&window_exit::window_exit(d), &format!("u_exit_{c}"), &[], &exits);
-            for (name, v) in o.iter() {
+            let o = b.inst(&window_exit::window_exit(d), &format!("u_exit_{c}"), &[], &exits);
+            for (name, v) in o.record().iter() {
                 let v = v.named(&format!("{name}_{c}"));
                 match (name, c) {
                     ("is_open", 0) => ins.push(("is_open".into(), v)),
@@ -155,7 +152,7 @@ impl<'b> Ahead<'b> {
 
         b.section("choice", "");
         let ins: Vec<(&str, Sig<'_>)> = ins.iter().map(|(n, v)| (n.as_str(), *v)).collect();
-        b.instance(&window_choice::window_choice(d), "u_choice", &[], &ins).named("chosen")
+        b.inst(&window_choice::window_choice(d), "u_choice", &[], &ins).record().named("chosen")
     }
 }
 

@@ -1,4 +1,5 @@
 //! Widths of the units of a search by windows (`docs/windows.md`).
+use crate::quantity::{Quantity, integer};
 use crate::traversal::fixed::params::{Params, time_width};
 use reliefrtl_config::{Design, Window, WindowSet};
 use reliefrtl_ir::{Binding, Builder, Expr};
@@ -11,9 +12,9 @@ pub const CELL_W: i64 = 4;
 pub const SPAN_W: i64 = 7;
 
 /// Unit of a plane's parameter before it is cut to a ray parameter.
-pub const FINE: &str = "2^-GuardW of a ray parameter";
+pub const FINE: Quantity = integer("2^-GuardW of a ray parameter");
 /// Unit of k.
-pub const PLANES: &str = "planes";
+pub const PLANES: Quantity = integer("planes");
 
 /// The widths, declared as parameters and local constants of a unit. Which of them a unit has follows from what it asks for.
 pub struct Widths<'a> {

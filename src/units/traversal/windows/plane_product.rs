@@ -1,5 +1,6 @@
 //! `plane_product`: k times the parameter from plane to plane, as two products that are no wider than a multiplier.
 use super::params::{FINE, OPERAND, PLANES, Planes, Widths, bindings};
+use crate::quantity::integer;
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Builder, Expr, Module};
 use std::sync::Arc;
@@ -24,7 +25,7 @@ pub fn plane_product(d: &Design) -> Arc<Module> {
     let k = b.input("k", &p.count, PLANES, "planes that the ray has passed");
     let q = b.input("q", &p.plane, FINE, "parameter from plane to plane");
     let low = b.output("low", &p.count + &low_w, FINE, "k times the lower bits of q");
-    let high = b.output("high", &p.count + &p.plane - &low_w, "2^LowW of low", "k times its upper bits");
+    let high = b.output("high", &p.count + &p.plane - &low_w, integer("2^LowW of low"), "k times its upper bits");
     let l = latency(&d.latency);
     b.drive(low, k.product(q.slice(0, &low_w)).named("low_product"), Some(l));
     b.drive(high, k.product(q.slice(&low_w, &p.plane - &low_w)).named("high_product"), Some(l));

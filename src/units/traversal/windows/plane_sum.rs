@@ -1,6 +1,7 @@
 //! `plane_sum`: the parameter of the plane ahead of the texel, C + kQ, and whether it has more bits than that.
 use super::params::{FINE, Widths, bindings};
 use super::plane_product::low_width;
+use crate::quantity::integer;
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
@@ -19,7 +20,7 @@ pub fn plane_sum(d: &Design) -> Arc<Module> {
     b.clock_enable();
     let c = b.input("c", &p.plane, FINE, "parameter of the first plane");
     let low = b.input("low", &p.count + &low_w, FINE, "k times the lower bits of q");
-    let high = b.input("high", &p.count + &p.plane - &low_w, "2^LowW of low", "k times its upper bits");
+    let high = b.input("high", &p.count + &p.plane - &low_w, integer("2^LowW of low"), "k times its upper bits");
     let out = b.output("plane", &p.plane + 1, FINE, "the parameter; top bit 1: beyond all that a word holds");
     let l = latency(&d.latency);
     b.plan(l, &[("lower product", 7), ("upper product", 7)]);

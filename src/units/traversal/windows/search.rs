@@ -1,6 +1,7 @@
 //! The state of a ray in a search by windows, the memories of the windows, and what a result needs of a ray that leaves.
 use super::params::{count_width, set_word};
 use super::window_address::address_width;
+use crate::quantity::{BIT, CODES, WORDS};
 use crate::traversal::height_source::Load;
 use crate::traversal::loop_state::{Field, Ray, Sizes, Start};
 use crate::traversal::search::Search;
@@ -32,14 +33,14 @@ fn loads<'b>(b: &'b Builder, s: &Sizes, d: &Design) -> Vec<Load<'b>> {
         let grid = Expr::from(w.grid_bits());
         let text = format!("write a word of the windows {w} (while idle is 1)");
         Load {
-            en: b.input_static(&format!("load_en_{c}"), 1, "bit", &text),
+            en: b.input_static(&format!("load_en_{c}"), 1, BIT, &text),
             addr: b.input_static(
                 &format!("load_addr_{c}"),
                 address_width(&s.levels, &grid),
-                "words",
+                WORDS,
                 "address: row by row, a word each cell of the grid",
             ),
-            data: b.input_static(&format!("load_data_{c}"), &s.height, "height codes", "highest code in that window"),
+            data: b.input_static(&format!("load_data_{c}"), &s.height, CODES, "highest code in that window"),
             words: ((&s.levels - &grid) * 2).pow2(),
             file: FILES[c],
         }

@@ -1,5 +1,6 @@
 //! `window_address`: where the word of the window at a texel stands in the memory of its size, row by row.
 use super::params::{CELL_W, Widths, bindings};
+use crate::quantity::{BIT, TEXELS, WORDS};
 use reliefrtl_config::{Design, Window};
 use reliefrtl_ir::{Builder, Expr, Module};
 use std::sync::Arc;
@@ -33,13 +34,13 @@ pub fn window_address(d: &Design) -> Arc<Module> {
     let cell_w = b.local("CellW", &levels - &grid + 1);
     let addr_w = b.local("AddrW", address_width(&levels, &grid));
     let axes = ["x", "y"].map(|a| {
-        let at = b.input(a, &levels, "texels", "texel that the ray is in");
-        let neg = b.input(&format!("neg_{a}"), 1, "bit", "the ray runs toward smaller coordinates");
+        let at = b.input(a, &levels, TEXELS, "texel that the ray is in");
+        let neg = b.input(&format!("neg_{a}"), 1, BIT, "the ray runs toward smaller coordinates");
         (a, at, neg)
     });
-    let out = b.output("address", &addr_w, "words", "the word of the window");
+    let out = b.output("address", &addr_w, WORDS, "the word of the window");
     let borders = ["x", "y"].map(|a| {
-        b.output(&format!("border_{a}"), CELL_W, "texels", "texels up to the border of the grid's cell, along the ray")
+        b.output(&format!("border_{a}"), CELL_W, TEXELS, "texels up to the border of the grid's cell, along the ray")
     });
     let last = b.konst((&levels - &grid).pow2() - 1, &cell_w).named("last_cell");
     // Modulo the cells of a map, which may be fewer than those of a window.

@@ -1,5 +1,6 @@
 //! `window_advance`: the parameter up to which the ray is known to hit nothing, and the planes that it passes by the exit of a window.
 use super::params::{PLANES, SPAN_W, Widths, bindings, count_width};
+use crate::quantity::{BIT, CODES, TEXELS};
 use crate::traversal::fixed::params::{GUARD, TIME};
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Builder, Module};
@@ -25,18 +26,18 @@ pub fn window_advance(d: &Design) -> Arc<Module> {
     b.clock_enable();
     let t = b.input("t", &time, TIME, "parameter so far");
     let exit = b.input("exit", &time, TIME, "exit of an empty window");
-    let fraction = b.input("fraction", 1, "bit", "the exit is no whole height code: of its lower bits one is set");
-    let depth = b.input("depth", &h, "height codes", "depth of a hit, or of a window");
-    let takes_exit = b.input("takes_exit", 1, "bit", "the exit counts");
-    let takes_depth = b.input("takes_depth", 1, "bit", "the depth counts");
-    let x_first = b.input("x_first", 1, "bit", "the exit is a plane of u");
-    let crosses = b.input("crosses", 1, "bit", "the ray goes beyond the exit");
+    let fraction = b.input("fraction", 1, BIT, "the exit is no whole height code: of its lower bits one is set");
+    let depth = b.input("depth", &h, CODES, "depth of a hit, or of a window");
+    let takes_exit = b.input("takes_exit", 1, BIT, "the exit counts");
+    let takes_depth = b.input("takes_depth", 1, BIT, "the depth counts");
+    let x_first = b.input("x_first", 1, BIT, "the exit is a plane of u");
+    let crosses = b.input("crosses", 1, BIT, "the ray goes beyond the exit");
     let axes = ["x", "y"].map(|a| {
         let k = b.input(&format!("k_{a}"), &count, PLANES, "planes that the ray has passed");
-        (a, k, b.input(&format!("past_{a}"), SPAN_W, "texels", "texels of the window beyond this one"))
+        (a, k, b.input(&format!("past_{a}"), SPAN_W, TEXELS, "texels of the window beyond this one"))
     });
     let o_m = b.output("m", &time, TIME, "the largest of t and what counts");
-    let o_below = b.output("below", 1, "bit", "the depth lies before t: a hit would be on a wall");
+    let o_below = b.output("below", 1, BIT, "the depth lies before t: a hit would be on a wall");
     let o_k = ["x", "y"].map(|a| b.output(&format!("passed_{a}"), &count, PLANES, "planes passed by way of the exit"));
     let l = latency(&d.latency);
     b.section("parameter", "Three comparisons at once. A depth has only a height code's bits.");

@@ -1,5 +1,6 @@
 //! `window_choice`: hit, or how far the windows are empty: the exit of the largest window that can't hold the hit, and the depth of the next one.
 use super::params::{CELL_W, SPAN_W, Widths, bindings, set_word};
+use crate::quantity::{BIT, CODES, TEXELS};
 use crate::traversal::fixed::params::TIME;
 use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module, Sig};
@@ -29,32 +30,32 @@ pub fn window_choice(d: &Design) -> Arc<Module> {
     let time = widths.time();
     b.clock();
     b.clock_enable();
-    let stays = b.input("stays", 1, "bit", "a finished ray: it moves no more");
-    let open = b.input("is_open", 1, "bit", "the texel's exit lies after t");
+    let stays = b.input("stays", 1, BIT, "a finished ray: it moves no more");
+    let open = b.input("is_open", 1, BIT, "the texel's exit lies after t");
     let borders = ["x", "y"].map(|a| {
-        b.input(&format!("border_{a}"), CELL_W, "texels", "texels up to the border of the coarsest grid's cell")
+        b.input(&format!("border_{a}"), CELL_W, TEXELS, "texels up to the border of the coarsest grid's cell")
     });
     let channel = |c: usize| {
-        let bit = |n: &str, doc: &str| b.input(&format!("{n}_{c}"), 1, "bit", doc);
+        let bit = |n: &str, doc: &str| b.input(&format!("{n}_{c}"), 1, BIT, doc);
         Channel {
             exit: b.input(&format!("exit_{c}"), &time, TIME, "where the ray leaves the window"),
             x_first: bit("x_first", "by the plane of u"),
             fraction: bit("fraction", "the exit is no whole height code"),
             is_in: bit("is_in", "the window can hold the hit, and so can all larger ones"),
-            depth: b.input(&format!("depth_{c}"), &h, "height codes", "of its highest code"),
+            depth: b.input(&format!("depth_{c}"), &h, CODES, "of its highest code"),
         }
     };
     let list: Vec<Channel<'_>> = (0..set.sizes().len()).map(channel).collect();
-    let o_hit = b.output("hit", 1, "bit", "the ray ends in this texel");
+    let o_hit = b.output("hit", 1, BIT, "the ray ends in this texel");
     let o_exit = b.output("exit", &time, TIME, "exit of the largest empty window");
-    let o_first = b.output("x_first", 1, "bit", "by the plane of u");
-    let o_fraction = b.output("fraction", 1, "bit", "the exit is no whole height code");
-    let o_depth = b.output("depth", &h, "height codes", "of a hit, or of the next larger window");
-    let o_takes_exit = b.output("takes_exit", 1, "bit", "the exit counts: the ray is there at least");
-    let o_takes_depth = b.output("takes_depth", 1, "bit", "the depth counts: the ray is there at least");
-    let o_crosses = b.output("crosses", 1, "bit", "the ray goes beyond the exit");
+    let o_first = b.output("x_first", 1, BIT, "by the plane of u");
+    let o_fraction = b.output("fraction", 1, BIT, "the exit is no whole height code");
+    let o_depth = b.output("depth", &h, CODES, "of a hit, or of the next larger window");
+    let o_takes_exit = b.output("takes_exit", 1, BIT, "the exit counts: the ray is there at least");
+    let o_takes_depth = b.output("takes_depth", 1, BIT, "the depth counts: the ray is there at least");
+    let o_crosses = b.output("crosses", 1, BIT, "the ray goes beyond the exit");
     let o_past =
-        ["x", "y"].map(|a| b.output(&format!("past_{a}"), SPAN_W, "texels", "texels of the window beyond this one"));
+        ["x", "y"].map(|a| b.output(&format!("past_{a}"), SPAN_W, TEXELS, "texels of the window beyond this one"));
 
     b.section("largest empty window", "One-hot; of none it is the texel itself.");
     let last = list.len() - 1;

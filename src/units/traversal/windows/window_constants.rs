@@ -2,6 +2,7 @@
 //! plane, and the estimate's travel and offset (`docs/windows.md`, "Once per ray").
 use super::params::{Estimate, FINE, Planes, Widths, bindings};
 use crate::lzc::lzc;
+use crate::quantity::{BIT, BITS, integer};
 use crate::traversal::fixed::params::{LENGTH, shift_width};
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Builder, Expr, Module, Sig};
@@ -24,15 +25,29 @@ pub fn window_constants(d: &Design) -> Arc<Module> {
     b.clock();
     b.clock_enable();
     let entry = b.input("p", &f, LENGTH, "entry point");
-    let neg = b.input("neg", 1, "bit", "the ray runs toward smaller coordinates");
-    let r = b.input("r", &p.w, "a number of RECIP_W bits", "reciprocal of the travel: its top bit is 1, or it is 0");
-    let z = b.input("z", &shift_w, "bits", "its power of two");
-    let s = b.input("s", &reach + 1, "2^-(FRACTION_W+HEIGHT_W) tiles", "travel per height code");
+    let neg = b.input("neg", 1, BIT, "the ray runs toward smaller coordinates");
+    let r = b.input(
+        "r",
+        &p.w,
+        integer("a number of RECIP_W bits"),
+        "reciprocal of the travel: its top bit is 1, or it is 0",
+    );
+    let z = b.input("z", &shift_w, BITS, "its power of two");
+    let s = b.input("s", &reach + 1, integer("2^-(FRACTION_W+HEIGHT_W) tiles"), "travel per height code");
     let o_q = b.output("q", &p.plane, FINE, "parameter from plane to plane; all ones: no plane is met but the first");
     let o_c = b.output("c", &p.plane, FINE, "parameter of the first plane; all ones: never");
-    let o_s = b.output("travel", &e.travel, "2^-(EstimateW+HEIGHT_W) texels", "travel per height code, less its bias");
-    let o_o =
-        b.output("offset", &e.offset, "2^-EstimateW texels", "how far in its texel the ray begins; its top bit is 0");
+    let o_s = b.output(
+        "travel",
+        &e.travel,
+        integer("2^-(EstimateW+HEIGHT_W) texels"),
+        "travel per height code, less its bias",
+    );
+    let o_o = b.output(
+        "offset",
+        &e.offset,
+        integer("2^-EstimateW texels"),
+        "how far in its texel the ray begins; its top bit is 0",
+    );
     let l = latency(&d.latency);
     let plan =
         [("distance", 5), ("products", 9), ("product", 6), ("leading zeros", 5), ("align", 5), ("first plane", 2)];

@@ -1,5 +1,6 @@
 //! `window_exit`: where the ray leaves a window, and whether it can hold the hit: whether the ray is at its highest code before.
 use super::params::{FINE, SPAN_W, Widths, bindings};
+use crate::quantity::{BIT, CODES};
 use crate::traversal::fixed::params::{GUARD, TIME};
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Builder, Module};
@@ -22,14 +23,14 @@ pub fn window_exit(d: &Design) -> Arc<Module> {
     b.clock();
     b.clock_enable();
     let ends = ["x", "y"].map(|a| b.input(&format!("end_{a}"), &wide, FINE, "parameter of the plane that ends it"));
-    let height = b.input("height", &h, "height codes", "highest code in the window");
+    let height = b.input("height", &h, CODES, "highest code in the window");
     let t = b.input("t", &time, TIME, "parameter so far");
     let o_exit = b.output("exit", &time, TIME, "parameter of the nearer plane; all ones: not before the bottom plane");
-    let o_first = b.output("x_first", 1, "bit", "it is the plane of u, or both at once");
-    let o_fraction = b.output("fraction", 1, "bit", "that parameter is no whole height code");
-    let o_in = b.output("is_in", 1, "bit", "the window can hold the hit");
-    let o_open = b.output("is_open", 1, "bit", "the exit lies after t");
-    let o_depth = b.output("depth", &h, "height codes", "from the top plane to the highest code");
+    let o_first = b.output("x_first", 1, BIT, "it is the plane of u, or both at once");
+    let o_fraction = b.output("fraction", 1, BIT, "that parameter is no whole height code");
+    let o_in = b.output("is_in", 1, BIT, "the window can hold the hit");
+    let o_open = b.output("is_open", 1, BIT, "the exit lies after t");
+    let o_depth = b.output("depth", &h, CODES, "from the top plane to the highest code");
     let l = latency(&d.latency);
     b.plan(l, &[("nearer plane", 9), ("exit", 7)]);
     b.section("nearer plane", "Cut to a ray parameter. Of two planes that are never met the first is that of u.");

@@ -1,6 +1,7 @@
 //! `window_setup`: once per ray, from texture coordinates to what a search by windows reads: `ray_setup`, then the constants of each axis.
 use super::params::{Estimate, FINE, Widths, bindings};
 use super::window_constants::{self, window_constants};
+use crate::quantity::{BIT, Quantity, integer};
 use crate::traversal::fixed::params::LENGTH;
 use crate::traversal::fixed::{self, ray_setup};
 use reliefrtl_config::Design;
@@ -31,29 +32,29 @@ pub fn window_setup(d: &Design) -> Arc<Module> {
         ("du", b.input("du", &reach + 1, LENGTH, "u travelled while the height falls from 1 to 0, signed")),
         ("dv", b.input("dv", &reach + 1, LENGTH, "v travelled while the height falls from 1 to 0, signed")),
     ];
-    let o_ok = b.output("ok", 1, "bit", "the ray can be traced: no travel is the most negative word");
+    let o_ok = b.output("ok", 1, BIT, "the ray can be traced: no travel is the most negative word");
     let ports = |a: &str| {
-        let of = |n: &str, w: &Expr, unit: &str, doc: &str| b.output(&format!("{n}_{a}"), w, unit, doc);
+        let of = |n: &str, w: &Expr, unit: Quantity, doc: &str| b.output(&format!("{n}_{a}"), w, unit, doc);
         [
             of("p", &f, LENGTH, "entry point"),
-            of("s", &(&reach + 1), "2^-(FRACTION_W+HEIGHT_W) tiles", "travel per height code, its magnitude"),
-            of("neg", &Expr::from(1), "bit", "the ray runs toward smaller coordinates"),
+            of("s", &(&reach + 1), integer("2^-(FRACTION_W+HEIGHT_W) tiles"), "travel per height code, its magnitude"),
+            of("neg", &Expr::from(1), BIT, "the ray runs toward smaller coordinates"),
             of("q", &planes.plane, FINE, "parameter from plane to plane"),
             of("c", &planes.plane, FINE, "parameter of the first plane; all ones: never"),
-            of("travel", &e.travel, "2^-(EstimateW+HEIGHT_W) texels", "travel per height code, less its bias"),
-            of("offset", &e.offset, "2^-EstimateW texels", "how far in its texel the ray begins"),
+            of("travel", &e.travel, integer("2^-(EstimateW+HEIGHT_W) texels"), "travel per height code, less its bias"),
+            of("offset", &e.offset, integer("2^-EstimateW texels"), "how far in its texel the ray begins"),
         ]
     };
     let outs = [("x", ports("x")), ("y", ports("y"))];
     let l = latency(d);
     b.section("ray", "");
-    let ray = b.instance(&ray_setup(d), "u_ray", &[], &ray);
+    let ray = b.inst(&ray_setup(d), "u_ray", &[], &ray);
     b.drive(o_ok, ray["ok"].named("is_ok"), Some(l));
     for (a, outs) in outs {
         b.section(&format!("axis {a}"), "");
         let of = |n: &str| ray[format!("{n}_{a}").as_str()].named(&format!("{a}_{n}"));
         let ins = ["p", "s", "r", "z", "neg"].map(|n| (n, of(n)));
-        let found = b.instance(&window_constants(d), &format!("u_{a}_constants"), &[], &ins);
+        let found = b.inst(&window_constants(d), &format!("u_{a}_constants"), &[], &ins);
         let given = ["p", "s", "neg"].map(of);
         let made = ["q", "c", "travel", "offset"].map(|n| found[n].named(&format!("{a}_{n}")));
         for (port, v) in outs.into_iter().zip(given.into_iter().chain(made)) {

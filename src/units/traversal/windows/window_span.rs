@@ -2,6 +2,7 @@
 //!
 //! S - g and the texels up to the border of the grid's cell have no bit in common, so their sum is their bits together.
 use super::params::{CELL_W, FINE, SPAN_W, Widths, bindings};
+use crate::quantity::TEXELS;
 use reliefrtl_config::{Design, LatencyConfig};
 use reliefrtl_ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
@@ -21,7 +22,7 @@ pub fn window_span(d: &Design) -> Arc<Module> {
     b.clock();
     b.clock_enable();
     let q = b.input("q", &p.plane, FINE, "parameter from plane to plane");
-    let border = b.input("border", CELL_W, "texels", "texels up to the border of the grid's cell; no bit of AHEAD");
+    let border = b.input("border", CELL_W, TEXELS, "texels up to the border of the grid's cell; no bit of AHEAD");
     let wide = &p.plane + SPAN_W;
     let out = b.output("span", &wide, FINE, "parameter between the two planes");
     let l = latency(&d.latency);

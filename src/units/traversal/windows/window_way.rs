@@ -1,5 +1,6 @@
 //! `window_way`: how far the ray has come along one axis by a parameter, for an estimate that is never ahead.
 use super::params::{Estimate, Widths, bindings};
+use crate::quantity::integer;
 use crate::traversal::fixed::params::TIME;
 use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module};
@@ -14,10 +15,14 @@ pub fn window_way(d: &Design) -> Arc<Module> {
     let time = widths.time();
     b.clock();
     b.clock_enable();
-    let travel =
-        b.input("travel", &e.travel, "2^-(EstimateW+HEIGHT_W) texels", "travel per height code, less its bias");
+    let travel = b.input(
+        "travel",
+        &e.travel,
+        integer("2^-(EstimateW+HEIGHT_W) texels"),
+        "travel per height code, less its bias",
+    );
     let m = b.input("m", &time, TIME, "parameter");
-    let out = b.output("way", &e.travel, "2^-EstimateW texels", "how far the ray has come");
+    let out = b.output("way", &e.travel, integer("2^-EstimateW texels"), "how far the ray has come");
     let l = super::plane_product::latency(&d.latency);
     let top = m.slice(&time - &e.time, &e.time);
     b.unused(m);
