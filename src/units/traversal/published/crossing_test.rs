@@ -1,14 +1,9 @@
 //! `crossing_test`: is the predicted hit in another node, so that the ray crosses into its neighbour? (PIDM-HW section 4.2,
 //! NC test and test for the end.)
 use crate::float::{FormatParams, bindings, fp_lt};
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module, Sig};
 use std::sync::Arc;
-
-/// Clocks through `crossing_test`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.compare
-}
 
 /// Builds `crossing_test`.
 pub fn crossing_test(d: &Design) -> Arc<Module> {
@@ -46,8 +41,7 @@ pub fn crossing_test(d: &Design) -> Arc<Module> {
     let grows = b.inst(&lt, "u_t_exit", &[], &[("a", t), ("b", t_exit)])[0].named("t_advances");
 
     b.section("select", "A plane beyond the end of the ray is never crossed.");
-    let l = latency(&d.latency);
-    b.drive(crosses, ((beyond[0] | beyond[1]) & !past).named("leaves_node"), Some(l));
-    b.drive(t_next, grows.mux(t_exit, t).named("t_after"), Some(l));
-    b.finish(Some(l), &bindings())
+    b.drive(crosses, ((beyond[0] | beyond[1]) & !past).named("leaves_node"));
+    b.drive(t_next, grows.mux(t_exit, t).named("t_after"));
+    b.finish(&bindings())
 }

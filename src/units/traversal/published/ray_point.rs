@@ -1,14 +1,9 @@
 //! `ray_point`: where the ray is at a parameter, along one axis: p + d * t (PIDM-HW section 3.1). The hit position and the
 //! node-crossing position are both of this form, and so is the ray's end.
 use crate::float::{FormatParams, bindings, fp_add, fp_mul};
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
-
-/// Clocks through `ray_point`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.mul + l.add
-}
 
 /// Builds `ray_point`.
 pub fn ray_point(d: &Design) -> Arc<Module> {
@@ -22,7 +17,6 @@ pub fn ray_point(d: &Design) -> Arc<Module> {
     let out = b.output("position", &f.width, "float, texels", "coordinate at t");
     let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", t)])[0].named("displacement");
     let at = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)])[0].named("at");
-    let l = latency(&d.latency);
-    b.drive(out, at, Some(l));
-    b.finish(Some(l), &bindings())
+    b.drive(out, at);
+    b.finish(&bindings())
 }

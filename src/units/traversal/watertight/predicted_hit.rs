@@ -3,14 +3,9 @@
 //! The entry point that comes in is biased backwards by more than the estimate can err (`docs/datapath.md`).
 use crate::float::{FormatParams, bindings, fp_add, fp_mul, fp_to_int};
 use crate::traversal::params::index_width;
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
-
-/// Clocks through `predicted_hit`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.mul + l.add + l.to_int
-}
 
 /// Builds `predicted_hit`.
 pub fn predicted_hit(d: &Design) -> Arc<Module> {
@@ -32,7 +27,6 @@ pub fn predicted_hit(d: &Design) -> Arc<Module> {
     let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)])[0].named("position");
     let to = fp_to_int(d.format, d.traverse.idx_bits(), d.latency.to_int);
     let e = b.inst(&to, "u_to_int", &[("INT_W", idx)], &[("a", pos)])[0].named("texel");
-    let l = latency(&d.latency);
-    b.drive(out, e, Some(l));
-    b.finish(Some(l), &bindings())
+    b.drive(out, e);
+    b.finish(&bindings())
 }
