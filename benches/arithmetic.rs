@@ -68,7 +68,7 @@ fn measure(o: &Operation, rows: usize) {
 
     let start = Instant::now();
     let net = elaborate(&m, &set.params).expect("legal parameters");
-    let (build, latency) = (start.elapsed(), m.latency.unwrap_or(0) as usize);
+    let (build, latency) = (start.elapsed(), m.latency().unwrap_or(0) as usize);
     let replay = |part: &VectorSet| {
         let report = check_netlist(&net, latency, part).expect("as many results as rows");
         assert_eq!(report.mismatched, 0, "{unit} in the interpreter");

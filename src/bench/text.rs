@@ -65,9 +65,9 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Design, &Traverse)>
         include_str!("templates/verilator_main.cpp").to_string(),
     )]);
     for m in units {
-        let latency = m.latency.unwrap_or(0);
+        let latency = m.latency().unwrap_or(0);
         let value = context! {
-            has_state => m.latency.is_none(), prefix, unit => m.name, dut => format!("{prefix}{}", m.name), params => params(m), terms => terms(m), latency, clocked => m.clk.is_some(),
+            has_state => m.latency().is_none(), prefix, unit => m.name, dut => format!("{prefix}{}", m.name), params => params(m), terms => terms(m), latency, clocked => m.clk.is_some(),
             travel_in => if latency == 0 { "1'b1" } else { "2" },
             inputs => ports(m.data_inputs().map(|p| p.1)), outputs => compared(m),
         };

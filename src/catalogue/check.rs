@@ -167,7 +167,7 @@ pub fn fits(m: &Module, set: &VectorSet) -> Result<()> {
 pub fn check_interp(m: &Module, set: &VectorSet) -> Result<CheckReport> {
     let net = elaborate(m, &set.params)?;
     fits(m, set)?;
-    match m.latency {
+    match m.latency() {
         Some(latency) => check_netlist(&net, latency as usize, set),
         None => compare(set, "interp", &super::clocked::replay(&net, m, set)),
     }

@@ -39,7 +39,7 @@ struct ListedUnit<'a> {
 impl<'a> ListedUnit<'a> {
     fn new(design: &Design, m: &'a Module) -> Self {
         let parameters = m.params.iter().map(|p| (p.name.clone(), p.default.into())).collect();
-        Self { unit: &m.name, summary: &m.summary, latency: m.latency, parameters, vectors: has_vectors(design, m) }
+        Self { unit: &m.name, summary: &m.summary, latency: m.latency(), parameters, vectors: has_vectors(design, m) }
     }
 }
 
@@ -79,7 +79,7 @@ pub fn run(cli: &Cli) -> Result<()> {
             units: modules.iter().map(|m| ListedUnit::new(&design, m)).collect(),
             available: available
                 .iter()
-                .map(|m| Available { unit: &m.name, summary: &m.summary, latency: m.latency })
+                .map(|m| Available { unit: &m.name, summary: &m.summary, latency: m.latency() })
                 .collect(),
             r#loop: in_loop(&design, &t),
         };
@@ -88,7 +88,7 @@ pub fn run(cli: &Cli) -> Result<()> {
     }
     let row = |m: &Arc<Module>| {
         let params: Vec<String> = m.params.iter().map(|p| format!("{}={}", p.name, p.default)).collect();
-        let latency = match m.latency {
+        let latency = match m.latency() {
             Some(0) => "comb.".to_string(),
             Some(k) => k.to_string(),
             // A handshake takes as long as it is held.

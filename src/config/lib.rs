@@ -20,6 +20,7 @@ pub mod keys;
 pub mod lines;
 pub mod modes;
 mod profile;
+mod registers;
 mod source;
 pub mod validate;
 mod windows;
@@ -35,6 +36,7 @@ pub use input::{
     NanRule, VectorsConfig, View, ViewConfig,
 };
 pub use profile::Profile;
+pub use registers::{Register, RegisterFacts};
 pub use reliefrtl_base::format::{Rounding, Specials, Subnormals};
 pub use windows::{Window, WindowSet, WindowWidths, WindowsConfig};
 

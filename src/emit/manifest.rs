@@ -42,8 +42,8 @@ fn module(c: &Config, m: &Module, files: &Files) -> Value {
             "unit": p.unit.to_string(),
         });
         if p.dir == Dir::Out {
-            v["latency"] = match m.latency {
-                Some(_) => json!(p.stage.or(m.latency)),
+            v["latency"] = match m.latency() {
+                Some(_) => json!(p.stage.or(m.latency())),
                 None => Value::Null,
             };
         }
@@ -64,7 +64,7 @@ fn module(c: &Config, m: &Module, files: &Files) -> Value {
         "conditions": m.checks.iter().map(|k| format!("{} <= {}", k.lhs, k.rhs)).collect::<Vec<_>>(),
         "ports": m.ports.iter().map(port).collect::<Vec<_>>(),
         "instances": instances,
-        "latency": m.latency,
+        "latency": m.latency(),
         "throughput": m.throughput,
         "blake3": blake3::hash(text.as_bytes()).to_hex().to_string(),
     })

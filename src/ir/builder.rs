@@ -4,7 +4,6 @@ use super::module::*;
 use super::schedule::plan_stages;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 /// A module under construction. Values are [`Sig`]s; using values of different stages together delays the earlier
 /// ones, so that changing a latency anywhere rebalances everything after it.
@@ -17,8 +16,22 @@ pub(super) struct State {
     pub defaults: Binding,
     pub section: usize,
     pub min_stage: u32,
+    /// Stage of the outputs, at least.
+    pub least: u32,
+    /// What drives each output.
+    pub driven: Vec<Driven>,
     plan: BTreeMap<String, u32>,
     delays: BTreeMap<(NodeId, u32), NodeId>,
+}
+
+/// An output that is driven.
+#[derive(Clone, Copy)]
+pub(super) struct Driven {
+    pub port: usize,
+    pub by: NodeId,
+    /// Where the text was then: nodes before it, and the section.
+    pub nodes: usize,
+    pub section: usize,
 }
 
 /// A value in a module under construction.
@@ -56,7 +69,9 @@ impl Builder {
             rst: None,
         };
         let (defaults, plan, delays) = (Binding::new(), BTreeMap::new(), BTreeMap::new());
-        Self { st: RefCell::new(State { m, defaults, section: 0, min_stage: 0, plan, delays }) }
+        Self {
+            st: RefCell::new(State { m, defaults, section: 0, min_stage: 0, least: 0, driven: vec![], plan, delays }),
+        }
     }
 
     /// A line for the banner.
@@ -103,12 +118,19 @@ impl Builder {
         self.st.borrow_mut().m.throughput = text.into();
     }
 
-    /// Places the named sections over `latency` stages, balancing their weights (in LUT hops).
+    /// Registers that were asked for: the outputs stand in stage `stage`, or in a later one if what drives them does.
+    pub fn at_least(&self, stage: u32) {
+        let mut st = self.st.borrow_mut();
+        st.least = st.least.max(stage);
+    }
+    /// Places the named sections over `latency` stages, balancing their weights (in LUT hops). The outputs stand in the last of them
+    /// ([`Builder::at_least`]).
     pub fn plan(&self, latency: u32, sections: &[(&str, u32)]) {
         self.plan_from(0, latency, sections);
     }
     /// As [`Builder::plan`], from stage `first` on: before it stands what has registers of its own.
     pub fn plan_from(&self, first: u32, latency: u32, sections: &[(&str, u32)]) {
+        self.at_least(first + latency);
         let stages = plan_stages(latency, &sections.iter().map(|s| s.1).collect::<Vec<_>>());
         let mut st = self.st.borrow_mut();
         st.plan = sections.iter().zip(stages).map(|(s, k)| (s.0.to_string(), first + k)).collect();
@@ -237,26 +259,12 @@ impl Builder {
         d.id
     }
 
+    /// The latest stage of some values; 0 if none has one.
+    pub fn latest<'b>(&self, values: impl Iterator<Item = Sig<'b>>) -> u32 {
+        values.filter_map(Sig::stage).max().unwrap_or(0)
+    }
     /// A value by its id (closures can't name a value's lifetime).
     pub fn sig(&self, id: NodeId) -> Sig<'_> {
         Sig { b: self, id }
-    }
-    /// Ends a primitive module.
-    pub fn finish_with(self, body: Body, latency: u32) -> Arc<Module> {
-        self.st.borrow_mut().m.body = body;
-        self.finish(Some(latency), &[])
-    }
-    /// Ends the module: takes over what its instances require of the parameters, and verifies it at its defaults and at `bindings`.
-    ///
-    /// # Panics
-    /// With all problems at once; a module that fails here is a bug of the unit that describes it.
-    #[track_caller]
-    pub fn finish(self, latency: Option<u32>, bindings: &[Binding]) -> Arc<Module> {
-        let mut m = self.st.into_inner().m;
-        m.latency = latency;
-        super::conditions::inherit(&mut m);
-        let problems = super::verify::verify(&m, bindings);
-        assert!(problems.is_empty(), "module {} is wrong:\n  {}", m.name, problems.join("\n  "));
-        Arc::new(m)
     }
 }

@@ -198,8 +198,8 @@ mod tests {
         b.require(w.clone() * 2, most);
         let a = b.input("a", &w, BITS, "a word");
         let o = b.output("o", &w, BITS, "the word");
-        b.drive(o, a, Some(0));
-        b.finish(Some(0), &[])
+        b.drive(o, a);
+        b.finish(&[])
     }
 
     /// What a module of N bits, 2 to 20, requires that instantiates it at W = N + 2.
@@ -211,8 +211,8 @@ mod tests {
         let a = b.input("a", &n + 2, BITS, "a word");
         let o = b.output("o", &n + 2, BITS, "the word");
         let word = b.inst(inner, "u_inner", &[("W", &n + 2)], &[("a", a)]).only().named("word");
-        b.drive(o, word, Some(0));
-        let m = b.finish(Some(0), &[]);
+        b.drive(o, word);
+        let m = b.finish(&[]);
         m.checks.iter().map(|c| format!("{} <= {}", c.lhs, c.rhs)).collect()
     }
 

@@ -83,7 +83,7 @@ impl Builder {
         let outs = module.data_outputs().map(|(i, p)| {
             let s = p.stage.map(|k| stage.unwrap_or(0) + k);
             let out = self.push_at(Op::InstOut(id, i), vec![], p.width.substitute(&map), s);
-            self.st.borrow_mut().m.nodes[out.id.0 as usize].handshaked = module.latency.is_none();
+            self.st.borrow_mut().m.nodes[out.id.0 as usize].handshaked = module.latency().is_none();
             out
         });
         Outputs::new(module, name, &outs.collect::<Vec<_>>())

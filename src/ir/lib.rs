@@ -3,6 +3,7 @@ mod builder;
 mod conditions;
 mod contract;
 mod expr;
+mod finish;
 mod instance;
 mod keywords;
 mod lines;

@@ -273,6 +273,18 @@ pub enum Prim {
     RecipTable,
 }
 
+impl Prim {
+    /// Clocks from inputs to outputs, at the parameters `at`.
+    pub(crate) fn clocks(self, at: &Binding) -> u32 {
+        match self {
+            Self::Lzc | Self::Interleave | Self::DivRows | Self::SqrtRows => 0,
+            Self::Memory | Self::FifoMem | Self::RecipTable => 1,
+            Self::Banks => 2,
+            Self::DelayLine => at["CLOCKS"] as u32,
+        }
+    }
+}
+
 /// What is inside a module.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Body {
@@ -317,8 +329,8 @@ pub struct Module {
     pub unused: Vec<NodeId>,
     /// Headings.
     pub sections: Vec<Section>,
-    /// Clocks from input to output; `None` for handshaked modules.
-    pub latency: Option<u32>,
+    /// What the end of its description found: see [`Module::latency`].
+    pub(crate) latency: Option<u32>,
     /// Clocks between two inputs.
     pub throughput: String,
     /// Graph or primitive.
@@ -332,6 +344,10 @@ pub struct Module {
 }
 
 impl Module {
+    /// Clocks from input to output, the stage in which all outputs stand; `None` for handshaked modules.
+    pub fn latency(&self) -> Option<u32> {
+        self.latency
+    }
     /// The default parameter values.
     pub fn default_binding(&self) -> Binding {
         self.params.iter().map(|p| (p.name.clone(), p.default)).collect()

@@ -1,5 +1,5 @@
 //! Ports of a module under construction: clock, enable, reset, inputs by stage, outputs and what drives them.
-use super::builder::{Builder, Sig};
+use super::builder::{Builder, Driven, Sig};
 use super::expr::Expr;
 use super::module::*;
 use super::quantity::{BIT, CLOCK, Quantity};
@@ -50,17 +50,13 @@ impl Builder {
     pub fn output(&self, name: &str, width: impl Into<Expr>, unit: Quantity, doc: &str) -> usize {
         self.port(name, Dir::Out, width.into(), unit, doc, None)
     }
-    /// Drives an output; `stage` delays it to a stage.
+    /// Drives an output. At the module's end it stands in the stage of the latest output: see [`Builder::finish`].
     #[track_caller]
-    pub fn drive(&self, port: usize, v: Sig<'_>, stage: Option<u32>) {
-        let v = match stage {
-            Some(s) => v.at(s),
-            None => v,
-        };
+    pub fn drive(&self, port: usize, v: Sig<'_>) {
         let mut st = self.st.borrow_mut();
         let (pw, vw) = (st.m.ports[port].width.eval(&st.defaults), st.m.node(v.id).width.eval(&st.defaults));
         assert!(pw == vw, "{}: output {} has {pw} bits, its driver {vw}", st.m.name, st.m.ports[port].name);
-        st.m.ports[port].stage = st.m.node(v.id).stage;
-        st.m.outputs.push((port, v.id));
+        let driven = Driven { port, by: v.id, nodes: st.m.nodes.len(), section: st.section };
+        st.driven.push(driven);
     }
 }

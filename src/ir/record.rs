@@ -102,7 +102,7 @@ impl OutputRecord {
     /// Drives each port by the field of its name.
     #[track_caller]
     pub fn drive(&self, b: &Builder, record: &Record<'_>) {
-        self.ports.iter().for_each(|(field, port)| b.drive(*port, record[field.as_str()], None));
+        self.ports.iter().for_each(|(field, port)| b.drive(*port, record[field.as_str()]));
     }
 }
 

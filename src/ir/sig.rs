@@ -73,6 +73,19 @@ impl<'b> Sig<'b> {
             None => self,
         }
     }
+    /// Register after the value, if there is one.
+    #[track_caller]
+    pub fn reg_if(self, exists: bool) -> Self {
+        if exists { self.reg() } else { self }
+    }
+    /// The value delayed to the stage of `other`.
+    ///
+    /// # Panics
+    /// If it is only known later.
+    #[track_caller]
+    pub fn beside(self, other: Self) -> Self {
+        other.stage().map_or(self, |stage| self.at(stage))
+    }
     /// Register after a decision of one bit: used one stage later, where it is known in every simulation: an unknown bit counts as `unknown`.
     ///
     /// # Panics

@@ -79,6 +79,12 @@ fn structure(m: &Module, bad: &mut Vec<String>) {
         } else if n.args.iter().any(|a| a.0 as usize >= i) {
             bad.push(format!("{} reads a later value: a loop", label(m, NodeId(i as u32))));
         }
+        if matches!(n.op, Op::Reg { .. }) && m.clk.is_none() {
+            bad.push(format!("{} needs a clock, and the module has none", label(m, NodeId(i as u32))));
+        }
+    }
+    for i in m.insts.iter().filter(|i| i.module.clk.is_some() && m.clk.is_none()) {
+        bad.push(format!("{} needs a clock, and the module has none", i.name));
     }
 }
 
@@ -115,17 +121,18 @@ fn no_loop(m: &Module, bad: &mut Vec<String>) {
     }
 }
 
-/// What a module says of its latency is the stage of its outputs. (A primitive has no stages; constants belong to none.)
+/// The module's end has brought all outputs to one stage, its latency, and nothing has moved them since. (A primitive has no stages; constants
+/// belong to none.)
 fn latency(m: &Module, bad: &mut Vec<String>) {
-    let Some(stated) = m.latency else { return };
+    let Some(latency) = m.latency() else { return };
     for (port, v) in &m.outputs {
         let name = &m.ports[*port].name;
         match m.node(*v).stage {
-            Some(stage) if stage != stated => {
-                bad.push(format!("output {name} stands in stage {stage}, and the module's latency is {stated}"));
+            Some(stage) if stage != latency => {
+                bad.push(format!("output {name} stands in stage {stage}, and the module's latency is {latency}"));
             }
             None if !m.node(*v).op.is_const() && m.data_inputs().any(|(_, p)| p.stage.is_some()) => {
-                bad.push(format!("output {name} belongs to no stage, and the module's latency is {stated}"));
+                bad.push(format!("output {name} belongs to no stage, and the module's latency is {latency}"));
             }
             _ => {}
         }

@@ -163,7 +163,7 @@ fn mismatch_wave(d: &Design, dir: &Path, m: &Arc<Module>, canary: Option<Canary>
         let first = check_interp(m, &set)?.first.ok_or_else(nothing)?;
         let net = elaborate(m, &set.params)?;
         let ports: Vec<&str> = set.inputs.iter().map(|c| c.name.as_str()).collect();
-        return Ok(record_rows(&net, m.latency, &ports, &set.stimulus, first.vector, MARGIN));
+        return Ok(record_rows(&net, m.latency(), &ports, &set.stimulus, first.vector, MARGIN));
     }
     let (p, image) = (Pipeline::new(d, &Binding::new())?, memory(&place)?);
     let stream = p.stream();

@@ -76,7 +76,7 @@ pub enum Extra {
 impl Proof {
     /// Clocks after which the outputs are those of the inputs.
     pub(super) fn clocks(&self, units: &[Arc<Module>]) -> u32 {
-        let of = |name: &&str| units.iter().find(|m| m.name == **name).and_then(|m| m.latency).unwrap_or(0);
+        let of = |name: &&str| units.iter().find(|m| m.name == **name).and_then(|m| m.latency()).unwrap_or(0);
         if self.chained { self.units.iter().map(of).sum() } else { of(&self.units[0]) }
     }
 }

@@ -180,7 +180,7 @@ pub(super) fn texts(module: &Arc<Module>, copies: u32) -> Vec<(String, Vec<u8>)>
 /// A tool that is missing or fails, a Liberty file that can't be read.
 pub fn measure(module: &Arc<Module>, target: &Target, placing: &Placing) -> Result<Figures> {
     let mut f = measure_files(&texts(module, placing.copies), TOP, target, placing)?;
-    (f.unit, f.latency) = (module.name.clone(), module.latency);
+    (f.unit, f.latency) = (module.name.clone(), module.latency());
     Ok(f)
 }
 

@@ -78,8 +78,8 @@ mod tests {
         b.clock_enable();
         let a = b.input("a", 3, BITS, "operand");
         let out = b.output("result", 3, BITS, "a");
-        b.drive(out, a, Some(1));
-        let text = top_module(&b.finish(Some(1), &[]), "p_", 2);
+        b.drive(out, a.reg());
+        let text = top_module(&b.finish(&[]), "p_", 2);
         for part in [
             "input wire [2:0] a",
             "p_pass u_unit",

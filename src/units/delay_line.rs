@@ -1,5 +1,4 @@
 //! `delay_line`: a word some clocks later, in a small memory instead of registers (`latency.delay_line`).
-use super::lzc::finish_primitive;
 use crate::quantity::BITS;
 use reliefrtl_ir::{Builder, Lines, Module, Prim, with_lines};
 use std::sync::Arc;
@@ -24,7 +23,7 @@ pub fn delay_line_module() -> Arc<Module> {
     b.clock_enable();
     b.input("in_data", &w, BITS, "the word");
     b.output("out_data", &w, BITS, "the word of CLOCKS clocks ago");
-    finish_primitive(b, Prim::DelayLine, 4)
+    b.finish_primitive(Prim::DelayLine)
 }
 
 /// `list` with what waits `least` clocks or longer in delay lines, and the line before them; as it is if `least` is 0.

@@ -1,5 +1,4 @@
 //! `div_rows`: rows of restoring division, one quotient bit each.
-use super::lzc::finish_primitive;
 use crate::quantity::BITS;
 use reliefrtl_ir::{Builder, Expr, Module, Prim, Sig};
 use std::sync::Arc;
@@ -22,7 +21,7 @@ pub fn div_rows_module(width: u32, rows: u32) -> Arc<Module> {
     b.input("div", &w, BITS, "divisor");
     b.output("rem_out", &w + 1, BITS, "remainder, doubled once a row");
     b.output("quot", &n, BITS, "quotient bits, the first on top");
-    finish_primitive(b, Prim::DivRows, 0)
+    b.finish_primitive(Prim::DivRows)
 }
 
 /// Instantiates `rows` rows; returns remainder and quotient bits.

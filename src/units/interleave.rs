@@ -1,5 +1,4 @@
 //! `interleave`: two words in Morton order, the first in the even bits.
-use super::lzc::finish_primitive;
 use crate::quantity::BITS;
 use reliefrtl_ir::{Builder, Module, Prim, Sig};
 use std::sync::Arc;
@@ -13,7 +12,7 @@ pub fn interleave_module(width: u32) -> Arc<Module> {
     b.input("a", &w, BITS, "word for the even bits");
     b.input("b", &w, BITS, "word for the odd bits");
     b.output("result", w.clone() * 2, BITS, "b[W-1] a[W-1] .. b[0] a[0]");
-    finish_primitive(b, Prim::Interleave, 0)
+    b.finish_primitive(Prim::Interleave)
 }
 
 /// Instantiates an interleaver.

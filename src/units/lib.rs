@@ -62,7 +62,7 @@ pub fn all(d: &Design) -> Vec<Arc<Module>> {
     } else {
         list.extend(indices.then(|| traversal::multi_level_down(d)));
     }
-    list.extend(traversal::level_up(d, (path.level_up_clocks)(d)).filter(|_| nodes));
+    list.extend((path.level_up)(d));
     list.extend(path.level_decision.map(|unit| unit(d)));
     list.extend([(path.setup)(d), (path.hit)(d), traversal::memory(d)]);
     if d.mode.bilinear {

@@ -1,6 +1,6 @@
 //! `lzc`: leading zeros of a word; the word's width when it is zero.
 use crate::quantity::BITS;
-use reliefrtl_ir::{Body, Builder, Module, Prim, Sig};
+use reliefrtl_ir::{Builder, Module, Prim, Sig};
 use std::sync::Arc;
 
 /// Builds the leading-zero counter (parameter W), combinational.
@@ -12,17 +12,10 @@ pub fn lzc_module(width: u32) -> Arc<Module> {
     let count_w = b.local("CountW", (&w + 1).clog2());
     b.input("bits", &w, BITS, "the word");
     b.output("count", &count_w, BITS, "zeros above the topmost 1");
-    finish_primitive(b, Prim::Lzc, 0)
+    b.finish_primitive(Prim::Lzc)
 }
 
 /// Instantiates an `lzc` on `word`; the count is named `name` and has clog2(width + 1) bits.
 pub fn lzc<'b>(b: &'b Builder, instance: &str, word: Sig<'b>, name: &str) -> Sig<'b> {
     b.inst(&lzc_module(8), instance, &[("W", word.width())], &[("bits", word)]).only().named(name)
-}
-
-/// Ends a primitive: outputs appear `latency` clocks after the inputs.
-pub(super) fn finish_primitive(b: Builder, prim: Prim, latency: u32) -> Arc<Module> {
-    let mut m = Arc::unwrap_or_clone(b.finish_with(Body::Prim(prim), latency));
-    m.ports.iter_mut().filter(|p| p.dir == reliefrtl_ir::Dir::Out).for_each(|p| p.stage = Some(latency));
-    Arc::new(m)
 }

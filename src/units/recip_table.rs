@@ -1,5 +1,4 @@
 //! `recip_table`: a line under the reciprocal for each value of a significand's top fraction bits.
-use super::lzc::finish_primitive;
 use crate::quantity::BITS;
 use reliefrtl_base::bits::{INDEX_W, SLOPE_W, START_W};
 use reliefrtl_ir::{Builder, Module, Prim, Sig};
@@ -16,7 +15,7 @@ pub fn recip_table_module() -> Arc<Module> {
     b.clock_enable();
     b.input("index", INDEX_W, BITS, "the divisor's fraction bits below the leading one");
     b.output("word", START_W + SLOPE_W, BITS, "start, then slope, one clock later");
-    finish_primitive(b, Prim::RecipTable, 1)
+    b.finish_primitive(Prim::RecipTable)
 }
 
 /// The word for `index`, one clock later: start and slope.

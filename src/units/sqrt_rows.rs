@@ -1,5 +1,4 @@
 //! `sqrt_rows`: rows of restoring square root, one digit each.
-use super::lzc::finish_primitive;
 use crate::quantity::BITS;
 use reliefrtl_ir::{Builder, Expr, Module, Prim, Sig};
 use std::sync::Arc;
@@ -25,7 +24,7 @@ pub fn sqrt_rows_module(width: u32, rows: u32) -> Arc<Module> {
     b.input("root_in", &w, BITS, "digits so far");
     b.output("rem_out", &w + 1, BITS, "remainder, doubled once a row");
     b.output("root_out", &w, BITS, "digits so far and those of these rows");
-    finish_primitive(b, Prim::SqrtRows, 0)
+    b.finish_primitive(Prim::SqrtRows)
 }
 
 /// Instantiates `rows` rows for the digits from `first` on; returns remainder and root.

@@ -16,7 +16,7 @@ impl Printer<'_> {
             let choices: Vec<String> = m.choices.iter().map(|(name, word)| format!("{name} {word}")).collect();
             self.comment("", "Chosen     ", &choices.join(", "));
         }
-        let latency = match m.latency {
+        let latency = match m.latency() {
             Some(0) => "none, combinational".to_string(),
             Some(1) => "1 clock".to_string(),
             Some(k) if m.params.iter().any(|p| p.name == "CLOCKS") => format!("CLOCKS clocks, {k} by default"),
@@ -24,7 +24,7 @@ impl Printer<'_> {
             None => "varies; valid/ready on both sides".to_string(),
         };
         self.comment("", "Latency    ", &latency);
-        if m.latency != Some(0) {
+        if m.latency() != Some(0) {
             self.comment("", "Throughput ", &m.throughput);
         }
         for n in &m.notes {

@@ -135,10 +135,11 @@ mod tests {
         let words = ["x", "y", "z"].map(|name| b.input(name, 8, BITS, "a word").named(&format!("word_{name}")));
         let valid = b.input("in_valid", 1, BIT, "the words count").named("valid").valid();
         let outs = ["a", "b", "c"].map(|name| b.output(name, 8, BITS, "the word"));
-        outs.iter().zip(words).for_each(|(out, word)| b.drive(*out, word, Some(clocks)));
+        outs.iter().zip(words).for_each(|(out, word)| b.drive(*out, word));
         let out = b.output("out_valid", 1, BIT, "the words count");
-        b.drive(out, valid, Some(clocks));
-        b.finish(Some(clocks), &[])
+        b.drive(out, valid);
+        b.at_least(clocks);
+        b.finish(&[])
     }
 
     fn text(clocks: u32) -> String {

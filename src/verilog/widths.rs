@@ -57,7 +57,7 @@ mod tests {
         b.local("FloatW", &exp + 17);
         b.local("LevelW", (&levels + 1).clog2());
         let bundle = exp.clone() * 3 + (&levels + 1).clog2() + &levels + 54;
-        let m = b.finish(Some(0), &[]);
+        let m = b.finish(&[]);
         assert_eq!(by_parts(&m, &bundle).to_string(), "LEVELS + 3 * FloatW + LevelW + 3");
         assert_eq!(by_parts(&m, &(&levels + 2)).to_string(), "LEVELS + 2");
         let at = |e: &Expr| e.eval(&m.default_binding());

@@ -125,7 +125,7 @@ fn a_wrong_constant_is_noticed() {
         let live = |k: usize, bit: u32| {
             let mut other = net.clone();
             other.consts[k].1 ^= 1 << bit;
-            check_netlist(&other, m.latency.unwrap() as usize, &set).unwrap().mismatched == 0
+            check_netlist(&other, m.latency().unwrap() as usize, &set).unwrap().mismatched == 0
         };
         // The constants that the unit itself has; those of the arithmetic units are theirs.
         let own = |k: &usize| net.names.iter().any(|(n, s)| *s == net.consts[*k].0 && !n.contains('.'));

@@ -94,10 +94,10 @@ fn registers_in_rings() {
     let [x, y, z] = ["x", "y", "z"].map(|n| b.loop_reg(n, 8, false));
     let own = b.loop_reg("own", 1, true);
     let next = load.mux(data, z).rebase_stage(0).named("next");
-    b.drive(out, b.cat(&[x, y, z]), None);
+    b.drive(out, b.cat(&[x, y, z]));
     b.unused(own);
     b.close(&[(x, next), (y, x), (z, y), (own, own)]);
-    let m = b.finish(None, &[]);
+    let m = b.finish_streams(&[]);
     let net = elaborate(&m, &Binding::new()).unwrap();
     let mut sim = Lanes::new(&net, 2);
     let mut want = [[0u64; 3]; 2];

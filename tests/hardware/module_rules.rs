@@ -19,8 +19,8 @@ fn good() -> Module {
     b.clock_enable();
     let (x, y) = (b.input("x", 4, BITS, "x"), b.input("y", 4, BITS, "y"));
     let o = b.output("o", 4, BITS, "o");
-    b.drive(o, (x & y).named("both").reg(), None);
-    Arc::unwrap_or_clone(b.finish(Some(1), &[]))
+    b.drive(o, (x & y).named("both").reg());
+    Arc::unwrap_or_clone(b.finish(&[]))
 }
 
 /// The AND, and the register after it.
@@ -30,7 +30,7 @@ const REGISTER: usize = 4;
 #[test]
 fn each_rule_names_what_breaks_it() {
     type Row = (&'static str, fn(&mut Module));
-    let rows: [Row; 16] = [
+    let rows: [Row; 17] = [
         ("port name forever is not usable in Verilog", |m| m.ports[2].name = "forever".into()),
         ("port name x y is not usable in Verilog", |m| m.ports[2].name = "x y".into()),
         ("port y is declared twice", |m| m.ports[2].name = "y".into()),
@@ -48,7 +48,8 @@ fn each_rule_names_what_breaks_it() {
         ("register both is not driven", |m| m.nodes[REGISTER].args.clear()),
         ("and both reads a later value: a loop", |m| m.nodes[AND].args[0] = NodeId(REGISTER as u32)),
         ("register both of stage 2 reads and both of stage 0 without a delay", |m| m.nodes[REGISTER].stage = Some(2)),
-        ("output o stands in stage 1, and the module's latency is 7", |m| m.latency = Some(7)),
+        ("output o stands in stage 2, and the module's latency is 1", |m| m.nodes[REGISTER].stage = Some(2)),
+        ("register both needs a clock, and the module has none", |m| m.clk = None),
         ("output o belongs to no stage, and the module's latency is 1", |m| m.nodes[REGISTER].stage = None),
         ("input y is never used", |m| m.nodes[AND].args[1] = m.nodes[AND].args[0]),
         ("and both: operands of [4, 4] bits do not give 5 bits", |m| m.nodes[AND].width = Expr::from(5)),
@@ -64,6 +65,50 @@ fn each_rule_names_what_breaks_it() {
     }
 }
 
+/// `now` is an AND, `later` the same two registers on.
+fn two_outputs() -> Builder {
+    let b = Builder::new("two", "tests", "a module");
+    b.clock();
+    b.clock_enable();
+    let (now, later) = (b.output("now", 4, BITS, "at once"), b.output("later", 4, BITS, "two clocks later"));
+    let both = (b.input("x", 4, BITS, "x") & b.input("y", 4, BITS, "y")).named("both");
+    b.drive(now, both);
+    b.drive(later, (!both).named("neither").reg().reg());
+    b
+}
+
+#[test]
+fn the_latency_of_a_module_is_the_stage_of_its_outputs() {
+    let stages = |m: &Module| m.data_outputs().map(|(_, p)| p.stage).collect::<Vec<_>>();
+    let registers = |m: &Module| m.nodes.iter().filter(|n| matches!(n.op, Op::Reg { .. })).count();
+    let of = |m: Arc<Module>| (m.latency(), stages(&m), registers(&m));
+    assert_eq!(of(two_outputs().finish(&[])), (Some(2), vec![Some(2); 2], 4));
+    for asked in [1, 2, 5] {
+        let b = two_outputs();
+        b.at_least(asked);
+        let clocks = asked.max(2);
+        assert_eq!(of(b.finish(&[])), (Some(clocks), vec![Some(clocks); 2], 2 * clocks as usize));
+    }
+    let b = two_outputs();
+    b.plan(3, &[("sum", 1)]);
+    assert_eq!(of(b.finish(&[])), (Some(3), vec![Some(3); 2], 6));
+    assert_eq!(of(two_outputs().finish_streams(&[])), (None, vec![Some(0), Some(2)], 2));
+    let said = panics("a plan of handshakes", || {
+        let b = two_outputs();
+        b.plan(3, &[]);
+        b.finish_streams(&[]);
+    });
+    assert!(said.starts_with("outputs of handshakes stand in no stage"), "{said}");
+    // What belongs to no stage can't be brought to one.
+    let said = panics("an output without a stage", || {
+        let b = two_outputs();
+        let held = b.input_static("held", 1, BIT, "held");
+        b.drive(b.output("as_is", 1, BIT, "held"), !held);
+        b.finish(&[]);
+    });
+    assert!(said.contains("output as_is belongs to no stage, and the module's latency is 2"), "{said}");
+}
+
 /// `o` is an AND of `x` and a wire that `around` drives from it.
 fn looping(around: impl for<'b> Fn(&'b Builder, Sig<'b>) -> Sig<'b>) -> Module {
     let b = Builder::new("looping", "tests", "a module");
@@ -74,8 +119,8 @@ fn looping(around: impl for<'b> Fn(&'b Builder, Sig<'b>) -> Sig<'b>) -> Module {
     let o = b.output("o", 1, BIT, "o");
     let y = (x & back).named("y");
     b.connect(back, around(&b, y));
-    b.drive(o, y, None);
-    Arc::unwrap_or_clone(b.finish(None, &[]))
+    b.drive(o, y);
+    Arc::unwrap_or_clone(b.finish_streams(&[]))
 }
 
 /// `a` straight to `through`, and by a register to `held`.
@@ -85,9 +130,9 @@ fn leaf() -> Arc<Module> {
     b.clock_enable();
     let a = b.input("a", 1, BIT, "a");
     let (through, held) = (b.output("through", 1, BIT, "as it is"), b.output("held", 1, BIT, "a clock later"));
-    b.drive(through, !a, None);
-    b.drive(held, (!a).named("not_a").reg(), None);
-    b.finish(None, &[])
+    b.drive(through, !a);
+    b.drive(held, (!a).named("not_a").reg());
+    b.finish_streams(&[])
 }
 
 #[test]
@@ -157,7 +202,7 @@ fn the_builder_refuses_what_has_no_meaning() {
         ("a value of stage 1 is asked for in stage 0", |b| _ = x(b).reg().at(0)),
         ("a and without a name crosses a stage: name it", |b| _ = (x(b) & x(b)).reg()),
         ("a decision has one bit", |b| _ = x(b).decided(false)),
-        ("m: output o has 3 bits, its driver 4", |b| b.drive(b.output("o", 3, BITS, ""), x(b), None)),
+        ("m: output o has 3 bits, its driver 4", |b| b.drive(b.output("o", 3, BITS, ""), x(b))),
         ("u_leaf: input a is not driven", |b| _ = inst(b, &[])),
         ("u_leaf.a has 1 bits, its driver 4", |b| _ = inst(b, &[("a", x(b))])),
         ("leaf: no port z", |b| _ = inst(b, &[("z", b.lit(1, 1))])),

@@ -28,7 +28,7 @@ fn merged() -> Arc<Module> {
     let first = first.map(|r| r.map(|name, v| if name == "flag" { (!v).named("inverted") } else { v }));
     let both = vec![first.fifo(&b, "queued", 4), second.stream(&b, "b_word")];
     out.take(&b, &Stream::arbiter(&b, "one", both));
-    b.finish(None, &[])
+    b.finish_streams(&[])
 }
 
 /// Rows of a clock: inputs (reset first) and outputs, as the interpreter has them, in which each word was found in its order.

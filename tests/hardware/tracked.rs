@@ -103,7 +103,7 @@ fn known_bits_are_sound() {
                 t.set_bits(p.slot, (word & !open, open));
                 (0..16).for_each(|l| lanes.set(p.slot, l, (word & !open) | (rng.random::<u64>() & open)));
             }
-            for _ in 0..=m.latency.unwrap_or(0) {
+            for _ in 0..=m.latency().unwrap_or(0) {
                 t.eval();
                 lanes.eval();
                 t.clock();

@@ -4,6 +4,7 @@ mod emission;
 mod glossary;
 mod guide;
 mod layers;
+mod registers;
 mod source;
 mod structure;
 mod unit_table;

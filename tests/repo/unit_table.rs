@@ -27,7 +27,7 @@ fn config(sets: &str) -> Config {
 
 /// A row of the table.
 fn row(m: &Module, t: &Traverse, with: &str) -> String {
-    let clocks = match m.latency {
+    let clocks = match m.latency() {
         Some(0) => "-".to_owned(),
         Some(_) if m.name == "delay_line" => "CLOCKS".to_owned(),
         Some(k) => k.to_string(),
@@ -134,7 +134,7 @@ fn the_refinement_takes_the_clocks_that_its_page_says() {
             all if all.contains(':') => all.rsplit(' ').next().unwrap().parse().unwrap(),
             sum => clocks(sum),
         };
-        assert_eq!(Some(said), m.latency, "docs/bilinear.md, {name}: {}", cells[2]);
+        assert_eq!(Some(said), m.latency(), "docs/bilinear.md, {name}: {}", cells[2]);
         listed.insert(name.to_owned());
     }
     let mine: BTreeSet<String> = modules.iter().map(|m| m.name.clone()).filter(|n| !plain.contains(n)).collect();

@@ -137,8 +137,8 @@ pub fn fp_add3(format: FloatFormat, latency: u32) -> Arc<Module> {
     let x = Exact { sign, exp, sig: norm.slice(&rest + 1, &p).named("sig"), guard, sticky };
     let range = if format.is_gradual() { Range::Aligned } else { Range::Any };
     let value = round(&b, &f, x, range, &Classes { nan, inf, zero: Some(none) });
-    b.drive(out, value, Some(latency));
-    b.finish(Some(latency), &super::bindings())
+    b.drive(out, value);
+    b.finish(&super::bindings())
 }
 
 /// A significand moved down in the window, with what it loses as its last bit; nothing if `is_lost`.

@@ -47,11 +47,11 @@ pub fn fp_compare(format: FloatFormat, latency: u32) -> Arc<Module> {
     };
     let (equal, less) = (equal.named("equal"), less.named("less"));
     let rest = any(&[Some(equal | less), nan]).expect("there is one");
-    b.drive(lt, less, Some(latency));
-    b.drive(eq, equal, Some(latency));
-    b.drive(gt, (!rest).named("greater"), Some(latency));
+    b.drive(lt, less);
+    b.drive(eq, equal);
+    b.drive(gt, (!rest).named("greater"));
     if let Some((port, nan)) = unordered.zip(nan) {
-        b.drive(port, nan, Some(latency));
+        b.drive(port, nan);
     }
-    b.finish(Some(latency), &super::bindings())
+    b.finish(&super::bindings())
 }

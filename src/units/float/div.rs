@@ -73,6 +73,6 @@ fn by_rows(format: FloatFormat, latency: u32) -> Arc<Module> {
 
     b.section("select", "");
     let value = rounded.pack(&b, &f, x.sign, &x.classes);
-    b.drive(out, value, Some(latency));
-    b.finish(Some(latency), &super::bindings())
+    b.drive(out, value);
+    b.finish(&super::bindings())
 }

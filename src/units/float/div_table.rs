@@ -133,6 +133,6 @@ pub fn by_table(format: FloatFormat, latency: u32) -> Arc<Module> {
     let body = |lo: &Expr, w: &Expr| low.slice(lo, w) & take_low.rep(w) | high.slice(lo, w) & take_high.rep(w);
     let frac = body(&Expr::from(0), &f.man) | b.cat(&[nan, b.zeros(&f.man - 1)]);
     let value = b.cat(&[(x.sign & !nan).named("sign"), body(&f.man, &f.exp) | inf.rep(&f.exp), frac]).named("value");
-    b.drive(out, value, Some(latency));
-    b.finish(Some(latency), &super::bindings())
+    b.drive(out, value);
+    b.finish(&super::bindings())
 }

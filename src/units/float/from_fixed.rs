@@ -78,14 +78,14 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32, fas
         let x = general::Exact { sign: minus, exp, sig, guard, sticky: low };
         let zero = general::Classes { zero: Some(is_zero), ..Default::default() };
         let packed = general::round(&b, &f, x, general::Range::Any, &zero);
-        b.drive(out, packed, Some(latency));
-        return b.finish(Some(latency), &super::bindings());
+        b.drive(out, packed);
+        return b.finish(&super::bindings());
     }
     b.section("round", "");
     let sig = norm.slice(&int + 2, &f.man + 1).named("sig");
     let x = Unrounded { sign: minus, exp, sig, guard: norm.bit(&int + 1), sticky: Some(norm.slice(0, &int + 1).any()) };
     let s = Special { nan: None, inf: None, inf_sign: None, zero: is_zero, zero_sign: None };
     let packed = round_pack(&b, &f, &x, &s);
-    b.drive(out, packed, Some(latency));
-    b.finish(Some(latency), &super::bindings())
+    b.drive(out, packed);
+    b.finish(&super::bindings())
 }

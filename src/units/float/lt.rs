@@ -51,8 +51,8 @@ pub fn fp_lt(format: FloatFormat, latency: u32) -> Arc<Module> {
     let apart = nan.map_or(both_zero, |(a, b)| a | b | both_zero);
     let ordered = (!apart).named("ordered");
     let less = (ordered & a_sign.mux(!(b_sign & below), !b_sign & below)).named("less");
-    b.drive(out, less, Some(latency));
-    b.finish(Some(latency), &super::bindings())
+    b.drive(out, less);
+    b.finish(&super::bindings())
 }
 
 /// Exponent all ones, and a fraction.

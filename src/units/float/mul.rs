@@ -74,8 +74,8 @@ pub fn fp_mul(format: FloatFormat, latency: u32) -> Arc<Module> {
     b.section("select", "");
     let picked = Candidate::pick(top, &high, &low);
     let value = picked.pack(&b, &f, sign, &Classes { nan, inf, zero });
-    b.drive(out, value, Some(latency));
-    b.finish(Some(latency), &super::bindings())
+    b.drive(out, value);
+    b.finish(&super::bindings())
 }
 
 /// The result if the significand's last bit is bit `lsb` of the product.

@@ -55,6 +55,6 @@ pub fn fp_recip(format: FloatFormat, latency: u32) -> Arc<Module> {
     let (guard, sticky) = ((quot.bit(0) & more).named("guard"), (rem.any() & more).named("sticky"));
     let x = Exact { sign, exp, sig: b.cat(&[b.lit(1, 1), frac]).named("sig"), guard, sticky };
     let value = round(&b, &f, x, Range::Any, &Classes { nan, inf, zero });
-    b.drive(out, value, Some(latency));
-    b.finish(Some(latency), &super::bindings())
+    b.drive(out, value);
+    b.finish(&super::bindings())
 }

@@ -70,6 +70,6 @@ pub fn fp_sqrt(format: FloatFormat, latency: u32) -> Arc<Module> {
     let x = Exact { sign, exp: half, sig: root.slice(1, &p).named("sig"), guard: root.bit(0).named("guard"), sticky };
     let range = if normal { Range::Normal } else { Range::Any };
     let value = round(&b, &f, x, range, &Classes { nan, inf, zero: Some(zero) });
-    b.drive(out, value, Some(latency));
-    b.finish(Some(latency), &super::bindings())
+    b.drive(out, value);
+    b.finish(&super::bindings())
 }

@@ -90,8 +90,8 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32) -> 
     let limit = b.cat(&[minus, (!minus).rep(&int - 1)]).named("limit");
     let number = too_big.mux(limit, floor);
     let result = nan.map_or(number, |nan| nan.mux(b.zeros(&int), number)).named("result_value");
-    b.drive(out, result, Some(latency));
-    b.finish(Some(latency), &super::bindings())
+    b.drive(out, result);
+    b.finish(&super::bindings())
 }
 
 /// The operand, as the format's choices read it.

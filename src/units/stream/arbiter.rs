@@ -58,9 +58,9 @@ pub fn arbiter(inputs: u32) -> Arc<Module> {
     b.section("data", "The word of the granted input.");
     let word = |k: u32| in_data.slice(w.clone() * i64::from(k), &w);
     let data = (0..inputs - 1).rev().fold(word(inputs - 1), |other, k| grant.bit(k).mux(word(k), other));
-    b.drive(o_ready, (grant & out_ready.rep(inputs)).named("ready"), None);
-    b.drive(o_valid, valid, None);
-    b.drive(o_data, data.named("selected"), None);
-    b.drive(o_grant, grant, None);
-    b.finish(None, &[[("W".to_string(), 1)].into(), [("W".to_string(), 100)].into()])
+    b.drive(o_ready, (grant & out_ready.rep(inputs)).named("ready"));
+    b.drive(o_valid, valid);
+    b.drive(o_data, data.named("selected"));
+    b.drive(o_grant, grant);
+    b.finish_streams(&[[("W".to_string(), 1)].into(), [("W".to_string(), 100)].into()])
 }

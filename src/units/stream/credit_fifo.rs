@@ -72,13 +72,13 @@ pub fn credit_fifo() -> Arc<Module> {
         (issued, issue),
         (popped, pop),
     ]);
-    b.drive(o_credit, credit, None);
-    b.drive(o_valid, valid, None);
+    b.drive(o_credit, credit);
+    b.drive(o_valid, valid);
 
     b.section("data", "The word at the read pointer is read in every clock.");
     let params = [("ADDR_W", SLOT_W.into()), ("DATA_W", w), ("DEPTH", SLOTS.into())];
     let ins = [("write_en", push), ("write_addr", write), ("write_data", data), ("read_addr", read)];
     let o = b.inst(&fifo_mem(), "u_words", &params, &ins);
-    b.drive(o_data, o["read_data"].rebase_stage(0).named("word"), None);
-    b.finish(None, &[])
+    b.drive(o_data, o["read_data"].rebase_stage(0).named("word"));
+    b.finish_streams(&[])
 }

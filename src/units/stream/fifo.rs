@@ -57,10 +57,10 @@ pub fn fifo() -> Arc<Module> {
     let params = [("ADDR_W", ptr_w), ("DATA_W", w), ("DEPTH", depth)];
     let ins = [("write_en", push), ("write_addr", write), ("write_data", in_data), ("read_addr", read_next)];
     let words = b.inst(&fifo_mem(), "u_words", &params, &ins);
-    b.drive(o_ready, not_full, None);
-    b.drive(o_valid, valid, None);
-    b.drive(o_data, words["read_data"].rebase_stage(0).named("word"), None);
-    b.drive(o_occupancy, occupancy, None);
+    b.drive(o_ready, not_full);
+    b.drive(o_valid, valid);
+    b.drive(o_data, words["read_data"].rebase_stage(0).named("word"));
+    b.drive(o_occupancy, occupancy);
     let at = |w: i64, depth: i64| [("W".to_string(), w), ("DEPTH".to_string(), depth)].into();
-    b.finish(None, &[at(1, 4), at(300, 1024)])
+    b.finish_streams(&[at(1, 4), at(300, 1024)])
 }

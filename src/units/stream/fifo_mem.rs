@@ -1,5 +1,4 @@
 //! `fifo_mem`: the words of a FIFO, one write port and one read port with a register after it.
-use crate::lzc::finish_primitive;
 use crate::quantity::{BIT, BITS, integer};
 use reliefrtl_ir::{Builder, Module, Prim};
 use std::sync::Arc;
@@ -24,5 +23,5 @@ pub fn fifo_mem() -> Arc<Module> {
     b.input_static("write_data", &data_w, BITS, "write data");
     b.input("read_addr", &addr_w, integer("slots"), "read address");
     b.output("read_data", &data_w, BITS, "read data, one clock later");
-    finish_primitive(b, Prim::FifoMem, 1)
+    b.finish_primitive(Prim::FifoMem)
 }

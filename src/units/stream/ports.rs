@@ -27,7 +27,7 @@ impl<'b> InputStream<'b> {
     }
     /// Drives the ready port.
     pub fn ready(&self, b: &Builder, ready: Sig<'_>) {
-        b.drive(self.ready, ready, None);
+        b.drive(self.ready, ready);
     }
     /// The stream, its ready a wire of the name `wire` that drives the port.
     pub fn stream(self, b: &'b Builder, wire: &str) -> Stream<'b> {
@@ -56,7 +56,7 @@ impl<'b> OutputStream<'b> {
     /// Drives the ports.
     #[track_caller]
     pub fn drive(&self, b: &Builder, valid: Sig<'_>, data: &Record<'_>) {
-        b.drive(self.valid, valid, None);
+        b.drive(self.valid, valid);
         self.data.drive(b, data);
     }
     /// Lets a stream leave here.

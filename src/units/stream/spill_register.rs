@@ -64,8 +64,8 @@ pub fn spill_register() -> Arc<Module> {
     ];
     let words = word.into_iter().zip(word_next);
     b.close(&bits.into_iter().chain(words).collect::<Vec<_>>());
-    b.drive(o_ready, ready, None);
-    b.drive(o_valid, any_valid, None);
-    b.drive(o_data, selected, None);
-    b.finish(None, &[])
+    b.drive(o_ready, ready);
+    b.drive(o_valid, any_valid);
+    b.drive(o_data, selected);
+    b.finish_streams(&[])
 }

@@ -20,14 +20,15 @@ fn build(name: &str, clocks: u32, with_valid: bool) -> Arc<Module> {
     b.require(1, &w);
     b.clock();
     b.clock_enable();
+    b.at_least(clocks);
     if with_valid {
         b.reset();
         let valid = b.input("in_valid", 1, BIT, "the word is valid").named("valid").valid();
         let port = b.output("out_valid", 1, BIT, "the delayed word is valid");
-        b.drive(port, valid, Some(clocks));
+        b.drive(port, valid);
     }
     let data = b.input("in_data", &w, BITS, "the word").named("data");
     let port = b.output("out_data", &w, BITS, "the delayed word");
-    b.drive(port, data, Some(clocks));
-    b.finish(Some(clocks), &[])
+    b.drive(port, data);
+    b.finish(&[])
 }

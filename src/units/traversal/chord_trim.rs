@@ -53,9 +53,9 @@ pub fn chord_trim(d: &Design) -> Arc<Module> {
     if enable.is_none() {
         b.unused(level);
     }
-    outs.iter().zip(ends).for_each(|(o, e)| b.drive(*o, e, None));
-    b.drive(out, read, None);
-    b.finish(Some(0), &bindings())
+    outs.iter().zip(ends).for_each(|(o, e)| b.drive(*o, e));
+    b.drive(out, read);
+    b.finish(&bindings())
 }
 
 /// What is known of one axis.

@@ -1,5 +1,5 @@
 //! What a crossing does to the level of a ray.
-use super::level_up::{latency as level_up_clocks, level_up};
+use super::level_up::level_up;
 use super::loop_state::{Ray, Sizes};
 use super::trim_return::trim_return;
 use reliefrtl_config::{Design, LevelUp, Trim};
@@ -17,7 +17,7 @@ pub(super) fn climb<'b>(
     [at, predicted]: [[Sig<'b>; 2]; 2],
 ) -> ((&'static str, Sig<'b>), Sig<'b>) {
     b.section("level up", "");
-    let up = match level_up(d, level_up_clocks(d)) {
+    let up = match level_up(d) {
         None => b.zeros(1),
         Some(unit) => {
             let mut ins = vec![("level", read)];

@@ -28,20 +28,16 @@ pub struct Datapath {
     pub numbers: fn(&Builder, &Design, Option<FormatParams>, &Expr, &Expr, &Expr) -> Numbers,
     /// Constants that a ray carries through the loop.
     pub constants: fn(&Sizes, &Design) -> Vec<Field>,
-    /// Once per ray: inputs u, v, du, dv and, with a level of detail, lod; outputs ok, level, then finest, first_x, first_y and all that fields start from.
+    /// Once per ray: inputs u, v, du, dv and, with a level of detail, lod; outputs ok, level, then finest, first_x, first_y and all that fields start from. Of at least one clock.
     pub setup: fn(&Design) -> Arc<Module>,
-    /// Clocks through setup, at least 1.
-    pub setup_clocks: fn(&Design) -> u32,
     /// One iteration.
     pub iteration: Iterate,
     /// Hit, descend or cross, where an iteration steps indices; where it moves positions, the datapath has units of its own for that.
     pub level_decision: Option<fn(&Design) -> Arc<Module>>,
-    /// Clocks through `level_up`.
-    pub level_up_clocks: fn(&Design) -> u32,
-    /// Position of a hit inside its texel along one axis; with a level of detail, the texel (wrapped) after it.
+    /// `level_up`, where there are levels and a rule that ascends.
+    pub level_up: fn(&Design) -> Option<Arc<Module>>,
+    /// Position of a hit inside its texel along one axis; with a level of detail, the texel (wrapped) after it. Of at least one clock.
     pub hit: fn(&Design) -> Arc<Module>,
-    /// Clocks through `hit`, at least 1.
-    pub hit_clocks: fn(&Design) -> u32,
     /// Inputs of `hit` along an axis (`x` or `y`) and the words that they take.
     pub hit_inputs: for<'b> fn(&Ray<'b>, &str) -> Vec<(&'static str, Sig<'b>)>,
     /// Why its loop differs from the published one in a row of `LoopResources::rows`; empty where nothing is to be said.

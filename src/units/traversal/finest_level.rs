@@ -21,9 +21,9 @@ pub fn finest_level(d: &Design) -> Arc<Module> {
     b.unused(room.slice(0, &level_w));
     let finest = room.msb().mux(root, asked).named("finest_legal");
     let level = start.lt(finest).mux(finest, start).named("first_level");
-    b.drive(o_finest, finest, None);
-    b.drive(o_level, level, None);
-    b.finish(Some(0), &bindings())
+    b.drive(o_finest, finest);
+    b.drive(o_level, level);
+    b.finish(&bindings())
 }
 
 /// What a setup says of the level that a ray brings.

@@ -25,6 +25,6 @@ pub fn height_address(t: &TraverseConfig) -> Arc<Module> {
     let odd = b.cat(&[b.zeros(1), j.shift_right(level)]).named("odd");
     let morton = interleave(&b, "u_morton", even, odd, "morton");
     b.unused(morton.msb());
-    b.drive(out, morton.slice(0, levels * 2 + 1), None);
-    b.finish(Some(0), &bindings())
+    b.drive(out, morton.slice(0, levels * 2 + 1));
+    b.finish(&bindings())
 }

@@ -1,7 +1,6 @@
 //! `height_banks`: the pyramid's heights on chip, in banks with a second register each, for clocks that a block memory's read does not leave
 //! time for anything else.
 use super::height_memory::MEM_INIT;
-use crate::lzc::finish_primitive;
 use crate::quantity::{BIT, BITS, WORDS};
 use reliefrtl_ir::{Builder, Module, Prim};
 use std::sync::Arc;
@@ -31,7 +30,7 @@ pub fn height_banks(addr: u32, data: u32, depth: u32) -> Arc<Module> {
     b.input_static("write_data", &data_w, BITS, "what");
     b.input("read_addr", &addr_w, WORDS, "where to read");
     b.output("read_data", &data_w, BITS, "the word read, two clocks after its address");
-    finish_primitive(b, Prim::Banks, 2)
+    b.finish_primitive(Prim::Banks)
 }
 
 /// Passed at each instance, so that a parameter of the same name above would not be taken for it.

@@ -1,5 +1,4 @@
 //! `height_memory`: the pyramid's heights on chip: one write port, one read port with a register after it.
-use crate::lzc::finish_primitive;
 use crate::quantity::{BIT, BITS, WORDS};
 use reliefrtl_ir::{Builder, Expr, Module, Prim};
 use std::sync::Arc;
@@ -25,7 +24,7 @@ pub fn height_memory(addr: u32, data: u32, depth: u32) -> Arc<Module> {
     b.input_static("write_data", &data_w, BITS, "what");
     b.input("read_addr", &addr_w, WORDS, "where to read");
     b.output("read_data", &data_w, BITS, "the word, one clock later");
-    finish_primitive(b, Prim::Memory, 1)
+    b.finish_primitive(Prim::Memory)
 }
 
 /// Words of a pyramid of LEVELS levels below its root: (4^(LEVELS+1) - 1) / 3.

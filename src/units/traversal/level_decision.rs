@@ -60,13 +60,13 @@ pub fn level_decision(d: &Design, time: &TimeWord) -> Arc<Module> {
     let keep_x = (!x_first).named("keep_x");
     let x = inside.mux(hit.mux(axes[0].0, axes[0].1), keep_x.mux(axes[0].0, axes[0].2)).named("x_chosen");
     let y = inside.mux(hit.mux(axes[1].0, axes[1].1), x_first.mux(axes[1].0, axes[1].2)).named("y_chosen");
-    b.drive(o_hit, hit, None);
-    b.drive(o_cross, !inside, None);
-    b.drive(o_level, next, None);
-    b.drive(o_x, x, None);
-    b.drive(o_y, y, None);
-    b.drive(o_t, inside.mux(m, t_next), None);
+    b.drive(o_hit, hit);
+    b.drive(o_cross, !inside);
+    b.drive(o_level, next);
+    b.drive(o_x, x);
+    b.drive(o_y, y);
+    b.drive(o_t, inside.mux(m, t_next));
     let mut at = bindings();
     at.extend((time.bindings)());
-    b.finish(Some(0), &at)
+    b.finish(&at)
 }

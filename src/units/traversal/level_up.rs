@@ -1,7 +1,7 @@
 //! `level_up`: does a crossing go one level up? (PIDM-HW section 3.3; the rules stand in `docs/datapath.md`.)
 use super::params::{LevelParams, bindings, index_width};
 use crate::quantity::{BIT, LEVELS, TEXELS};
-use reliefrtl_config::{Design, LevelUp};
+use reliefrtl_config::{Design, LevelUp, Register};
 use reliefrtl_ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
@@ -10,18 +10,19 @@ pub fn reads_parity(d: &Design) -> bool {
     matches!(d.mode.level_up, LevelUp::Tevs | LevelUp::Selective)
 }
 
-/// Clocks through `level_up` where planes are compared: the distance of two nodes, and what it says, are long in series.
-pub fn latency(d: &Design) -> u32 {
-    match d.latency.decision {
-        _ if d.mode.level_up != LevelUp::Selective => 0,
-        0..=2 => 0,
-        3..=4 => 1,
-        _ => 2,
-    }
+/// Builds `level_up` of the design's rule where planes are compared: of the selective rule, the distance of two nodes and what it says are long in
+/// series. `None` for the rule that never ascends.
+pub fn level_up(d: &Design) -> Option<Arc<Module>> {
+    build(d, [Register::NodeDistance, Register::Neighbour].map(|r| d.latency.has(r)))
 }
 
-/// Builds `level_up` of the design's rule in `clocks`, of which the selective rule alone takes up to 2; `None` for the rule that never ascends.
-pub fn level_up(d: &Design, clocks: u32) -> Option<Arc<Module>> {
+/// The same, combinational.
+pub fn level_up_at_once(d: &Design) -> Option<Arc<Module>> {
+    build(d, [false; 2])
+}
+
+/// `cuts`: whether registers stand after the distance and after what it says.
+fn build(d: &Design, cuts: [bool; 2]) -> Option<Arc<Module>> {
     let (t, rule) = (&d.traverse, d.mode.level_up);
     let text = match rule {
         LevelUp::None => return None,
@@ -33,7 +34,7 @@ pub fn level_up(d: &Design, clocks: u32) -> Option<Arc<Module>> {
     let b = Builder::new("level_up", file!(), text);
     b.choice("level_up", rule.word());
     let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
-    if clocks > 0 {
+    if rule == LevelUp::Selective && cuts[0] {
         b.clock();
         b.clock_enable();
     }
@@ -52,14 +53,14 @@ pub fn level_up(d: &Design, clocks: u32) -> Option<Arc<Module>> {
                 let at = b.input(&format!("{axis}_at"), &idx, TEXELS, "a texel of the node");
                 (axis, at, b.input(&format!("{axis}_hit"), &idx, TEXELS, "predicted hit"))
             });
-            let near = ends.map(|(axis, at, hit)| distance(&b, at, hit, level, axis, clocks));
+            let near = ends.map(|(axis, at, hit)| distance(&b, at, hit, level, axis, cuts));
             let neighbour = near[0].1 & near[1].1 & !(near[0].0 & near[1].0);
             Some(even & !neighbour.named("is_neighbour"))
         }
     };
     let out = b.output("up", 1, BIT, "one level up; never at the root");
-    b.drive(out, go.map_or(below_root, |g| g & below_root), (clocks > 0).then_some(clocks));
-    Some(b.finish(Some(clocks), &bindings()))
+    b.drive(out, go.map_or(below_root, |g| g & below_root));
+    Some(b.finish(&bindings()))
 }
 
 /// (same node, at most one node apart) along one axis. Both texels stay where they are, with what lies below the node cleared: the difference
@@ -70,19 +71,18 @@ fn distance<'b>(
     hit: Sig<'b>,
     level: Sig<'b>,
     axis: &str,
-    clocks: u32,
+    cuts: [bool; 2],
 ) -> (Sig<'b>, Sig<'b>) {
     let n = |what: &str| format!("{axis}_{what}");
-    let cut = |v: Sig<'b>, least: u32| if clocks >= least { v.reg() } else { v };
     let wide = at.width() + 1;
     let keep = b.ones(&wide).shift_left(level).named(&n("keep"));
     let corner = |texel: Sig<'b>, name: &str| (texel.sext(&wide) & keep).named(&n(name));
-    let diff = cut((corner(hit, "hit_corner") - corner(at, "corner")).named(&n("diff")), 1);
-    let keep = cut(keep, 1);
+    let diff = (corner(hit, "hit_corner") - corner(at, "corner")).named(&n("diff")).reg_if(cuts[0]);
+    let keep = keep.reg_if(cuts[0]);
     let side = (keep & !b.cat(&[keep.slice(0, at.width()), b.zeros(1)])).named(&n("side"));
     let same = diff.none().named(&n("same"));
     let one = diff.eq(side);
     let minus_one = diff.eq(keep);
     let near = (same | one | minus_one).named(&n("near"));
-    (cut(same, 2), cut(near, 2))
+    (same.reg_if(cuts[1]), near.reg_if(cuts[1]))
 }

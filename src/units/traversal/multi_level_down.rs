@@ -3,18 +3,13 @@
 //! Until the first crossing the step is `levels_down` levels where that many are left, afterwards one.
 use super::params::{LevelParams, bindings, index_width};
 use crate::quantity::{BIT, LEVELS, TEXELS};
-use reliefrtl_config::Design;
+use reliefrtl_config::{Design, Register};
 use reliefrtl_ir::{Builder, Module, Sig};
 use std::sync::Arc;
 
-/// Clocks through `multi_level_down`: a register between its comparisons and what they choose.
-pub fn latency(d: &Design) -> u32 {
-    u32::from(d.latency.decision > 4)
-}
-
 /// Builds `multi_level_down`.
 pub fn multi_level_down(d: &Design) -> Arc<Module> {
-    let (t, mode, clocks) = (&d.traverse, &d.mode, latency(d));
+    let (t, mode, cut) = (&d.traverse, &d.mode, d.latency.has(Register::Descent));
     let what = match mode.levels_down {
         1 => "level and child of a descent by one level".to_string(),
         n => format!("level and child of a descent: {n} levels until the first crossing, then one"),
@@ -24,7 +19,7 @@ pub fn multi_level_down(d: &Design) -> Arc<Module> {
     let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
     let idx = index_width(&b, t, Some(&levels));
     let many = u64::from(mode.levels_down);
-    if clocks > 0 {
+    if cut {
         b.clock();
         b.clock_enable();
     }
@@ -62,17 +57,16 @@ pub fn multi_level_down(d: &Design) -> Arc<Module> {
         let next = next.named("next_free");
         next.lt(lod).mux(lod, next)
     });
-    let stage = (clocks > 0).then_some(clocks);
-    b.drive(out, next.named("next_level"), stage);
+    b.drive(out, next.named("next_level"));
     for ((axis, low, high, e), out) in axes.into_iter().zip(outs) {
-        b.drive(out, clamp(e, low, high, axis, clocks), stage);
+        b.drive(out, clamp(e, low, high, axis, cut));
     }
-    b.finish(Some(clocks), &bindings())
+    b.finish(&bindings())
 }
 
-/// Estimate `e`, kept between two texels, `clocks` later.
-pub(super) fn clamp<'b>(e: Sig<'b>, low: Sig<'b>, high: Sig<'b>, axis: &str, clocks: u32) -> Sig<'b> {
-    let below = e.slt(low).named(&format!("{axis}_is_below")).at(clocks);
-    let above = high.slt(e).named(&format!("{axis}_is_above")).at(clocks);
+/// Estimate `e`, kept between two texels; with `cut` a register stands after the comparisons.
+pub(super) fn clamp<'b>(e: Sig<'b>, low: Sig<'b>, high: Sig<'b>, axis: &str, cut: bool) -> Sig<'b> {
+    let below = e.slt(low).named(&format!("{axis}_is_below")).reg_if(cut);
+    let above = high.slt(e).named(&format!("{axis}_is_above")).reg_if(cut);
     below.mux(low, above.mux(high, e)).named(&format!("{axis}_child"))
 }

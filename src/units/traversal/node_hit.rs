@@ -27,8 +27,8 @@ pub fn node_hit(t: &TraverseConfig) -> Arc<Module> {
     let beyond = high.slt(at).named("is_beyond");
     let kept = before.mux(low, beyond.mux(high, at)).named("kept");
     b.unused(kept);
-    b.drive(o_texel, kept.slice(frac.clone(), &levels), None);
-    b.drive(o_fraction, kept.slice(0, &frac), None);
+    b.drive(o_texel, kept.slice(frac.clone(), &levels));
+    b.drive(o_fraction, kept.slice(0, &frac));
     let sizes = |l: i64, f: i64| Binding::from([("LEVELS".into(), l), ("IDX_W".into(), l + 6), ("FRAC_W".into(), f)]);
-    b.finish(Some(0), &[sizes(2, 1), sizes(3, 16), sizes(8, 12), sizes(12, 8)])
+    b.finish(&[sizes(2, 1), sizes(3, 16), sizes(8, 12), sizes(12, 8)])
 }

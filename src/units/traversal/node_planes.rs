@@ -2,23 +2,18 @@
 //! and the texel beyond it (PIDM-HW section 3.2, node crossing).
 use super::params::{LevelParams, bindings, index_width};
 use crate::quantity::{BIT, LEVELS, TEXELS};
-use reliefrtl_config::{Design, TraverseConfig};
+use reliefrtl_config::{Design, Register};
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
-/// Clocks through `node_planes`: extent and planes are a shift and a sum, one after the other.
-pub fn latency(d: &Design) -> u32 {
-    u32::from(d.latency.node > 2)
-}
-
 /// Builds `node_planes`; `parity` adds the output that tevs and selective level-up ask for.
 pub fn node_planes(d: &Design, parity: bool) -> Arc<Module> {
-    let (t, clocks): (&TraverseConfig, u32) = (&d.traverse, latency(d));
+    let (t, cut) = (&d.traverse, d.latency.has(Register::NodeExtent));
     let b =
         Builder::new("node_planes", file!(), "extent of a node along one axis, and the plane by which the ray leaves");
     let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
     let idx = index_width(&b, t, Some(&levels));
-    if clocks > 0 {
+    if cut {
         b.clock();
         b.clock_enable();
     }
@@ -31,26 +26,26 @@ pub fn node_planes(d: &Design, parity: bool) -> Arc<Module> {
     let beyond = b.output("beyond", &idx, TEXELS, "the first texel beyond the exit plane");
     let even = parity.then(|| b.output("even", 1, BIT, "the plane also bounds the parent node"));
 
-    let stage = (clocks > 0).then_some(clocks);
+    // Extent and planes are a shift and a sum, one after the other.
     let keep = b.ones(&idx).shift_left(level).named("keep");
-    let first = (x & keep).named("first").at(clocks);
-    let last = (x | !keep).named("last").at(clocks);
+    let first = (x & keep).named("first").reg_if(cut);
+    let last = (x | !keep).named("last").reg_if(cut);
     // The plane lies at the node's number, or at the next one: the last bit of that takes neither a shift nor a sum.
     let is_odd = parity.then(|| {
-        let keep = keep.at(clocks);
+        let keep = keep.reg_if(cut);
         let side = (keep & !b.cat(&[keep.slice(0, &idx - 1), b.zeros(1)])).named("side_length");
         (first & side).any().named("is_odd")
     });
-    let (x, minus) = (x.at(clocks), minus.at(clocks));
+    let (x, minus) = (x.reg_if(cut), minus.reg_if(cut));
     let edge = minus.mux(first, last).named("side");
     let exit = (edge + (!minus).zext(&idx)).named("exit_plane");
     let next = minus.mux(first - b.lit(1, &idx), exit).named("next");
-    b.drive(low, minus.mux(first, x), stage);
-    b.drive(high, minus.mux(x, last), stage);
-    b.drive(plane, exit, stage);
-    b.drive(beyond, next, stage);
+    b.drive(low, minus.mux(first, x));
+    b.drive(high, minus.mux(x, last));
+    b.drive(plane, exit);
+    b.drive(beyond, next);
     if let Some((even, is_odd)) = even.zip(is_odd) {
-        b.drive(even, is_odd ^ minus, stage);
+        b.drive(even, is_odd ^ minus);
     }
-    b.finish(Some(clocks), &bindings())
+    b.finish(&bindings())
 }

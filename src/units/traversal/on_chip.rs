@@ -4,7 +4,7 @@ use super::height_banks::{bank_bits, height_banks};
 use super::height_memory::height_memory;
 use super::height_source::{HeightPort, HeightSource, Heights, Load, Place};
 use super::loop_state::Ray;
-use reliefrtl_config::Design;
+use reliefrtl_config::{Design, Register};
 use reliefrtl_ir::{Module, Sig};
 use std::sync::Arc;
 
@@ -34,24 +34,24 @@ pub fn memory(d: &Design) -> Arc<Module> {
     let n = d.traverse.levels;
     let nodes = (2 * n + 1, ((1 << (2 * n + 2)) - 1) / 3);
     let (addr, depth) = if d.fetch.blocks() { block_memory(d) } else { nodes };
-    if d.latency.memory > 1 {
+    if d.latency.has(Register::Bank) {
         height_banks(addr, d.traverse.height_bits, depth)
     } else {
         height_memory(addr, d.traverse.height_bits, depth)
     }
 }
 
-/// The height at `address`. A third clock stands after the selection of the bank, a fourth before the memory.
+/// The height at `address`.
 fn read<'b>(place: Place<'b>, load: &Load<'b>, address: Sig<'b>) -> Sig<'b> {
     let Place { b, s, d, .. } = place;
-    let clocks = d.latency.memory;
+    let has = |register| d.latency.has(register);
     let mut params = vec![("ADDR_W", load.addr.width()), ("DATA_W", s.height.clone()), ("DEPTH", load.words.clone())];
-    params.extend((clocks > 1).then(|| ("BANK_W", bank_bits())));
-    let address = if clocks > 3 { address.reg() } else { address };
+    params.extend(has(Register::Bank).then(|| ("BANK_W", bank_bits())));
+    let address = address.reg_if(has(Register::Address));
     let ins = [("write_en", load.en), ("write_addr", load.addr), ("write_data", load.data), ("read_addr", address)];
     // The last part of the file's name tells memories apart, where there are several.
     let of = load.file.replace('.', "_");
     let height = b.inst_of_file(&memory(d), &format!("u_heights{of}"), &params, &ins, load.file);
     let height = height.only().named(&format!("height{of}")).doc("highest code in the node [height codes]");
-    if clocks > 2 { height.reg() } else { height }
+    height.reg_if(has(Register::Height))
 }

@@ -9,7 +9,7 @@ use super::node_planes::node_planes;
 use super::plane_units::{Pair, PlaneUnits};
 use super::trim;
 use super::write_back::Found;
-use reliefrtl_config::{Design, Trim};
+use reliefrtl_config::{Design, Register, Trim};
 use reliefrtl_ir::{Builder, Record, Sig};
 
 /// Builds the iteration; operands meet at the stage at which the latest of them is known.
@@ -23,7 +23,7 @@ pub fn plane_iteration<'b>(
 ) -> Ray<'b> {
     let idx = || [("IDX_W", s.idx.clone())];
     // The choice between two rays and the node's planes are long on their own: a clock after each, as latency.node has it.
-    let chosen = if d.latency.node > 1 { ray.reg() } else { ray.clone() };
+    let chosen = if d.latency.has(Register::SlotRay) { ray.reg() } else { ray.clone() };
     let ray = &chosen;
 
     b.section("node", "Extent and exit planes of the node, and its address in memory.");
@@ -105,7 +105,7 @@ pub(super) fn extent<'b>(
     ["x", "y"].map(|axis| {
         let ins = [("level", level), ("x", ray.get(axis)), ("neg", ray.get(&format!("neg_{axis}")))];
         let o = b.inst(&node_planes(d, parity), &format!("u_planes_{axis}"), &[("IDX_W", s.idx.clone())], &ins);
-        let reg = |v: Sig<'b>| if d.latency.node > 0 { v.reg() } else { v };
+        let reg = |v: Sig<'b>| v.reg_if(d.latency.has(Register::ExitPlanes));
         o.record().map(|n, v| {
             let v = v.named(&format!("{axis}_{n}"));
             if !bounds && ["low", "high"].contains(&n) {

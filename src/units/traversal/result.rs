@@ -102,7 +102,7 @@ impl<'b> Result<'_, 'b> {
         };
         let (u, v) = (axis("u", "x"), axis("v", "y"));
         let mut place: Record<'b> = [("fu", u["fraction"]), ("fv", v["fraction"])].into();
-        let early = self.clocks - (self.path.hit_clocks)(self.d);
+        let early = self.clocks - hit.latency().expect("a pipeline");
         if early > 0 {
             // The refinement takes longer.
             let place_early = place.named("block");

@@ -26,6 +26,6 @@ pub fn start_level(t: &TraverseConfig) -> Arc<Module> {
     let count = lzc(&b, "u_lzc", inside, "lz_count");
     let root = b.konst(&levels, &level_w).named("root");
     let level = other_tile.mux(root, root - count).named("start");
-    b.drive(out, level, None);
-    b.finish(Some(0), &bindings())
+    b.drive(out, level);
+    b.finish(&bindings())
 }

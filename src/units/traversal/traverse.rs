@@ -3,7 +3,7 @@
 //! A ray is set up once, then recirculates: one node per iteration, one iteration per clock. A slot that is free, or
 //! whose ray retires in this clock, accepts the next ray. A finished ray recirculates unchanged until it can retire, so
 //! held-pressure neither stalls the other rays nor loses any. The number of stages follows from the latencies.
-use super::bilinear::latency as bilinear_clocks;
+use super::bilinear::bilinear_hit;
 use super::datapath::Datapath;
 use super::height_memory::MEM_INIT;
 use super::height_source::{HeightSource, Place, Slot};
@@ -14,7 +14,7 @@ use super::slot_memory::SlotMemory;
 use crate::delay_line::in_lines;
 use crate::quantity::{BIT, BITS, LEVELS};
 use crate::stream::{Decoupling, InputStream, OutputStream, Pipeline, SLOTS};
-use reliefrtl_config::{Design, Trim};
+use reliefrtl_config::{Design, Register, Trim};
 use reliefrtl_ir::{Binding, Builder, Module, Sig};
 use std::sync::Arc;
 
@@ -81,8 +81,9 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
     let fields = path.fields(&s, d, source, &module);
     let mut heights = source.open(Place { b: &b, s: &s, d, loads: &loads });
     let held = Ray::registers(&b, &fields);
-    let (clocks_setup, clocks_hit) = ((path.setup_clocks)(d), (path.hit_clocks)(d));
-    let finish = if d.mode.bilinear { bilinear_clocks(&d.latency) } else { clocks_hit };
+    let clocks = |m: &Module| m.latency().expect("setup and hit are pipelines");
+    let clocks_setup = clocks(&module);
+    let finish = if d.mode.bilinear { clocks(&bilinear_hit(d)) } else { clocks(&(path.hit)(d)) };
 
     b.section("retire", "A finished ray retires when the hit pipeline is ready; until then it recirculates unchanged.");
     let decoupling = Decoupling::of(d.latency.handshake);
@@ -119,7 +120,7 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
         None => (accept, new),
     };
     let slot_busy = ((held.valid & !gives_up) | enters).named("slot_busy");
-    b.drive(o_busy, slot_busy, None);
+    b.drive(o_busy, slot_busy);
     let entry = Entry { enters, ray: &entering, slot_busy };
     let ray = in_slot(d, &fields, &held, &entry, memories.is_some());
 
@@ -135,7 +136,7 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
     b.section("idle", "Rays in flight: input transfers less output transfers, counted one clock late.");
     let in_transfer = (rays.valid & setup.ready).named("in_transfer");
     let out_transfer = (hit.valid & results.ready).named("out_transfer");
-    b.drive(o_idle, idle(&b, in_transfer, out_transfer, most), None);
+    b.drive(o_idle, idle(&b, in_transfer, out_transfer, most));
     // Delayed, the decision would see another hit_ready than it was made with.
     assert!(retiring.is_none_or(|(_, v)| v.stage() == Some(slots - 1)), "retire is decided in the last slot");
 
@@ -144,7 +145,7 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
     let result = Result { b: &b, d, path, sizes: &s, held: &leaving, loads: &loads, clocks: finish }.pass(&hit, retire);
     results.drive(&b, hit.valid, &result);
     let at = |l: i64, h: i64| Binding::from([("LEVELS".into(), l), ("HEIGHT_W".into(), h)]);
-    let module = b.finish(None, &[at(2, 8), at(3, 16), at(12, 8), at(12, 16)]);
+    let module = b.finish_streams(&[at(2, 8), at(3, 16), at(12, 8), at(12, 16)]);
     Traverse { module, slots, setup: clocks_setup, finish }
 }
 
@@ -202,7 +203,7 @@ fn choice(d: &Design, in_memories: bool) -> &'static str {
 /// Whether both rays, and the select, are registered before one of them is chosen. Where slot memories hold the constants, a new ray starts from
 /// zeros, and there is little to select.
 fn registers_first(d: &Design, in_memories: bool) -> bool {
-    d.latency.node > 1 && !in_memories
+    d.latency.has(Register::SlotRays) && !in_memories
 }
 
 /// The ray that the slot of stage 0 holds: the one that enters, or else the one that recirculates.

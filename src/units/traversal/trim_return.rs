@@ -29,7 +29,7 @@ pub fn trim_return(d: &Design) -> Arc<Module> {
         LevelUp::Selective => (trimmed & !up).named("stays").mux(read, risen).named("across"),
         _ => risen,
     };
-    b.drive(out, across, None);
-    b.drive(grown, grows, None);
-    b.finish(Some(0), &bindings())
+    b.drive(out, across);
+    b.drive(grown, grows);
+    b.finish(&bindings())
 }

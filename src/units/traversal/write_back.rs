@@ -1,7 +1,7 @@
 //! What a ray carries on after an iteration that compares plane parameters.
 use super::loop_state::{Ray, Sizes};
 use super::plane_units::PlaneUnits;
-use reliefrtl_config::Design;
+use reliefrtl_config::{Design, Register};
 use reliefrtl_ir::{Builder, Sig};
 
 /// What an iteration found.
@@ -45,15 +45,14 @@ impl<'b> Found<'b> {
     ) -> Ray<'b> {
         let Self { inside, x_first, below, m, t_next, read, across, grown, level_down, at, down, beyond } = self;
         b.section("level decision", "");
-        let late = |v: Sig<'b>| if d.latency.decision > 1 { v.reg() } else { v };
+        let late = |v: Sig<'b>| v.reg_if(d.latency.has(Register::BeforeDecision));
         let mut ins = vec![("is_inside", late(inside)), ("x_first", late(x_first)), (across.0, late(across.1))];
         ins.extend(ray.find("lod").map(|lod| ("lod", late(lod))));
         ins.extend([("level", late(read)), ("level_down", late(level_down)), ("m", late(m)), ("t_next", late(t_next))]);
         ins.extend([("x_at", late(at[0])), ("x_down", late(down[0])), ("x_beyond", late(beyond[0]))]);
         ins.extend([("y_at", late(at[1])), ("y_down", late(down[1])), ("y_beyond", late(beyond[1]))]);
         let o = b.inst(&(units.level_decision)(d), "u_decision", &[("IDX_W", s.idx.clone())], &ins);
-        // The last of the clocks stands between the decision and what is written back.
-        let done = |v: Sig<'b>| if d.latency.decision > 3 { v.reg() } else { v };
+        let done = |v: Sig<'b>| v.reg_if(d.latency.has(Register::AfterDecision));
         let (hit, crosses) = (done(o["hit"].named("hit")), o["crosses"].named("crosses"));
         let next = [("level_next", "level_next"), ("x_next", "x_next"), ("y_next", "y_next"), ("t_out", "t_after")];
         let next = next.map(|(port, net)| done(o[port].named(net)));

@@ -128,8 +128,8 @@ pub fn module(name: &str, tree: &Tree, w: u32, rng: &mut ChaCha8Rng) -> Option<A
     let count = Cell::new(0);
     let y = build(&b, tree, w, false, &count, rng)?;
     let out = b.output("y", w, BITS, "result");
-    b.drive(out, y, None);
-    (count.get() > 0).then(|| b.finish(Some(0), &[]))
+    b.drive(out, y);
+    (count.get() > 0).then(|| b.finish(&[]))
 }
 
 fn build<'b>(
@@ -193,6 +193,6 @@ pub fn parametric(op: O) -> Arc<Module> {
         operands.iter().enumerate().map(|(k, o)| b.input(&format!("i{k}"), o, BITS, "operand")).collect();
     let y = op.apply(&b, &x, result.clone(), 2);
     let out = b.output("y", result, BITS, "result");
-    b.drive(out, y, None);
-    b.finish(Some(0), &[])
+    b.drive(out, y);
+    b.finish(&[])
 }

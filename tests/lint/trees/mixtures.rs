@@ -31,10 +31,10 @@ fn a_latency_changes_only_the_files_that_hold_it() {
         let after = emit::rtl(&config(&[&set]), &new);
         let holds = |m: &&Arc<Module>| m.hierarchy().iter().any(|h| own.contains(&h.name.as_str()));
         // What merely waits beside them is longer, too.
-        let was = |m: &Arc<Module>| old.iter().find(|o| o.name == m.name).and_then(|o| o.latency);
+        let was = |m: &Arc<Module>| old.iter().find(|o| o.name == m.name).and_then(|o| o.latency());
         let may: BTreeSet<String> = new
             .iter()
-            .filter(|m| holds(m) || m.latency != was(m))
+            .filter(|m| holds(m) || m.latency() != was(m))
             .map(|m| format!("rtl/relief_{}.v", m.name))
             .collect();
         let changed: BTreeSet<String> = after

@@ -115,7 +115,7 @@ fn judged(level: Level, rows: usize, seconds: u32, step: usize) -> Vec<Judged> {
         let m = find(&d, unit).unwrap();
         let set = campaign_set(&d, &m, &Binding::new(), Plan { rows, seed: 1 }, campaign);
         let net = elaborate(&m, &Binding::new()).unwrap();
-        let (mutants, survivors) = one_in(step, &net, m.latency.unwrap() as usize, &set);
+        let (mutants, survivors) = one_in(step, &net, m.latency().unwrap() as usize, &set);
         let verdict = |s: &Survivor| (s.name.clone(), compare(&net, &s.net, seconds));
         let survivors: Vec<_> = survivors.par_iter().map(verdict).collect();
         let j = Judged { unit, mutants, survivors };

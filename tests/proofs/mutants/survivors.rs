@@ -112,12 +112,12 @@ impl Unit {
     fn of(module: Arc<Module>) -> Self {
         let net = elaborate(&module, &Binding::new()).unwrap();
         let set = read_set(&root().join("golden").join(&module.name)).unwrap().0;
-        let (mutants, survivors) = mutate(&net, module.latency.unwrap() as usize, &set);
+        let (mutants, survivors) = mutate(&net, module.latency().unwrap() as usize, &set);
         Self { module, net, mutants, survivors }
     }
 
     fn mismatched(&self, mutant: &Netlist, set: &VectorSet) -> Option<usize> {
-        let report = check_netlist(mutant, self.module.latency.unwrap() as usize, set).unwrap();
+        let report = check_netlist(mutant, self.module.latency().unwrap() as usize, set).unwrap();
         report.first.map(|m| m.vector)
     }
 

@@ -135,8 +135,8 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
     let near = near_value(&b, &f, (near_exp, near_frac), (flush, inf, is_nan));
     let body = near_result.mux(near, number).named("body").doc("exponent and fraction of the result");
     let sign = (o.large_sign & !no_sign).named("sign").doc("sign of the result");
-    b.drive(out, b.cat(&[sign, body]).named("value").doc("the result"), Some(latency));
-    b.finish(Some(latency), &super::bindings())
+    b.drive(out, b.cat(&[sign, body]).named("value").doc("the result"));
+    b.finish(&super::bindings())
 }
 
 /// Whether an exponent is the largest of a finite number, and whether it is that of the smallest normal one.

@@ -90,6 +90,6 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
     let range = if format.is_gradual() { Range::Aligned } else { Range::Any };
     // An infinity's sign is that of the larger operand, which it is.
     let value = round(&b, &f, x, range, &Classes { nan, inf, zero: Some(none) });
-    b.drive(out, value, Some(latency));
-    b.finish(Some(latency), &super::super::bindings())
+    b.drive(out, value);
+    b.finish(&super::super::bindings())
 }

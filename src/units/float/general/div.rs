@@ -57,8 +57,8 @@ pub fn fp_div(format: FloatFormat, latency: u32) -> Arc<Module> {
     let sticky = (norm.bit(0) | rem.any()).named("sticky");
     let x = Exact { sign, exp, sig: norm.slice(2, &p).named("sig"), guard: norm.bit(1).named("guard"), sticky };
     let value = round(&b, &f, x, Range::Any, &Classes { nan, inf, zero });
-    b.drive(out, value, Some(latency));
-    b.finish(Some(latency), &super::super::bindings())
+    b.drive(out, value);
+    b.finish(&super::super::bindings())
 }
 
 /// The sections after the rows.

@@ -40,6 +40,6 @@ pub fn fp_mul(format: FloatFormat, latency: u32) -> Arc<Module> {
     let (guard, sticky) = (norm.bit(&f.man).named("guard"), norm.slice(0, &f.man).any().named("sticky"));
     let x = Exact { sign, exp, sig: norm.slice(&f.man + 1, &f.man + 1).named("sig"), guard, sticky };
     let value = round(&b, &f, x, Range::Any, &Classes { nan, inf, zero: Some(zero) });
-    b.drive(out, value, Some(latency));
-    b.finish(Some(latency), &super::super::bindings())
+    b.drive(out, value);
+    b.finish(&super::super::bindings())
 }

@@ -33,7 +33,7 @@ pub fn bank_address(t: &TraverseConfig) -> Arc<Module> {
     let (columns, rows) = (pair(i, "i"), pair(j, "j"));
     for (k, port) in outs.into_iter().enumerate() {
         let (column, row) = (b.sig(columns[k % 2]), b.sig(rows[k / 2]));
-        b.drive(port, interleave(&b, &format!("u_morton_{k}"), column, row, &format!("word_{k}")), None);
+        b.drive(port, interleave(&b, &format!("u_morton_{k}"), column, row, &format!("word_{k}")));
     }
-    b.finish(Some(0), &[2, 3, 12].map(|l| Binding::from([("LEVELS".into(), l)])))
+    b.finish(&[2, 3, 12].map(|l| Binding::from([("LEVELS".into(), l)])))
 }

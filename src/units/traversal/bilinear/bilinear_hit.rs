@@ -3,18 +3,12 @@ use super::{bilinear_window, patch_corner, patch_memory, ray_place, secant_step,
 use crate::float::FormatParams;
 use crate::quantity::{BIT, CODES, TEXELS, WORDS, float, integer};
 use crate::traversal::params::{LevelParams, index_width};
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Binding, Builder, Module, Sig};
 use std::sync::Arc;
 
 /// Name of the module.
 pub const NAME: &str = "bilinear_hit";
-
-/// Clocks through `bilinear_hit`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    let end = super::ray_place::latency(l) + 1 + super::surface_gap::latency(l);
-    super::bilinear_window::latency(l) + end + super::secant_step::latency(l) + super::ray_place::latency(l)
-}
 
 /// Builds `bilinear_hit`.
 pub fn bilinear_hit(d: &Design) -> Arc<Module> {
@@ -93,19 +87,18 @@ pub fn bilinear_hit(d: &Design) -> Arc<Module> {
     let (patch, refined) = (step["patch"].named("found"), step["t"].named("t_step"));
 
     b.section("position", "");
-    let l = latency(&d.latency);
     for (k, axis) in axes.iter().enumerate() {
         let at = place(["u_place_x", "u_place_y"][k], axis, refined);
-        b.drive(places[k], b.sig(at[0]), Some(l));
-        b.drive(fractions[k], b.sig(at[1]), Some(l));
+        b.drive(places[k], b.sig(at[0]));
+        b.drive(fractions[k], b.sig(at[1]));
     }
-    b.drive(o_patch, patch, Some(l));
-    b.drive(o_t, refined, Some(l));
+    b.drive(o_patch, patch);
+    b.drive(o_t, refined);
     let at = |n: i64, e: i64, m: i64| {
         let of = [("LEVELS", n), ("IDX_W", n + 6), ("EXP_W", e), ("MAN_W", m)];
         of.into_iter().map(|(k, v)| (k.to_string(), v)).collect::<Binding>()
     };
-    b.finish(Some(l), &[at(2, 5, 10), at(12, 8, 23)])
+    b.finish(&[at(2, 5, 10), at(12, 8, 23)])
 }
 
 /// A ray's constants along an axis.

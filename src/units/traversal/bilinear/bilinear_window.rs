@@ -2,14 +2,9 @@
 use super::common::negated;
 use crate::float::{FormatParams, bindings, fp_add, fp_lt, fp_mul};
 use crate::quantity::float;
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
-
-/// Clocks through `bilinear_window`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.compare + l.mul + l.add + l.compare
-}
 
 /// Builds `bilinear_window`.
 pub fn bilinear_window(d: &Design) -> Arc<Module> {
@@ -53,8 +48,7 @@ pub fn bilinear_window(d: &Design) -> Arc<Module> {
     let zero = b.zeros(&f.width);
     let is_above = b.inst(&lt, "u_top", &[], &[("a", zero), ("b", before)]).only().named("is_inside_top");
     let is_below = b.inst(&lt, "u_floor", &[], &[("a", after), ("b", bottom)]).only().named("is_inside_floor");
-    let l = latency(&d.latency);
-    b.drive(o_begin, is_above.mux(before, zero).named("t_clamped_begin"), Some(l));
-    b.drive(o_end, is_below.mux(after, bottom).named("t_clamped_end"), Some(l));
-    b.finish(Some(l), &bindings())
+    b.drive(o_begin, is_above.mux(before, zero).named("t_clamped_begin"));
+    b.drive(o_end, is_below.mux(after, bottom).named("t_clamped_end"));
+    b.finish(&bindings())
 }

@@ -10,7 +10,7 @@ mod secant_step;
 mod surface_gap;
 
 pub use bank_address::bank_address;
-pub use bilinear_hit::{NAME, bilinear_hit, latency};
+pub use bilinear_hit::{NAME, bilinear_hit};
 pub use bilinear_window::bilinear_window;
 pub use patch_corner::patch_corner;
 pub use patch_memory::patch_memory;

@@ -24,8 +24,8 @@ pub fn patch_corner(t: &TraverseConfig) -> Arc<Module> {
     let wide = &levels + &frac;
     let half = b.lit(1, &wide).shift_left(b.konst(&frac - 1, 5).named("half_bit")).named("half");
     let at = (b.cat(&[texel, fraction]) - half).named("from_centre");
-    b.drive(o_texel, at.slice(frac.clone(), &levels), None);
-    b.drive(o_weight, at.slice(0, &frac), None);
+    b.drive(o_texel, at.slice(frac.clone(), &levels));
+    b.drive(o_weight, at.slice(0, &frac));
     let sizes = |l: i64, f: i64| Binding::from([("LEVELS".into(), l), ("FRAC_W".into(), f)]);
-    b.finish(Some(0), &[sizes(2, 1), sizes(3, 16), sizes(12, 8)])
+    b.finish(&[sizes(2, 1), sizes(3, 16), sizes(12, 8)])
 }

@@ -75,8 +75,8 @@ pub fn patch_memory(t: &TraverseConfig) -> Arc<Module> {
     for (k, port) in outs.into_iter().enumerate() {
         let [even, odd] = columns[k % 2];
         let code = if k / 2 == 0 { odd_j.mux(odd, even) } else { odd_j.mux(even, odd) };
-        b.drive(port, code.named(&format!("ordered_{k}")), Some(1));
+        b.drive(port, code.named(&format!("ordered_{k}")));
     }
     let at = |l: i64, h: i64| Binding::from([("LEVELS".into(), l), ("HEIGHT_W".into(), h)]);
-    b.finish(Some(1), &[at(2, 2), at(3, 16), at(12, 8)])
+    b.finish(&[at(2, 2), at(3, 16), at(12, 8)])
 }

@@ -2,14 +2,9 @@
 use crate::float::{FormatParams, fp_add, fp_mul, fp_to_fixed};
 use crate::quantity::{TEXELS, float, integer};
 use crate::traversal::params::{LevelParams, index_width};
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Binding, Builder, Module};
 use std::sync::Arc;
-
-/// Clocks through `ray_place`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.mul + l.add + l.to_int
-}
 
 /// Builds `ray_place`.
 pub fn ray_place(d: &Design) -> Arc<Module> {
@@ -29,7 +24,6 @@ pub fn ray_place(d: &Design) -> Arc<Module> {
     let time = b.input("t", &f.width, float("height codes"), "parameter");
     let o_texel = b.output("texel", &levels, TEXELS, "texel, wrapped into the map");
     let o_fraction = b.output("fraction", &frac, integer("1/2^FRAC_W texel"), "position inside the texel");
-    let l = latency(&d.latency);
 
     b.section("position", "");
     let way = b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", time)]).only().named("way");
@@ -40,11 +34,11 @@ pub fn ray_place(d: &Design) -> Arc<Module> {
 
     b.section("wrap", "The map repeats: the bits above a texel's are the tile.");
     b.unused(fixed.slice(&levels + &frac, &idx - &levels));
-    b.drive(o_texel, fixed.slice(frac.clone(), &levels), Some(l));
-    b.drive(o_fraction, fixed.slice(0, &frac), Some(l));
+    b.drive(o_texel, fixed.slice(frac.clone(), &levels));
+    b.drive(o_fraction, fixed.slice(0, &frac));
     let at = |n: i64, e: i64, m: i64| {
         let of = [("LEVELS", n), ("IDX_W", n + 6), ("EXP_W", e), ("MAN_W", m)];
         of.into_iter().map(|(k, v)| (k.to_string(), v)).collect::<Binding>()
     };
-    b.finish(Some(l), &[at(2, 5, 10), at(12, 8, 23), at(8, 4, 3)])
+    b.finish(&[at(2, 5, 10), at(12, 8, 23), at(8, 4, 3)])
 }

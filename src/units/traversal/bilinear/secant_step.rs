@@ -2,14 +2,9 @@
 use super::common::negated;
 use crate::float::{Fields, FormatParams, bindings, fp_add, fp_div, fp_lt, fp_mul};
 use crate::quantity::{float, integer};
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
-
-/// Clocks through `secant_step`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.add + l.div + l.mul + l.add + l.compare
-}
 
 /// Builds `secant_step`.
 pub fn secant_step(d: &Design) -> Arc<Module> {
@@ -54,8 +49,7 @@ pub fn secant_step(d: &Design) -> Arc<Module> {
     b.section("clamp", "Rounding does not lead out of the window.");
     let inside = b.inst(&lt, "u_inside", &[], &[("a", met), ("b", end)]).only().named("is_inside");
     let step = at_once.mux(begin, inside.mux(met, end).named("kept")).named("step");
-    let l = latency(&d.latency);
-    b.drive(o_patch, patch, Some(l));
-    b.drive(o_t, step, Some(l));
-    b.finish(Some(l), &bindings())
+    b.drive(o_patch, patch);
+    b.drive(o_t, step);
+    b.finish(&bindings())
 }

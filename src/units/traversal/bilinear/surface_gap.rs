@@ -2,14 +2,9 @@
 use super::common::negated;
 use crate::float::{FormatParams, fp_add, fp_from_fixed};
 use crate::quantity::{CODES, float, integer};
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Binding, Builder, Module, Sig};
 use std::sync::Arc;
-
-/// Clocks through `surface_gap`: two products, one after the other, a conversion and a sum.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    2 * l.mul + l.from_int + l.add
-}
 
 /// Builds `surface_gap`.
 pub fn surface_gap(d: &Design) -> Arc<Module> {
@@ -72,11 +67,10 @@ pub fn surface_gap(d: &Design) -> Arc<Module> {
     let minus = negated(&b, time, "minus_t");
     let add = fp_add(d.format, d.latency.add);
     let gap = b.inst(&add, "u_sub", &[], &[("a", depth), ("b", minus)]).only().named("height_over");
-    let l = latency(&d.latency);
-    b.drive(out, gap, Some(l));
+    b.drive(out, gap);
     let at = |e: i64, m: i64, h: i64, k: i64| {
         let of = [("EXP_W", e), ("MAN_W", m), ("HEIGHT_W", h), ("FRAC_W", k)];
         of.into_iter().map(|(k, v)| (k.to_string(), v)).collect::<Binding>()
     };
-    b.finish(Some(l), &[at(5, 10, 2, 1), at(8, 23, 8, 14), at(7, 16, 16, 12), at(4, 3, 8, 16)])
+    b.finish(&[at(5, 10, 2, 1), at(8, 23, 8, 14), at(7, 16, 16, 12), at(4, 3, 8, 16)])
 }

@@ -1,8 +1,8 @@
 //! `block_descent`: the level and the texel of a descent from one of four cells: some levels until the first crossing, others after it.
 use crate::quantity::{BIT, LEVELS, TEXELS};
-use crate::traversal::multi_level_down::{clamp, latency};
+use crate::traversal::multi_level_down::clamp;
 use crate::traversal::params::{LevelParams, bindings, index_width};
-use reliefrtl_config::Design;
+use reliefrtl_config::{Design, Register};
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
@@ -11,9 +11,9 @@ pub fn reads_crossed(d: &Design) -> bool {
     d.mode.levels_down != d.levels_down_after()
 }
 
-/// Builds `block_descent`, as long as `multi_level_down`.
+/// Builds `block_descent`.
 pub fn block_descent(d: &Design) -> Arc<Module> {
-    let (t, clocks) = (&d.traverse, latency(d));
+    let (t, cut) = (&d.traverse, d.latency.has(Register::Descent));
     let (before, after) = (d.mode.levels_down, d.levels_down_after());
     let b = Builder::new(
         "block_descent",
@@ -24,7 +24,7 @@ pub fn block_descent(d: &Design) -> Arc<Module> {
     b.choice("levels_down_after", after);
     let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
     let idx = index_width(&b, t, Some(&levels));
-    if clocks > 0 {
+    if cut {
         b.clock();
         b.clock_enable();
     }
@@ -54,10 +54,9 @@ pub fn block_descent(d: &Design) -> Arc<Module> {
     let wide = wide.named("difference");
     let next = (wide.slice(0, &level_w) & (!wide.msb()).rep(&level_w)).named("next_free");
     let next = lod.map_or(next, |lod| next.lt(lod).mux(lod, next).named("next_level"));
-    let stage = (clocks > 0).then_some(clocks);
-    b.drive(out, next, stage);
+    b.drive(out, next);
     for ((axis, low, high, e), out) in axes.into_iter().zip(outs) {
-        b.drive(out, clamp(e, low, high, axis, clocks), stage);
+        b.drive(out, clamp(e, low, high, axis, cut));
     }
-    b.finish(Some(clocks), &bindings())
+    b.finish(&bindings())
 }

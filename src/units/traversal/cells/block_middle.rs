@@ -1,22 +1,17 @@
 //! `block_middle`: along one axis, the plane between the two halves of a block of four cells, and how the ray stands to it (`docs/cells.md`).
 use crate::quantity::{BIT, LEVELS, TEXELS};
 use crate::traversal::params::{LevelParams, bindings, index_width};
-use reliefrtl_config::Design;
+use reliefrtl_config::{Design, Register};
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
-/// Clocks through `block_middle`: as `node_planes`, a shift and a sum.
-pub fn latency(d: &Design) -> u32 {
-    u32::from(d.latency.node > 2)
-}
-
 /// Builds `block_middle`.
 pub fn block_middle(d: &Design) -> Arc<Module> {
-    let (t, clocks) = (&d.traverse, latency(d));
+    let (t, cut) = (&d.traverse, d.latency.has(Register::NodeExtent));
     let b = Builder::new("block_middle", file!(), "middle plane of a block of four cells along one axis");
     let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
     let idx = index_width(&b, t, Some(&levels));
-    if clocks > 0 {
+    if cut {
         b.clock();
         b.clock_enable();
     }
@@ -27,17 +22,17 @@ pub fn block_middle(d: &Design) -> Arc<Module> {
     let past = b.output("past", 1, BIT, "the texel is in the far half, seen along the ray");
     let first = b.output("first", &idx, TEXELS, "where the ray enters the far half: its first texel, or the ray's own");
 
-    let stage = (clocks > 0).then_some(clocks);
+    // As in `node_planes`, a shift and a sum.
     let keep = b.ones(&idx).shift_left(level).named("keep");
     // The lowest bit that a cell's index keeps tells the halves apart.
     let side = (keep & !b.cat(&[keep.slice(0, &idx - 1), b.zeros(1)])).named("side_length");
-    let upper = (x & side).any().named("is_upper").at(clocks);
-    let corner = ((x & keep) | side).named("middle_plane").at(clocks);
-    let (x, minus) = (x.at(clocks), minus.at(clocks));
+    let upper = (x & side).any().named("is_upper").reg_if(cut);
+    let corner = ((x & keep) | side).named("middle_plane").reg_if(cut);
+    let (x, minus) = (x.reg_if(cut), minus.reg_if(cut));
     let is_past = (upper ^ minus).named("is_past");
     let edge = (corner - minus.zext(&idx)).named("border");
-    b.drive(middle, corner, stage);
-    b.drive(past, is_past, stage);
-    b.drive(first, is_past.mux(x, edge).named("first_far"), stage);
-    b.finish(Some(clocks), &bindings())
+    b.drive(middle, corner);
+    b.drive(past, is_past);
+    b.drive(first, is_past.mux(x, edge).named("first_far"));
+    b.finish(&bindings())
 }

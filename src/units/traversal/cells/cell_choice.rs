@@ -4,7 +4,7 @@
 //! on different diagonals, so the first hit needs no sorting. Of parameters it sees the order alone, and passes two on.
 use crate::quantity::{BIT, CODES};
 use crate::traversal::level_decision::TimeWord;
-use reliefrtl_config::Design;
+use reliefrtl_config::{Design, Register};
 use reliefrtl_ir::{Binding, Builder, Module, Sig};
 use std::sync::Arc;
 
@@ -28,20 +28,15 @@ pub const ORDER: [(&str, &str, &str); 12] = [
 /// The cells in the order of their words in memory: the upper half along x, then along y.
 pub const CELLS: [&str; 4] = ["height_0", "height_1", "height_2", "height_3"];
 
-/// Clocks through `cell_choice`: one between the choice and what is chosen.
-pub fn latency(d: &Design) -> u32 {
-    d.latency.select
-}
-
 /// Builds `cell_choice`.
 pub fn cell_choice(d: &Design, time: &TimeWord) -> Arc<Module> {
-    let clocks = latency(d);
+    let cut = d.latency.has(Register::Parameter);
     let b = Builder::new("cell_choice", file!(), "the cell of a block that a ray hits, or out of which it leaves");
     let (time_w, unit) = (time.declare)(&b, d);
     let h = b.param("HEIGHT_W", d.traverse.height_bits, "bits of a height code");
     b.require(2, &h);
     b.require(&h, 16);
-    if clocks > 0 {
+    if cut {
         b.clock();
         b.clock_enable();
     }
@@ -96,26 +91,26 @@ pub fn cell_choice(d: &Design, time: &TimeWord) -> Arc<Module> {
     let grows = x_first.mux(less("t_far_x"), less("t_far_y")).named("t_advances");
     let place = [(far_x ^ neg[0]).named("upper_x"), (far_y ^ neg[1]).named("upper_y")];
 
-    let [h0, h1, h2, h3] = heights.map(|v| v.at(clocks));
-    let [upper_x, upper_y] = place.map(|v| v.at(clocks));
-    let ([mid_x, mid_y], [far_x_t, far_y_t]) = (t_mid.map(|v| v.at(clocks)), t_far.map(|v| v.at(clocks)));
-    let t = t.at(clocks);
+    // A register between the choice and what is chosen.
+    let [h0, h1, h2, h3] = heights.map(|v| v.reg_if(cut));
+    let [upper_x, upper_y] = place.map(|v| v.reg_if(cut));
+    let ([mid_x, mid_y], [far_x_t, far_y_t]) = (t_mid.map(|v| v.reg_if(cut)), t_far.map(|v| v.reg_if(cut)));
+    let t = t.reg_if(cut);
     let height = upper_y.mux(upper_x.mux(h3, h2), upper_x.mux(h1, h0)).named("height_chosen");
-    let by_x = from_x.at(clocks).mux(mid_x, t).named("enters_x");
-    let enters = from_y.at(clocks).mux(mid_y, by_x).named("enters_cell");
-    let exit = x_first.at(clocks).mux(far_x_t, far_y_t).named("t_exit");
-    let next = grows.at(clocks).mux(exit, t).named("t_after");
-    let stage = (clocks > 0).then_some(clocks);
-    b.drive(o_inside, inside, stage);
-    o_half.into_iter().zip([far_x, far_y]).for_each(|(o, v)| b.drive(o, v, stage));
-    b.drive(o_first, x_first, stage);
-    b.drive(o_height, height, stage);
-    b.drive(o_enters, enters, stage);
-    b.drive(o_next, next, stage);
+    let by_x = from_x.reg_if(cut).mux(mid_x, t).named("enters_x");
+    let enters = from_y.reg_if(cut).mux(mid_y, by_x).named("enters_cell");
+    let exit = x_first.reg_if(cut).mux(far_x_t, far_y_t).named("t_exit");
+    let next = grows.reg_if(cut).mux(exit, t).named("t_after");
+    b.drive(o_inside, inside);
+    o_half.into_iter().zip([far_x, far_y]).for_each(|(o, v)| b.drive(o, v));
+    b.drive(o_first, x_first);
+    b.drive(o_height, height);
+    b.drive(o_enters, enters);
+    b.drive(o_next, next);
     let heights = [2, 16].map(|h| Binding::from([("HEIGHT_W".to_string(), h)]));
     let mut at = heights.to_vec();
     at.extend((time.bindings)());
-    b.finish(Some(clocks), &at)
+    b.finish(&at)
 }
 
 /// What holds of the near half and of the far one, seen along the ray, of what holds of the lower and of the upper one.

@@ -12,7 +12,7 @@ use crate::traversal::plane_iteration::{extent, times};
 use crate::traversal::plane_units::{Pair, PlaneUnits};
 use crate::traversal::trim;
 use crate::traversal::write_back::Found;
-use reliefrtl_config::{Design, Trim};
+use reliefrtl_config::{Design, Register, Trim};
 use reliefrtl_ir::{Builder, Record, Sig};
 
 const AXES: [&str; 2] = ["x", "y"];
@@ -28,7 +28,7 @@ pub fn block_iteration<'b>(
 ) -> Ray<'b> {
     let idx = || [("IDX_W", s.idx.clone())];
     // As an iteration over nodes: a clock after the choice between two rays, as latency.node has it.
-    let chosen = if d.latency.node > 1 { ray.reg() } else { ray.clone() };
+    let chosen = if d.latency.has(Register::SlotRay) { ray.reg() } else { ray.clone() };
     let ray = &chosen;
 
     b.section("block", "Extent and exit planes of the block, whose cells are a level finer.");
@@ -46,7 +46,7 @@ pub fn block_iteration<'b>(
     let [mx, my] = AXES.map(|axis| {
         let ins = [("level", read), ("x", ray.get(axis)), ("neg", ray.get(&format!("neg_{axis}")))];
         let o = b.inst(&block_middle(d), &format!("u_middle_{axis}"), &idx(), &ins);
-        let reg = |v: Sig<'b>| if d.latency.node > 0 { v.reg() } else { v };
+        let reg = |v: Sig<'b>| v.reg_if(d.latency.has(Register::ExitPlanes));
         let net = |port: &str| format!("{axis}_{}", if port == "first" { "first_far" } else { port });
         o.record().map(|port, v| reg(v.named(&net(port))))
     });

@@ -5,7 +5,7 @@
 use super::params::{LENGTH, Params, TIME, bindings, time_width};
 use super::predicted_hit::{position, way};
 use crate::quantity::{BIT, TEXELS, integer};
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
 
@@ -13,11 +13,6 @@ use std::sync::Arc;
 const SLACK: u64 = 6;
 /// What rounding takes from a parameter: less than one when it was computed, and less than one when it is made larger.
 const ROUNDINGS: u64 = 2;
-
-/// Clocks through `chord_end`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.mul + l.add.min(1)
-}
 
 /// Builds `chord_end`.
 pub fn chord_end(d: &Design) -> Arc<Module> {
@@ -36,8 +31,7 @@ pub fn chord_end(d: &Design) -> Arc<Module> {
     let neg = b.input("neg", 1, BIT, "the ray runs toward smaller coordinates");
     let t = b.input("t", &time, TIME, "parameter of the other axis' exit plane");
     let out = b.output("reach", &idx, TEXELS, "signed coordinate");
-    let l = latency(&d.latency);
-    b.plan(l, &[("larger", 3), ("way", 10), ("position", 4)]);
+    b.plan(d.latency.mul + d.latency.add.min(1), &[("larger", 3), ("way", 10), ("position", 4)]);
     b.section("larger", "By more than one part in 2^RECIP_W, and by more than all that is rounded down.");
     let more = (s + b.lit(SLACK, &reach + 1)).named("s_more");
     let wide = &time + 1;
@@ -50,6 +44,6 @@ pub fn chord_end(d: &Design) -> Arc<Module> {
     b.section("position", "A ray toward smaller coordinates has left a texel when it is at its border.");
     let at = position(&b, p, way, neg, &(&reach + 1), Some(neg));
     b.unused(at);
-    b.drive(out, at.slice(&f - &n, idx).named("texel"), Some(l));
-    b.finish(Some(l), &bindings())
+    b.drive(out, at.slice(&f - &n, idx).named("texel"));
+    b.finish(&bindings())
 }

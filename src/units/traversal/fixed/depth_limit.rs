@@ -1,14 +1,9 @@
 //! `depth_limit`: a plane's parameter rounded up to a height code: depths below it, as integers, are met before the plane (`docs/cells.md`).
 use super::params::{GUARD, Params, TIME, bindings, time_width};
 use crate::quantity::CODES;
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::{Design, Register};
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
-
-/// Clocks through `depth_limit`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.select
-}
 
 /// Builds `depth_limit`.
 pub fn depth_limit(d: &Design) -> Arc<Module> {
@@ -17,8 +12,8 @@ pub fn depth_limit(d: &Design) -> Arc<Module> {
     let f = of.fraction();
     let h = of.height(&f);
     let time = b.local("TimeW", time_width(&f));
-    let l = latency(&d.latency);
-    if l > 0 {
+    let cut = d.latency.has(Register::Parameter);
+    if cut {
         b.clock();
         b.clock_enable();
     }
@@ -28,6 +23,6 @@ pub fn depth_limit(d: &Design) -> Arc<Module> {
     b.section("round up", "The largest parameter, of a plane that is never met, becomes 2^HEIGHT_W.");
     let rest = t.slice(0, &f - &h + GUARD).any().named("has_fraction");
     let whole = (t.slice(&f - &h + GUARD, &h).zext(&h + 1) + rest.zext(&h + 1)).named("whole");
-    b.drive(out, whole, (l > 0).then_some(l));
-    b.finish(Some(l), &bindings())
+    b.drive(out, whole.reg_if(cut));
+    b.finish(&bindings())
 }

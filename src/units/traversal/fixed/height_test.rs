@@ -22,8 +22,8 @@ pub fn height_test(d: &Design) -> Arc<Module> {
 
     b.section("depth", "The complement of a code is its distance from the top plane, and a parameter as it stands.");
     let t_v = b.cat(&[!height, b.zeros(&f - &h + GUARD)]).named("t_v");
-    let l = d.latency.compare;
-    b.drive(out, t.lt(t_v).mux(t_v, t).named("reach"), Some(l));
-    b.drive(below, t_v.lt(t).named("is_below"), Some(l));
-    b.finish(Some(l), &bindings())
+    b.at_least(d.latency.compare);
+    b.drive(out, t.lt(t_v).mux(t_v, t).named("reach"));
+    b.drive(below, t_v.lt(t).named("is_below"));
+    b.finish(&bindings())
 }

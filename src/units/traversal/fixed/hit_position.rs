@@ -3,14 +3,9 @@ use super::params::{LENGTH, Params, TIME, bindings, time_width};
 use super::predicted_hit::position;
 use crate::quantity::{BIT, LEVELS, TEXELS, integer};
 use crate::traversal::node_hit;
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
-
-/// Clocks through `hit_position`; at least one, as the valid bit beside it decides whether the pipeline moves.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    (l.mul + l.add + l.hit).max(1)
-}
 
 /// Builds `hit_position`. With a level of detail the hit is kept in its node, else in its texel.
 pub fn hit_position(d: &Design) -> Arc<Module> {
@@ -35,11 +30,11 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
     let lod = level_w.map(|w| b.input("lod", &w, LEVELS, "level of the node that is hit"));
     let out = b.output("fraction", &frac, integer("1/2^FRAC_W texel"), "position inside the texel");
     let o_texel = d.mode.lod.then(|| b.output("texel", &n, TEXELS, "texel of the hit, wrapped"));
-    let l = latency(&d.latency);
     // A register before the multipliers, where there is a clock for it: their operands come from memories far away.
     let plan =
         [("operands", 1), ("products", 9), ("halves", 7), ("way", 7), ("position", 5), ("offset", 5), ("clamp", 4)];
-    b.plan(l, &plan);
+    // At least one, as the valid bit beside it decides whether the pipeline moves.
+    b.plan((d.latency.mul + d.latency.add + d.latency.hit).max(1), &plan);
     b.section("operands", "");
     let way = way(&b, s, t, &time, &reach);
     b.section("position", "");
@@ -52,9 +47,9 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
         let fixed = long.slice(&f - &n, &idx + &frac).named("fixed");
         let ins = [("at", fixed), ("x", x), ("lod", lod)];
         let kept = b.inst(&node_hit(&d.traverse), "u_node_hit", &[("IDX_W", idx)], &ins);
-        b.drive(out, kept["fraction"].named("kept"), Some(l));
-        b.drive(o_texel, kept["texel"].named("hit_texel"), Some(l));
-        return b.finish(Some(l), &bindings());
+        b.drive(out, kept["fraction"].named("kept"));
+        b.drive(o_texel, kept["texel"].named("hit_texel"));
+        return b.finish(&bindings());
     }
     // A bit below the point keeps the texel's corner wider than the texel; a sign bit holds the difference.
     let corner = b.cat(&[x, b.zeros(&f - &n + 1)]).named("corner");
@@ -68,8 +63,8 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
     b.unused(long);
     let inside = long.slice(&f - &n, frac.clone()).named("low_part");
     let kept = off.msb().mux(b.zeros(&frac), past.mux(b.ones(&frac), inside)).named("kept");
-    b.drive(out, kept, Some(l));
-    b.finish(Some(l), &bindings())
+    b.drive(out, kept);
+    b.finish(&bindings())
 }
 
 /// How far the ray has come at `t`, rounded down, as the sum of products that are no wider than a multiplier.

@@ -19,14 +19,13 @@ pub use node_crossing::node_crossing;
 pub use plane_order::plane_order;
 pub use plane_time::plane_time;
 pub use predicted_hit::predicted_hit;
-pub use ray_setup::latency as setup_clocks;
 pub use ray_setup::ray_setup;
 pub use reciprocal::reciprocal;
 
 use super::cells::{self, block_iteration, cell_choice};
 use super::datapath::Datapath;
 use super::level_decision::{TimeWord, level_decision};
-use super::level_up::latency as level_up_clocks;
+use super::level_up::level_up;
 use super::loop_state::{Field, Numbers, Sizes, Start};
 use super::plane_iteration::plane_iteration;
 use super::plane_units::PlaneUnits;
@@ -56,12 +55,10 @@ pub(in crate::traversal) static DATAPATH: Datapath = Datapath {
     numbers,
     constants,
     setup: ray_setup,
-    setup_clocks: ray_setup::latency,
     iteration: |b, s, d, ray, source, _| plane_iteration(b, s, d, ray, source, &UNITS),
     level_decision: Some(UNITS.level_decision),
-    level_up_clocks,
+    level_up,
     hit: hit_position,
-    hit_clocks: |d| hit_position::latency(&d.latency),
     hit_inputs: |ray, axis| {
         let of = |name: &str| ray.get(&format!("{name}_{axis}"));
         let mut ins =

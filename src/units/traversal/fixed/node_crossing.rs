@@ -27,9 +27,9 @@ pub fn node_crossing(d: &Design) -> Arc<Module> {
     let (grow_x, grow_y) = (t.lt(t_x).named("t_before_x"), t.lt(t_y).named("t_before_y"));
     let exit = y_less.mux(t_y, t_x).named("t_exit");
     let next = y_less.mux(grow_y, grow_x).named("t_advances").mux(exit, t).named("t_after");
-    let l = d.latency.compare;
-    b.drive(inside, in_both, Some(l));
-    b.drive(x_first, (!y_less).named("x_exits_first"), Some(l));
-    b.drive(t_next, next, Some(l));
-    b.finish(Some(l), &bindings())
+    b.at_least(d.latency.compare);
+    b.drive(inside, in_both);
+    b.drive(x_first, (!y_less).named("x_exits_first"));
+    b.drive(t_next, next);
+    b.finish(&bindings())
 }

@@ -24,9 +24,10 @@ pub fn plane_order(d: &Design) -> Arc<Module> {
     let of = |name: &str| parameters.iter().find(|p| p.0 == name).expect("a parameter").1;
     let outs = ORDER.map(|(name, first, second)| b.output(name, 1, BIT, &format!("{first} is less than {second}")));
     b.section("compare", "");
+    b.at_least(d.latency.compare);
     for ((name, first, second), out) in ORDER.into_iter().zip(outs) {
         let less = of(first).lt(of(second)).named(&format!("{name}_less"));
-        b.drive(out, less, Some(d.latency.compare));
+        b.drive(out, less);
     }
-    b.finish(Some(d.latency.compare), &bindings())
+    b.finish(&bindings())
 }

@@ -3,14 +3,9 @@
 use super::params::{GUARD, LENGTH, Params, TIME, bindings, shift_width, time_width};
 use crate::lzc::lzc;
 use crate::quantity::{BIT, BITS, TEXELS, integer};
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
-
-/// Clocks through `plane_time`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.add + l.mul
-}
 
 /// Builds `plane_time`.
 pub fn plane_time(d: &Design) -> Arc<Module> {
@@ -33,8 +28,7 @@ pub fn plane_time(d: &Design) -> Arc<Module> {
     let r = b.input("r", &w, integer("a number of RECIP_W bits"), "reciprocal of the travel");
     let z = b.input("z", &shift_w, BITS, "its power of two");
     let out = b.output("t", &time, TIME, "all ones: not before the bottom plane");
-    let l = latency(&d.latency);
-    b.plan(l, &[("distance", 5), ("align", 5), ("multiply", 10)]);
+    b.plan(d.latency.add + d.latency.mul, &[("distance", 5), ("align", 5), ("multiply", 10)]);
 
     b.section(
         "distance",
@@ -59,6 +53,6 @@ pub fn plane_time(d: &Design) -> Arc<Module> {
     let t = prod.slice(below, &time + 1).named("product");
     let beyond = (far | t.msb()).named("is_beyond");
     let met = (t.slice(0, &time) | beyond.rep(time.clone())).named("when_met");
-    b.drive(out, met, Some(l));
-    b.finish(Some(l), &bindings())
+    b.drive(out, met);
+    b.finish(&bindings())
 }

@@ -4,14 +4,9 @@
 //! makes up for it, and everything else is rounded down (`docs/fixed.md`).
 use super::params::{LENGTH, Params, TIME, bindings, time_width};
 use crate::quantity::{BIT, TEXELS, integer};
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
-
-/// Clocks through `predicted_hit`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.mul + l.add.min(1)
-}
 
 /// Builds `predicted_hit`.
 pub fn predicted_hit(d: &Design) -> Arc<Module> {
@@ -30,8 +25,7 @@ pub fn predicted_hit(d: &Design) -> Arc<Module> {
     let neg = b.input("neg", 1, BIT, "the ray runs toward smaller coordinates");
     let m = b.input("m", &time, TIME, "parameter");
     let out = b.output("e", &idx, TEXELS, "signed coordinate");
-    let l = latency(&d.latency);
-    b.plan(l, &[("way", 10), ("position", 4)]);
+    b.plan(d.latency.mul + d.latency.add.min(1), &[("way", 10), ("position", 4)]);
     b.section("way", "");
     // A bit more, so that the shift never is as wide as its word and still can leave nothing.
     let tall = b.cat(&[b.zeros(1), m]).named("m_tall");
@@ -43,8 +37,8 @@ pub fn predicted_hit(d: &Design) -> Arc<Module> {
     b.section("position", "");
     let at = position(&b, p, way, neg, &reach, None);
     b.unused(at);
-    b.drive(out, at.slice(&f - &n, idx).named("texel"), Some(l));
-    b.finish(Some(l), &bindings())
+    b.drive(out, at.slice(&f - &n, idx).named("texel"));
+    b.finish(&bindings())
 }
 
 /// How far the ray has come at `t`, rounded down: a word of `reach` bits and one more.

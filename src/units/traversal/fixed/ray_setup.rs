@@ -8,19 +8,9 @@ use crate::quantity::{BIT, BITS, LEVELS, Quantity, TEXELS, integer};
 use crate::traversal::cells::cells_level;
 use crate::traversal::finest_level::finest_doc;
 use crate::traversal::{finest_level, start_level};
-use reliefrtl_config::{Design, Trim};
+use reliefrtl_config::{Design, Register, Trim};
 use reliefrtl_ir::{Builder, Expr, Module, NodeId, Sig};
 use std::sync::Arc;
-
-/// Clocks through `ray_setup`; at least one, so that a ready never follows from a valid in the same clock.
-pub fn latency(d: &Design) -> u32 {
-    magnitude(d) + d.latency.div.max(1)
-}
-
-/// Clocks of the travel's magnitude: a search by windows has one, as its loop is faster than a sum and a count of zeros in series.
-fn magnitude(d: &Design) -> u32 {
-    u32::from(d.datapath.kind.facts().short_loop && d.latency.div > 1)
-}
 
 /// What setup computes for one axis.
 struct Axis<'b> {
@@ -87,10 +77,12 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let o_lod = d.mode.lod.then(|| b.output("finest", &level_w, LEVELS, "finest level, in the pyramid"));
     let s = Sizes { f, w, n, h, reach, idx };
     let axes = [axis(&b, d, &s, "x", u, du), axis(&b, d, &s, "y", v, dv)];
-    let l = latency(d);
-    // Of unknown words it is not known whether they are a ray: then it is refused.
-    let ok = (axes[0].ok & axes[1].ok).named("is_ok").decided(false).at(l);
-    b.drive(o_ok, ok, Some(l));
+    // Of unknown words it is not known whether they are a ray: then it is refused. The register is the one clock at least that keeps a ready from
+    // following from a valid in the same clock.
+    let ok = (axes[0].ok & axes[1].ok).named("is_ok").decided(false);
+    let l = b.latest(axes.iter().flat_map(|a| a.words).chain([ok]));
+    let ok = ok.at(l);
+    b.drive(o_ok, ok);
     let gate = |v: Sig<'_>| -> NodeId { (v.at(l) & ok.rep(v.width())).id() };
     if let Some(o_level) = o_level {
         b.section("acceptance and level", "");
@@ -107,17 +99,17 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
         if let Some((lod, o_lod)) = lod.zip(o_lod) {
             let o = b.inst(&finest_level(d), "u_finest", &[], &[("lod", lod), ("start", level)]);
             level = o["level"].named("first_level");
-            b.drive(o_lod, b.sig(gate(o["finest"].named("finest"))), Some(l));
+            b.drive(o_lod, b.sig(gate(o["finest"].named("finest"))));
         }
-        b.drive(o_level, b.sig(gate(level)), Some(l));
+        b.drive(o_level, b.sig(gate(level)));
     }
     for (name, (a, o)) in ["x", "y"].iter().zip(axes.iter().zip(outs)) {
         b.section(&format!("axis {name}"), "");
         for (port, v) in o.into_iter().zip(a.words.into_iter().chain(a.first).chain(a.far)) {
-            b.drive(port, b.sig(gate(v)), Some(l));
+            b.drive(port, b.sig(gate(v)));
         }
     }
-    b.finish(Some(l), &bindings())
+    b.finish(&bindings())
 }
 
 fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &str, p: Sig<'b>, travel: Sig<'b>) -> Axis<'b> {
@@ -129,7 +121,8 @@ fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &str, p: Sig<'b>, trave
     let ok = (!(neg & low.none())).named(&n("ok"));
     let flip = neg.rep(reach.clone());
     let a = ((low ^ flip) + b.cat(&[b.zeros(reach - 1), neg])).named(&n("a"));
-    let a = a.at(magnitude(d));
+    // The loop of a search by windows is faster than a sum and a count of zeros in series.
+    let a = a.reg_if(d.datapath.kind.facts().short_loop && d.latency.has(Register::Travel));
 
     b.section(&n("slope"), "Height codes per length, and lengths per height code: the travel times 2^HEIGHT_W / M.");
     let o = b.inst(&reciprocal(d), &format!("u_{name}_reciprocal"), &[], &[("a", a)]);
@@ -143,7 +136,7 @@ fn axis<'b>(b: &'b Builder, d: &Design, s: &Sizes, name: &str, p: Sig<'b>, trave
         let by = b.konst(by, 8).named(&format!("code_{}", 1 << k));
         sum = (sum + sum.shift_right(by)).named(&n(&format!("s_{}", k + 1)));
         // The reciprocal takes longer: a register after each sum, as long as it does.
-        if k < 3 && sum.stage().is_some_and(|stage| stage + 1 < latency(d)) {
+        if k < 3 && sum.stage().is_some_and(|stage| Some(stage + 1) < r.stage()) {
             sum = sum.reg();
         }
     }

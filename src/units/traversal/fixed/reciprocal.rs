@@ -67,8 +67,8 @@ pub fn reciprocal(d: &Design) -> Arc<Module> {
     let guard = over.mux(quot.bit(1), quot.bit(0)).named("guard");
     let sum = (digits.zext(&w + 1) + guard.zext(&w + 1)).named("rounded");
     let r = (sum.slice(0, w.clone()) | sum.msb().rep(w.clone())) & (!zero).rep(w.clone());
-    b.drive(o_r, r.named("nearest"), Some(latency));
+    b.drive(o_r, r.named("nearest"));
     let z = (over | zero).mux(count, count - b.lit(1, &shift_w)).named("shift");
-    b.drive(o_z, z, Some(latency));
-    b.finish(Some(latency), &bindings())
+    b.drive(o_z, z);
+    b.finish(&bindings())
 }

@@ -6,14 +6,9 @@
 use crate::float::{FormatParams, fp_add, fp_div, fp_from_fixed};
 use crate::quantity::{BIT, TEXELS, float};
 use crate::traversal::params::index_width;
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Binding, Builder, Expr, Module};
 use std::sync::Arc;
-
-/// Clocks through `boundary_time`; one for the nudge.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    1 + l.from_int + l.add + l.div
-}
 
 /// Declares NUDGE_W and what it may be.
 pub fn nudge_width(b: &Builder, d: &Design) -> Expr {
@@ -58,8 +53,7 @@ pub fn boundary_time(d: &Design) -> Arc<Module> {
 
     b.section("parameter", "");
     let t = b.inst(&div, "u_div", &[], &[("a", dist), ("b", dir)]).only().named("when_met");
-    let l = latency(&d.latency);
-    b.drive(out, t, Some(l));
+    b.drive(out, t);
     let at = |n: i64, e: i64, m: i64| Binding::from([("NUDGE_W".into(), n), ("EXP_W".into(), e), ("MAN_W".into(), m)]);
-    b.finish(Some(l), &[at(0, 7, 16), at(1, 5, 10), at(13, 8, 23), at(16, 7, 16)])
+    b.finish(&[at(0, 7, 16), at(1, 5, 10), at(13, 8, 23), at(16, 7, 16)])
 }

@@ -2,14 +2,9 @@
 //! NC test and test for the end.)
 use crate::float::{FormatParams, bindings, fp_lt};
 use crate::quantity::{BIT, float};
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module, Sig};
 use std::sync::Arc;
-
-/// Clocks through `crossing_test`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.compare
-}
 
 /// Builds `crossing_test`.
 pub fn crossing_test(d: &Design) -> Arc<Module> {
@@ -47,8 +42,7 @@ pub fn crossing_test(d: &Design) -> Arc<Module> {
     let grows = b.inst(&lt, "u_t_exit", &[], &[("a", t), ("b", t_exit)]).only().named("t_advances");
 
     b.section("select", "A plane beyond the end of the ray is never crossed.");
-    let l = latency(&d.latency);
-    b.drive(crosses, ((beyond[0] | beyond[1]) & !past).named("leaves_node"), Some(l));
-    b.drive(t_next, grows.mux(t_exit, t).named("t_after"), Some(l));
-    b.finish(Some(l), &bindings())
+    b.drive(crosses, ((beyond[0] | beyond[1]) & !past).named("leaves_node"));
+    b.drive(t_next, grows.mux(t_exit, t).named("t_after"));
+    b.finish(&bindings())
 }

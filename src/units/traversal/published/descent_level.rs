@@ -31,6 +31,6 @@ pub fn descent_level(t: &TraverseConfig, mode: &ModeConfig) -> Arc<Module> {
             jump.mux(few.slice(0, &level_w), by_one)
         }
     };
-    b.drive(out, next.named("next_level"), None);
-    b.finish(Some(0), &bindings())
+    b.drive(out, next.named("next_level"));
+    b.finish(&bindings())
 }

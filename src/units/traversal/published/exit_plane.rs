@@ -19,12 +19,12 @@ pub fn exit_plane(t: &TraverseConfig, parity: bool) -> Arc<Module> {
     let keep = b.ones(&idx).shift_left(level).named("keep");
     let side = minus.mux(x & keep, x | !keep).named("side");
     let exit = (side + (!minus).zext(&idx)).named("exit");
-    b.drive(plane, exit, None);
+    b.drive(plane, exit);
     if let Some(even) = even {
         // The least bit of the plane's index in nodes: what the paper's AND looks at.
         let in_nodes = exit.shift_right(level).named("plane_in_nodes");
         b.unused(in_nodes);
-        b.drive(even, !in_nodes.bit(0), None);
+        b.drive(even, !in_nodes.bit(0));
     }
-    b.finish(Some(0), &bindings())
+    b.finish(&bindings())
 }

@@ -4,7 +4,7 @@ use super::{
 };
 use crate::float::{fp_from_int, fp_to_int};
 use crate::traversal::height_source::HeightPort;
-use crate::traversal::level_up::{level_up, reads_parity};
+use crate::traversal::level_up::{level_up_at_once, reads_parity};
 use crate::traversal::loop_state::{Ray, Sizes};
 use crate::traversal::node_address::node_address;
 use crate::traversal::start_level::start_level;
@@ -67,9 +67,10 @@ pub(super) fn iteration<'b>(
 
     b.section("tests", "NC, MLD and LU tests, and the test for the end.");
     // The planes are carried as integers until just before they are compared.
-    let late = cross[0].stage().map_or(0, |k| k - l.from_int);
+    let from = fp_from_int(d.format, t.idx_bits(), l.from_int);
+    let clocks = from.latency().expect("a pipeline");
+    let late = cross[0].stage().map_or(0, |k| k - clocks);
     let edge = |axis: &str, plane: Sig<'b>| {
-        let from = fp_from_int(d.format, t.idx_bits(), l.from_int);
         b.inst(&from, &format!("u_edge_{axis}"), &int, &[("a", plane.at(late))])
             .only()
             .named(&format!("{axis}_edge"))
@@ -119,7 +120,7 @@ fn climbs<'b>(
     even: &dyn Fn() -> Option<Sig<'b>>,
     near: &dyn Fn() -> [Sig<'b>; 2],
 ) -> Sig<'b> {
-    match level_up(d, 0) {
+    match level_up_at_once(d) {
         None => b.zeros(1),
         Some(unit) => {
             let mut ins = vec![("level", ray.get("level"))];

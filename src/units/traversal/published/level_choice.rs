@@ -34,14 +34,14 @@ pub fn level_choice(d: &Design) -> Arc<Module> {
     let crosses = first.map_or(crossing, |f| (crossing & !f).named("is_crossing"));
     let hit = (!crosses & level.none()).named("is_hit");
     let risen = (level + up.zext(&level_w)).named("risen");
-    b.drive(o_hit, hit, None);
-    b.drive(o_cross, crosses, None);
-    b.drive(o_level, crosses.mux(risen, hit.mux(level, down)).named("level_chosen"), None);
+    b.drive(o_hit, hit);
+    b.drive(o_cross, crosses);
+    b.drive(o_level, crosses.mux(risen, hit.mux(level, down)).named("level_chosen"));
     for ((axis, hit, cross), out) in axes.into_iter().zip(o_axes) {
-        b.drive(out, crosses.mux(cross, hit).named(&format!("{axis}_chosen")), None);
+        b.drive(out, crosses.mux(cross, hit).named(&format!("{axis}_chosen")));
     }
-    b.drive(o_t, crosses.mux(t_next, m).named("t_chosen"), None);
+    b.drive(o_t, crosses.mux(t_next, m).named("t_chosen"));
     let mut at = bindings();
     at.extend(formats());
-    b.finish(Some(0), &at)
+    b.finish(&at)
 }

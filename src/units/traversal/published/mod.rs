@@ -24,7 +24,7 @@ pub use surface_time::surface_time;
 pub use texel_fraction::texel_fraction;
 
 use super::datapath::Datapath;
-use super::level_up::reads_parity;
+use super::level_up::{level_up_at_once, reads_parity};
 use super::loop_state::{Field, Numbers, Sizes, Start};
 use super::params::float_sizes;
 use super::search::PYRAMID;
@@ -69,12 +69,10 @@ pub(super) static DATAPATH: Datapath = Datapath {
     },
     constants,
     setup: ray_scale,
-    setup_clocks: |d| ray_scale::latency(&d.latency),
     iteration: |b, s, d, ray, source, _| iteration::iteration(b, s, d, ray, source),
     level_decision: None,
-    level_up_clocks: |_| 0,
+    level_up: level_up_at_once,
     hit: texel_fraction,
-    hit_clocks: |d| texel_fraction::latency(&d.latency),
     hit_inputs: |ray, axis| {
         let of = |name: &str| ray.get(&format!("{name}_{axis}"));
         vec![("p", of("p")), ("d", of("d")), ("t", ray.get("t"))]

@@ -1,14 +1,9 @@
 //! `nearer_plane`: which exit plane the ray meets first (PIDM-HW section 3.2, node crossing).
 use crate::float::{FormatParams, bindings, fp_lt};
 use crate::quantity::{BIT, float};
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
-
-/// Clocks through `nearer_plane`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.compare
-}
 
 /// Builds `nearer_plane`; `parity` adds the output that tevs and selective level-up ask for.
 pub fn nearer_plane(d: &Design, parity: bool) -> Arc<Module> {
@@ -22,10 +17,9 @@ pub fn nearer_plane(d: &Design, parity: bool) -> Arc<Module> {
     let x_first = parity.then(|| b.output("x_first", 1, BIT, "the u plane comes first, or both at once"));
     let lt = fp_lt(d.format, d.latency.compare);
     let y_less = b.inst(&lt, "u_ty_tx", &[], &[("a", t_y), ("b", t_x)]).only().named("y_before_x");
-    let l = latency(&d.latency);
-    b.drive(out, y_less.mux(t_y, t_x).named("nearer"), Some(l));
+    b.drive(out, y_less.mux(t_y, t_x).named("nearer"));
     if let Some(port) = x_first {
-        b.drive(port, !y_less, Some(l));
+        b.drive(port, !y_less);
     }
-    b.finish(Some(l), &bindings())
+    b.finish(&bindings())
 }

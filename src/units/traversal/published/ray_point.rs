@@ -2,14 +2,9 @@
 //! node-crossing position are both of this form, and so is the ray's end.
 use crate::float::{FormatParams, bindings, fp_add, fp_mul};
 use crate::quantity::float;
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
-
-/// Clocks through `ray_point`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.mul + l.add
-}
 
 /// Builds `ray_point`.
 pub fn ray_point(d: &Design) -> Arc<Module> {
@@ -24,7 +19,6 @@ pub fn ray_point(d: &Design) -> Arc<Module> {
     let way =
         b.inst(&fp_mul(d.format, d.latency.mul), "u_mul", &[], &[("a", dir), ("b", t)]).only().named("displacement");
     let at = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)]).only().named("at");
-    let l = latency(&d.latency);
-    b.drive(out, at, Some(l));
-    b.finish(Some(l), &bindings())
+    b.drive(out, at);
+    b.finish(&bindings())
 }

@@ -6,14 +6,9 @@
 use crate::float::{Fields, FormatParams, fp_to_int};
 use crate::quantity::{BIT, LEVELS, Quantity, TEXELS, float};
 use crate::traversal::params::{LevelParams, float_sizes};
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Binding, Builder, Expr, Module, Sig};
 use std::sync::Arc;
-
-/// Clocks through `ray_scale`; at least one, so that a ready never follows from a valid in the same clock.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.to_int.max(1)
-}
 
 /// Builds `ray_scale`.
 pub fn ray_scale(d: &Design) -> Arc<Module> {
@@ -42,7 +37,6 @@ pub fn ray_scale(d: &Design) -> Arc<Module> {
             of("first", &idx, TEXELS, "texel of the entry point"),
         ]
     });
-    let l = latency(&d.latency);
     let mut oks = Vec::new();
     let mut values = Vec::new();
     for (axis, p, dir) in [("x", u, du), ("y", v, dv)] {
@@ -64,17 +58,20 @@ pub fn ray_scale(d: &Design) -> Arc<Module> {
         values.push([p.id(), dir, first.named(&n("first")).id()]);
     }
     b.section("result", "");
-    // Of unknown words it is not known whether they are a ray: then it is refused.
-    let ok = (b.sig(oks[0]) & b.sig(oks[1])).named("is_ok").decided(false).at(l);
-    b.drive(o_ok, ok, Some(l));
+    // Of unknown words it is not known whether they are a ray: then it is refused. The register is the one clock at least that keeps a ready from
+    // following from a valid in the same clock.
+    let ok = (b.sig(oks[0]) & b.sig(oks[1])).named("is_ok").decided(false);
+    let l = b.latest(values.iter().flatten().map(|v| b.sig(*v)).chain([ok]));
+    let ok = ok.at(l);
+    b.drive(o_ok, ok);
     let gate = |v: Sig<'_>| (v.at(l) & ok.rep(v.width())).id();
-    b.drive(o_level, b.sig(gate(b.konst(&levels, &level_w).named("root"))), Some(l));
+    b.drive(o_level, b.sig(gate(b.konst(&levels, &level_w).named("root"))));
     for (values, outs) in values.into_iter().zip(outs) {
         for (v, out) in values.into_iter().zip(outs) {
-            b.drive(out, b.sig(gate(b.sig(v))), Some(l));
+            b.drive(out, b.sig(gate(b.sig(v))));
         }
     }
     let at = |l: i64, h: i64| Binding::from([("LEVELS".into(), l), ("HEIGHT_W".into(), h)]);
     let fmt = Binding::from([("EXP_W".into(), 8), ("MAN_W".into(), 23)]);
-    b.finish(Some(l), &[at(2, 8), at(12, 8), at(12, 16), at(2, 2), fmt])
+    b.finish(&[at(2, 8), at(12, 8), at(12, 16), at(2, 2), fmt])
 }

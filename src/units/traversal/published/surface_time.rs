@@ -2,14 +2,9 @@
 //! code (PIDM-HW section 2: advance to the height, or stay where the ray is below it).
 use crate::float::{FormatParams, fp_from_int, fp_lt, fp_mul};
 use crate::quantity::{BIT, CODES, float};
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Binding, Builder, Module};
 use std::sync::Arc;
-
-/// Clocks through `surface_time`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.from_int + l.mul + l.compare
-}
 
 /// Builds `surface_time`; with a start level it has the input that asks for the end of the ray instead.
 pub fn surface_time(d: &Design) -> Arc<Module> {
@@ -45,7 +40,6 @@ pub fn surface_time(d: &Design) -> Arc<Module> {
     let lt = fp_lt(d.format, d.latency.compare);
     let before = b.inst(&lt, "u_before", &[], &[("a", t), ("b", t_v)]).only().named("is_before");
     let after = b.inst(&lt, "u_below", &[], &[("a", t_v), ("b", t)]).only().named("is_below");
-    let l = latency(&d.latency);
     let reach = before.mux(t_v, t);
     let m = match first {
         None => reach,
@@ -54,8 +48,8 @@ pub fn surface_time(d: &Design) -> Arc<Module> {
             first.mux(b.cat(&[b.zeros(1), one_exp, b.zeros(&f.man)]), reach)
         }
     };
-    b.drive(out, m.named("reach"), Some(l));
-    b.drive(below, after, Some(l));
+    b.drive(out, m.named("reach"));
+    b.drive(below, after);
     let at = |e: i64, m: i64| Binding::from([("EXP_W".into(), e), ("MAN_W".into(), m)]);
-    b.finish(Some(l), &[at(7, 16), at(5, 10), at(8, 23)])
+    b.finish(&[at(7, 16), at(5, 10), at(8, 23)])
 }

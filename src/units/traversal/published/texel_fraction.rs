@@ -3,14 +3,9 @@
 use crate::float::{FormatParams, fp_add, fp_mul, fp_to_fixed};
 use crate::quantity::{float, integer};
 use crate::traversal::params::index_width;
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Binding, Builder, Module};
 use std::sync::Arc;
-
-/// Clocks through `texel_fraction`; at least one, as the valid bit beside it decides whether the pipeline moves.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    (l.mul + l.add + l.to_int).max(1)
-}
 
 /// Builds `texel_fraction`.
 pub fn texel_fraction(d: &Design) -> Arc<Module> {
@@ -36,8 +31,9 @@ pub fn texel_fraction(d: &Design) -> Arc<Module> {
     let int = [("INT_W", &idx + &frac), ("FRAC_W", frac.clone())];
     let fixed = b.inst(&to, "u_to_fixed", &int, &[("a", pos)]).only().named("fixed");
     b.unused(fixed.slice(&frac, &idx));
-    let l = latency(&d.latency);
-    b.drive(out, fixed.slice(0, &frac).named("after_point"), Some(l));
+    // The valid bit beside it decides whether the pipeline moves: it waits for a clock at least.
+    b.at_least(1);
+    b.drive(out, fixed.slice(0, &frac).named("after_point"));
     let at = |e: i64, m: i64| Binding::from([("EXP_W".into(), e), ("MAN_W".into(), m)]);
-    b.finish(Some(l), &[at(8, 23), at(5, 10), at(6, 12)])
+    b.finish(&[at(8, 23), at(5, 10), at(6, 12)])
 }

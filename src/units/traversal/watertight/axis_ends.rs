@@ -2,14 +2,9 @@
 use crate::float::{FormatParams, bindings, fp_add, fp_to_int};
 use crate::quantity::{TEXELS, float};
 use crate::traversal::params::index_width;
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
-
-/// Clocks through `axis_ends`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.add + l.to_int
-}
 
 /// Builds `axis_ends`, for designs that find a start level.
 pub fn axis_ends(d: &Design) -> Arc<Module> {
@@ -31,8 +26,7 @@ pub fn axis_ends(d: &Design) -> Arc<Module> {
     let end = b.inst(&fp_add(d.format, d.latency.add), "u_end", &[], &[("a", p), ("b", travel)]).only();
     let end = end.named("end_point").doc("p + dn [float, texels]");
     let last = texel(end, "u_last").named("end_texel").doc("floor of end_point [texels]");
-    let l = latency(&d.latency);
-    b.drive(o_first, first, Some(l));
-    b.drive(o_last, last, Some(l));
-    b.finish(Some(l), &bindings())
+    b.drive(o_first, first);
+    b.drive(o_last, last);
+    b.finish(&bindings())
 }

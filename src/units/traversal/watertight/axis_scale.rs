@@ -39,8 +39,8 @@ pub fn axis_scale(d: &Design) -> Arc<Module> {
         let keep = (!x.is_zero).rep(&f.exp + &f.man);
         b.cat(&[sign, b.cat(&[x.exp + grow, x.frac]) & keep]).named(net)
     });
-    b.drive(o_ok, ok, Some(0));
-    b.drive(o_p, p, Some(0));
-    b.drive(o_travel, travel, Some(0));
-    b.finish(Some(0), &bindings())
+    b.drive(o_ok, ok);
+    b.drive(o_p, p);
+    b.drive(o_travel, travel);
+    b.finish(&bindings())
 }

@@ -3,21 +3,9 @@
 use crate::float::{FormatParams, fp_add, fp_div, fp_mul, fp_to_int};
 use crate::quantity::{BIT, TEXELS, float};
 use crate::traversal::params::LevelParams;
-use reliefrtl_config::{Design, LatencyConfig, Trim};
+use reliefrtl_config::{Design, Register, Trim};
 use reliefrtl_ir::{Binding, Builder, Expr, Module, Sig};
 use std::sync::Arc;
-
-/// Clocks through `axis_slope`.
-pub fn latency(d: &Design) -> u32 {
-    let l: &LatencyConfig = &d.latency;
-    let ahead = if d.mode.trim == Trim::None { 0 } else { bias_clocks(l) + 2 * l.add + l.to_int };
-    l.div.max(l.mul).max(bias_clocks(l) + l.add).max(ahead)
-}
-
-/// The bias waits for the scaled exponent, and a sum waits for it. Its own sum, comparison and difference can have a clock each.
-fn bias_clocks(l: &LatencyConfig) -> u32 {
-    l.node.min(1) + 2 * l.setup
-}
 
 /// Builds `axis_slope`.
 pub fn axis_slope(d: &Design) -> Arc<Module> {
@@ -57,7 +45,6 @@ pub fn axis_slope(d: &Design) -> Arc<Module> {
         let p = b.output("p_ahead", &f.width, float("texels"), "entry point, biased in the direction");
         (p, b.output("farthest", idx, TEXELS, "a texel that the ray does not get beyond"))
     });
-    let l = latency(d);
 
     b.section(
         "slope",
@@ -73,9 +60,9 @@ pub fn axis_slope(d: &Design) -> Arc<Module> {
     let never = (r.slice(f.man.clone(), f.exp.clone()).all() | is_zero)
         .named("never_moves")
         .doc("dn is zero, or so small that M / dn overflows");
-    b.drive(o_r, r, Some(l));
-    b.drive(o_d, direction, Some(l));
-    b.drive(o_never, never, Some(l));
+    b.drive(o_r, r);
+    b.drive(o_d, direction);
+    b.drive(o_never, never);
 
     b.section("bias", "A power of two above the error of an estimated position, applied against the direction.");
     let neg = dn.msb().named("neg");
@@ -83,7 +70,7 @@ pub fn axis_slope(d: &Design) -> Arc<Module> {
     let add = fp_add(d.format, d.latency.add);
     let bias = |sign, net: &str| {
         let bias = b.cat(&[sign, bias_exp, b.zeros(&f.man)]).named(net);
-        if d.latency.node > 0 { bias.reg() } else { bias }
+        bias.reg_if(d.latency.has(Register::Bias))
     };
     let back = b
         .inst(
@@ -93,7 +80,7 @@ pub fn axis_slope(d: &Design) -> Arc<Module> {
             &[("a", p), ("b", bias((!neg).named("forward").doc("sign of the bias: against the direction"), "bias"))],
         )
         .only();
-    b.drive(o_back, back.named("moved_back").doc("p + bias [float]"), Some(l));
+    b.drive(o_back, back.named("moved_back").doc("p + bias [float]"));
 
     if let Some((o_p, o_farthest)) = o_ahead {
         b.section(
@@ -108,12 +95,12 @@ pub fn axis_slope(d: &Design) -> Arc<Module> {
         let no_direction = direction.slice(f.man.clone(), f.exp.clone()).none().named("no_direction");
         let to = fp_to_int(d.format, t.idx_bits(), d.latency.to_int);
         let texel = b.inst(&to, "u_farthest", &[("INT_W", idx.expect("a trim has it"))], &[("a", end)]).only();
-        b.drive(o_p, no_direction.mux(end, begin).named("begin_ahead"), Some(l));
-        b.drive(o_farthest, texel.named("end_texel").doc("floor of end_point [texels]"), Some(l));
+        b.drive(o_p, no_direction.mux(end, begin).named("begin_ahead"));
+        b.drive(o_farthest, texel.named("end_texel").doc("floor of end_point [texels]"));
     }
     let at = |l: i64, h: i64| Binding::from([("LEVELS".into(), l), ("HEIGHT_W".into(), h)]);
     let fmt = Binding::from([("EXP_W".into(), 8), ("MAN_W".into(), 23)]);
-    b.finish(Some(l), &[at(2, 8), at(12, 8), at(12, 16), at(2, 2), fmt])
+    b.finish(&[at(2, 8), at(12, 8), at(12, 16), at(2, 2), fmt])
 }
 
 /// M = 2^HEIGHT_W - 1, encoded: the ray parameter at the bottom plane.
@@ -140,7 +127,7 @@ fn recip_of_bottom<'b>(b: &'b Builder, f: &FormatParams, height: &Expr) -> Sig<'
 /// Exponent of the bias: that of LEVELS + 2, or of 2^5 times the travel `dn`, less the bits of a significand.
 fn bias_exponent<'b>(b: &'b Builder, d: &Design, f: &FormatParams, levels: &Expr, dn_exp: Sig<'b>) -> Sig<'b> {
     let wide = &f.exp + 1;
-    let step = |v: Sig<'b>| if d.latency.setup > 0 { v.reg() } else { v };
+    let step = |v: Sig<'b>| v.reg_if(d.latency.has(Register::BiasStep));
     let least = b
         .konst(f.bias() + levels + 2, &wide)
         .named("least_exp")

@@ -4,14 +4,9 @@
 use crate::float::{FormatParams, bindings, fp_add, fp_mul, fp_to_int};
 use crate::quantity::{BIT, TEXELS, float};
 use crate::traversal::params::index_width;
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
-
-/// Clocks through `chord_end`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.mul + l.add + l.to_int
-}
 
 /// Builds `chord_end`.
 pub fn chord_end(d: &Design) -> Arc<Module> {
@@ -44,9 +39,9 @@ pub fn chord_end(d: &Design) -> Arc<Module> {
         "farthest",
         "A ray that never leaves: nothing times infinity is no number, and says nothing about the way.",
     );
-    let l = latency(&d.latency);
     let never = t.slice(f.man.clone(), f.exp.clone()).all().named("is_never");
-    let farthest = b.cat(&[neg.at(l), (!neg.at(l)).rep(&idx - 1)]).named("farthest");
-    b.drive(out, never.mux(farthest, texel).named("texel_reached"), Some(l));
-    b.finish(Some(l), &bindings())
+    let neg = neg.beside(texel);
+    let farthest = b.cat(&[neg, (!neg).rep(&idx - 1)]).named("farthest");
+    b.drive(out, never.mux(farthest, texel).named("texel_reached"));
+    b.finish(&bindings())
 }

@@ -1,14 +1,9 @@
 //! `depth_limit`: a plane's parameter rounded up to a height code: depths below it, as integers, are met before the plane (`docs/cells.md`).
 use crate::float::{Fields, FormatParams, bindings};
 use crate::quantity::{CODES, float};
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
-
-/// Clocks through `depth_limit`: as of any number that becomes an integer.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.to_int
-}
 
 /// Builds `depth_limit`.
 pub fn depth_limit(d: &Design) -> Arc<Module> {
@@ -23,8 +18,7 @@ pub fn depth_limit(d: &Design) -> Arc<Module> {
     b.clock_enable();
     let t = b.input("t", &f.width, float("height codes"), "parameter of the plane");
     let out = b.output("limit", &h + 1, CODES, "t rounded up, 0 to 2^HEIGHT_W; of NaN 0");
-    let l = latency(&d.latency);
-    b.plan(l, &[("class", 5), ("shift", 5), ("round up", 5)]);
+    b.plan(d.latency.to_int, &[("class", 5), ("shift", 5), ("round up", 5)]);
 
     b.section("class", "Of a number below 1 no bit is left, and from 2^HEIGHT_W on nothing is asked.");
     let t = Fields::of(&f, t, "t");
@@ -46,6 +40,6 @@ pub fn depth_limit(d: &Design) -> Arc<Module> {
     let most = b.cat(&[b.lit(1, 1), b.zeros(&h)]).named("most");
     let number = large.mux(most, small.mux(one, whole)).named("number");
     let kept = (number & (!none).rep(&h + 1)).named("kept");
-    b.drive(out, kept, Some(l));
-    b.finish(Some(l), &bindings())
+    b.drive(out, kept);
+    b.finish(&bindings())
 }

@@ -1,14 +1,9 @@
 //! `height_test`: how far the ray may go before it meets the node's height: max(t, M - height), M the largest code.
 use crate::float::{FormatParams, bindings, fp_from_int, fp_lt};
 use crate::quantity::{BIT, CODES, float};
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::{Design, Register};
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
-
-/// Clocks through `height_test`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.from_int + l.compare + l.select
-}
 
 /// Builds `height_test`.
 pub fn height_test(d: &Design) -> Arc<Module> {
@@ -35,9 +30,8 @@ pub fn height_test(d: &Design) -> Arc<Module> {
     let lt = fp_lt(d.format, d.latency.compare);
     let before = b.inst(&lt, "u_before", &[], &[("a", t), ("b", t_v)]).only().named("is_before");
     let after = b.inst(&lt, "u_below", &[], &[("a", t_v), ("b", t)]).only().named("is_below");
-    let l = latency(&d.latency);
     let m = before.mux(t_v, t).named("reach");
-    b.drive(out, m, Some(l));
-    b.drive(below, after, Some(l));
-    b.finish(Some(l), &bindings())
+    b.drive(out, m.reg_if(d.latency.has(Register::Parameter)));
+    b.drive(below, after);
+    b.finish(&bindings())
 }

@@ -3,19 +3,9 @@ use crate::float::{FormatParams, fp_add, fp_mul, fp_to_fixed};
 use crate::quantity::{LEVELS, TEXELS, float, integer};
 use crate::traversal::node_hit;
 use crate::traversal::params::{LevelParams, index_width};
-use reliefrtl_config::{Design, LatencyConfig};
-use reliefrtl_ir::{Binding, Builder, Module};
+use reliefrtl_config::{Design, Register};
+use reliefrtl_ir::{Binding, Builder, Module, Sig};
 use std::sync::Arc;
-
-/// Clocks through `hit_position`; at least one, as the valid bit beside it decides whether the pipeline moves.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    (found(l) + l.hit).max(1)
-}
-
-/// Clocks up to the position.
-fn found(l: &LatencyConfig) -> u32 {
-    l.mul + l.add + l.to_int
-}
 
 /// Formats at which the unit is verified besides its own.
 const BINDINGS: [(i64, i64); 3] = [(8, 23), (5, 10), (6, 12)];
@@ -55,22 +45,27 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
     let int = [("INT_W", &idx + &frac), ("FRAC_W", frac.clone())];
     let fixed = b.inst(&to, "u_to_fixed", &int, &[("a", pos)]).only().named("fixed");
 
+    // The valid bit beside it decides whether the pipeline moves: it waits for a clock at least.
+    b.at_least(1);
     b.section("clamp", "A hit on a wall lies exactly on a border: the integer texel decides, the fraction follows.");
     let wide = &idx + &frac + 1;
-    let (l, known) = (latency(&d.latency), found(&d.latency));
     if let Some((lod, o_texel)) = coarse {
-        let ins = [("at", fixed), ("x", x.at(known)), ("lod", lod.at(known))];
+        let ins = [("at", fixed), ("x", x.beside(fixed)), ("lod", lod.beside(fixed))];
         let kept = b.inst(&node_hit(&d.traverse), "u_node_hit", &[("IDX_W", idx)], &ins);
-        b.drive(out, kept["fraction"].named("kept"), Some(l));
-        b.drive(o_texel, kept["texel"].named("hit_texel"), Some(l));
-        return b.finish(Some(l), &BINDINGS.map(|(e, m)| at(e, m)));
+        let late = |v: Sig<'_>| {
+            let v = v.reg_if(d.latency.has(Register::HitOffset));
+            v.reg_if(d.latency.has(Register::HitFraction)).id()
+        };
+        b.drive(out, b.sig(late(kept["fraction"].named("kept"))));
+        b.drive(o_texel, b.sig(late(kept["texel"].named("hit_texel"))));
+        return b.finish(&BINDINGS.map(|(e, m)| at(e, m)));
     }
-    let corner = b.cat(&[x.at(known), b.zeros(&frac)]).named("corner");
+    let corner = b.cat(&[x.beside(fixed), b.zeros(&frac)]).named("corner");
     let off = (fixed.sext(&wide) - corner.sext(&wide)).named("offset");
-    let off = if d.latency.hit > 0 { off.reg() } else { off };
+    let off = off.reg_if(d.latency.has(Register::HitOffset));
     let past = off.slice(&frac, &idx + 1).any().named("past");
     let inside = off.slice(0, &frac).named("low_part");
     let kept = off.msb().mux(b.zeros(&frac), past.mux(b.ones(&frac), inside)).named("kept");
-    b.drive(out, kept, Some(l));
-    b.finish(Some(l), &BINDINGS.map(|(e, m)| at(e, m)))
+    b.drive(out, kept.reg_if(d.latency.has(Register::HitFraction)));
+    b.finish(&BINDINGS.map(|(e, m)| at(e, m)))
 }

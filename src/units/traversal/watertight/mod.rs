@@ -28,7 +28,7 @@ pub use ray_setup::ray_setup;
 use super::cells::{self, block_iteration, cell_choice};
 use super::datapath::Datapath;
 use super::level_decision::{TimeWord, level_decision};
-use super::level_up::latency as level_up_clocks;
+use super::level_up::level_up;
 use super::loop_state::{Field, Numbers, Sizes, Start};
 use super::params::ray_conditions;
 use super::plane_iteration::plane_iteration;
@@ -65,12 +65,10 @@ pub(in crate::traversal) static DATAPATH: Datapath = Datapath {
     },
     constants,
     setup: ray_setup,
-    setup_clocks: ray_setup::latency,
     iteration: |b, s, d, ray, source, _| plane_iteration(b, s, d, ray, source, &UNITS),
     level_decision: Some(UNITS.level_decision),
-    level_up_clocks,
+    level_up,
     hit: hit_position,
-    hit_clocks: |d| hit_position::latency(&d.latency),
     hit_inputs: |ray, axis| {
         let of = |name: &str| ray.get(&format!("{name}_{axis}"));
         let mut ins = vec![("p", of("p")), ("d", of("d")), ("t", ray.get("t")), ("x", ray.get(axis))];

@@ -2,14 +2,9 @@
 //! (PIDM-HW section 3.2; here on ray parameters: no position is ever moved.)
 use crate::float::{FormatParams, bindings, fp_lt};
 use crate::quantity::{BIT, float};
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::{Design, Register};
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
-
-/// Clocks through `node_crossing`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.compare + l.select
-}
 
 /// Builds `node_crossing`.
 pub fn node_crossing(d: &Design) -> Arc<Module> {
@@ -43,9 +38,8 @@ pub fn node_crossing(d: &Design) -> Arc<Module> {
     let exit = y_less.mux(t_y, t_x).named("t_exit");
     let grow = y_less.mux(grow_y, grow_x).named("t_advances");
     let next = grow.mux(exit, t).named("t_after");
-    let l = latency(&d.latency);
-    b.drive(inside, (in_x & in_y).named("in_both"), Some(l));
-    b.drive(x_first, (!y_less).named("x_exits_first"), Some(l));
-    b.drive(t_next, next, Some(l));
-    b.finish(Some(l), &bindings())
+    b.drive(inside, (in_x & in_y).named("in_both"));
+    b.drive(x_first, (!y_less).named("x_exits_first"));
+    b.drive(t_next, next.reg_if(d.latency.has(Register::Parameter)));
+    b.finish(&bindings())
 }

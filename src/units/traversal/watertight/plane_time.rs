@@ -3,14 +3,9 @@
 use crate::float::{FormatParams, bindings, fp_add, fp_from_int, fp_mul};
 use crate::quantity::{BIT, TEXELS, float};
 use crate::traversal::params::index_width;
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::{Design, Register};
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
-
-/// Clocks through `plane_time`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.from_int + l.add + l.mul + l.select
-}
 
 /// Builds `plane_time`.
 pub fn plane_time(d: &Design) -> Arc<Module> {
@@ -48,7 +43,6 @@ pub fn plane_time(d: &Design) -> Arc<Module> {
         .doc("distance * r [float, height codes]");
     let inf = b.cat(&[b.zeros(1), b.ones(&f.exp), b.zeros(&f.man)]);
     let t = never.mux(inf, t).named("when_met");
-    let l = latency(&d.latency);
-    b.drive(out, t, Some(l));
-    b.finish(Some(l), &bindings())
+    b.drive(out, t.reg_if(d.latency.has(Register::Parameter)));
+    b.finish(&bindings())
 }

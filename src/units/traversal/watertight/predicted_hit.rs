@@ -4,14 +4,9 @@
 use crate::float::{FormatParams, bindings, fp_add, fp_mul, fp_to_int};
 use crate::quantity::{TEXELS, float};
 use crate::traversal::params::index_width;
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
-
-/// Clocks through `predicted_hit`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.mul + l.add + l.to_int
-}
 
 /// Builds `predicted_hit`.
 pub fn predicted_hit(d: &Design) -> Arc<Module> {
@@ -34,7 +29,6 @@ pub fn predicted_hit(d: &Design) -> Arc<Module> {
     let pos = b.inst(&fp_add(d.format, d.latency.add), "u_add", &[], &[("a", p), ("b", way)]).only().named("position");
     let to = fp_to_int(d.format, d.traverse.idx_bits(), d.latency.to_int);
     let e = b.inst(&to, "u_to_int", &[("INT_W", idx)], &[("a", pos)]).only().named("texel");
-    let l = latency(&d.latency);
-    b.drive(out, e, Some(l));
-    b.finish(Some(l), &bindings())
+    b.drive(out, e);
+    b.finish(&bindings())
 }

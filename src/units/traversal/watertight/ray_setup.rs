@@ -2,30 +2,18 @@
 //!
 //! Each axis is scaled (`axis_scale`), then its constants (`axis_slope`) and texels (`axis_ends`) are computed; for both: the start level. What
 //! each is, to the bit: `docs/datapath.md`, "Once per ray".
-use super::axis_ends::{self, axis_ends};
+use super::axis_ends::axis_ends;
 use super::axis_scale::axis_scale;
-use super::axis_slope::{self, axis_slope};
+use super::axis_slope::axis_slope;
 use crate::float::{FormatParams, fp_to_int};
 use crate::quantity::{BIT, LEVELS, Quantity, TEXELS, float};
 use crate::traversal::cells::cells_level;
 use crate::traversal::finest_level::finest_doc;
 use crate::traversal::params::{LevelParams, ray_conditions};
 use crate::traversal::{finest_level, start_level};
-use reliefrtl_config::{Design, LatencyConfig, Trim};
+use reliefrtl_config::{Design, Register, Trim};
 use reliefrtl_ir::{Binding, Builder, Expr, Module, Record, Sig};
 use std::sync::Arc;
-
-/// Clocks through `ray_setup`; at least one, so that a ready never follows from a valid in the same clock.
-pub fn latency(d: &Design) -> u32 {
-    let l: &LatencyConfig = &d.latency;
-    let start = if d.mode.start_level { axis_ends::latency(l) + l.setup } else { l.to_int };
-    scale_clocks(l) + axis_slope::latency(d).max(start).max(1)
-}
-
-/// The scaled ray has a register of its own where a node has one.
-fn scale_clocks(l: &LatencyConfig) -> u32 {
-    l.node.min(1)
-}
 
 /// What setup computes for one axis.
 struct Axis<'b> {
@@ -66,28 +54,31 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
             let (x, y) = (axes[0].words["first"], axes[1].words["first"]);
             let ins = [("x", x), ("y", y), ("x_end", x_end), ("y_end", y_end)];
             let start = b.inst(&start_level(t), "u_start_level", &[("IDX_W", idx)], &ins).only().named("start");
-            if d.latency.setup > 0 { start.reg() } else { start }
+            start.reg_if(d.latency.has(Register::StartLevel))
         }
         _ => b.konst(&levels.levels, &levels.level_w).named("root"),
     };
-    let l = latency(d);
-    // Of unknown words it is not known whether they are a ray: then it is refused.
-    let ok = (axes[0].ok & axes[1].ok).named("is_ok").decided(false).at(l);
-    b.drive(o_ok, ok, Some(l));
+    // Of unknown words it is not known whether they are a ray: then it is refused. The register is the one clock at least that keeps a ready from
+    // following from a valid in the same clock.
+    let ok = (axes[0].ok & axes[1].ok).named("is_ok").decided(false);
+    let words = axes.iter().flat_map(|a| a.words.iter().map(|(_, v)| v));
+    let l = b.latest(words.chain([level, ok]));
+    let ok = ok.at(l);
+    b.drive(o_ok, ok);
     let gate = |v: Sig<'_>| -> reliefrtl_ir::NodeId { (v.at(l) & ok.rep(v.width())).id() };
     let mut level = if d.fetch.blocks() { cells_level(level) } else { level };
     if let Some((lod, o_lod)) = lod.zip(o_lod) {
         let o = b.inst(&finest_level(d), "u_finest", &[], &[("lod", lod), ("start", level)]);
         level = o["level"].named("first_level");
-        b.drive(o_lod, b.sig(gate(o["finest"].named("finest"))), Some(l));
+        b.drive(o_lod, b.sig(gate(o["finest"].named("finest"))));
     }
-    b.drive(o_level, b.sig(gate(level)), Some(l));
+    b.drive(o_level, b.sig(gate(level)));
     for (axis, ports) in axes.iter().zip(outs) {
-        ports.into_iter().for_each(|(name, port)| b.drive(port, b.sig(gate(axis.words[name])), Some(l)));
+        ports.into_iter().for_each(|(name, port)| b.drive(port, b.sig(gate(axis.words[name]))));
     }
     let at = |l: i64, h: i64| Binding::from([("LEVELS".into(), l), ("HEIGHT_W".into(), h)]);
     let fmt = Binding::from([("EXP_W".into(), 8), ("MAN_W".into(), 23)]);
-    b.finish(Some(l), &[at(2, 8), at(12, 8), at(12, 16), at(2, 2), fmt])
+    b.finish(&[at(2, 8), at(12, 8), at(12, 16), at(2, 2), fmt])
 }
 
 /// Declares the outputs of one axis: name without the axis, and port.
@@ -117,7 +108,7 @@ fn axis<'b>(b: &'b Builder, d: &Design, idx: &Expr, name: &str, p: Sig<'b>, trav
     b.section(&format!("axis {name}"), "");
     let o = b.inst(&axis_scale(d), &format!("u_scale_{name}"), &[], &[("p", p), ("d", travel)]);
     let ok = o["ok"].named(&n("ok"));
-    let cut = |v: Sig<'b>| if scale_clocks(&d.latency) > 0 { v.reg() } else { v };
+    let cut = |v: Sig<'b>| v.reg_if(d.latency.has(Register::ScaledRay));
     let (p, dn) = (cut(o["p_texels"].named(&n("p"))), cut(o["d_texels"].named(&n("dn"))));
 
     let o = b.inst(&axis_slope(d), &format!("u_slope_{name}"), &[], &[("p", p), ("dn", dn)]);

@@ -10,7 +10,7 @@ use super::{
 use crate::traversal::height_source::HeightPort;
 use crate::traversal::loop_state::{Ray, Sizes};
 use crate::traversal::slot_memory::SlotMemory;
-use reliefrtl_config::Design;
+use reliefrtl_config::{Design, Register};
 use reliefrtl_ir::{Builder, Expr, Record, Sig};
 
 const AXES: [&str; 2] = ["x", "y"];
@@ -40,7 +40,7 @@ pub fn iteration<'b>(
     b.section("texel", "");
     let origin = AXES.map(|a| (format!("origin_{a}"), new[format!("p_{a}").as_str()].slice(&f - &s.levels, &s.levels)));
     let origin = slots.read_early("origin", &origin.into_iter().collect::<Record<'b>>().and(two("neg")));
-    let cut = |v: Sig<'b>| if d.latency.node > 0 { v.reg() } else { v };
+    let cut = |v: Sig<'b>| v.reg_if(d.latency.has(Register::WindowTexel));
     let texel = AXES.map(|a| {
         let of = |n: &str| origin[format!("{n}_{a}").as_str()];
         let ins = [("origin", of("origin")), ("neg", of("neg")), ("k", ray.get(if a == "x" { "k_x" } else { "k_y" }))];
@@ -119,6 +119,7 @@ impl<'b> Ahead<'b> {
         let set = d.window_set();
         b.section("windows", "Of each size where it ends, its highest code, and whether that can be met before.");
         let mut ins = vec![("stays".to_string(), ray.get("done"))];
+        let clocks = window_end(d).latency().expect("a pipeline");
         for (c, size) in set.sizes().iter().enumerate() {
             let ends = [0, 1].map(|k| {
                 let a = AXES[k];
@@ -126,7 +127,7 @@ impl<'b> Ahead<'b> {
                     b.unused(self.borders[c][k]);
                     let wide = planes.plane.clone() + super::params::SPAN_W;
                     let end = self.plane[k].zext(&wide).named(&format!("end_{a}_{c}"));
-                    return end.at(end.stage().expect("a plane has a stage") + window_end::latency(&d.latency));
+                    return end.at(end.stage().expect("a plane has a stage") + clocks);
                 }
                 let span = [("q", self.step[format!("q_{a}").as_str()]), ("border", self.borders[c][k])];
                 let span =

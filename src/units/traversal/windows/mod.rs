@@ -59,12 +59,10 @@ pub(super) static DATAPATH: Datapath = Datapath {
     numbers: fixed::numbers,
     constants: |_, _| Vec::new(),
     setup: window_setup,
-    setup_clocks: window_setup::latency,
     iteration: iteration::iteration,
     level_decision: None,
-    level_up_clocks: |_| 0,
+    level_up: |_| None,
     hit: hit_position,
-    hit_clocks: fixed::DATAPATH.hit_clocks,
     hit_inputs: fixed::DATAPATH.hit_inputs,
     difference: |row| match row {
         "stages" => "one iteration reads all windows, and nothing is divided in the loop",

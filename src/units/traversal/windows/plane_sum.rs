@@ -2,14 +2,9 @@
 use super::params::{FINE, Widths, bindings};
 use super::plane_product::low_width;
 use crate::quantity::integer;
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
-
-/// Clocks through `plane_sum`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.add.min(2)
-}
 
 /// Builds `plane_sum`.
 pub fn plane_sum(d: &Design) -> Arc<Module> {
@@ -22,8 +17,7 @@ pub fn plane_sum(d: &Design) -> Arc<Module> {
     let low = b.input("low", &p.count + &low_w, FINE, "k times the lower bits of q");
     let high = b.input("high", &p.count + &p.plane - &low_w, integer("2^LowW of low"), "k times its upper bits");
     let out = b.output("plane", &p.plane + 1, FINE, "the parameter; top bit 1: beyond all that a word holds");
-    let l = latency(&d.latency);
-    b.plan(l, &[("lower product", 7), ("upper product", 7)]);
+    b.plan(d.latency.add.min(2), &[("lower product", 7), ("upper product", 7)]);
     b.section("lower product", "");
     let tall = b.local("StartW", (&p.plane + 1).larger(&p.count + &low_w + 1));
     let start = (c.zext(&tall) + low.zext(&tall)).named("start");
@@ -34,6 +28,6 @@ pub fn plane_sum(d: &Design) -> Arc<Module> {
     let rest = &p.plane - &low_w;
     let beyond = upper.slice(&rest, &p.count + 1).any().named("is_beyond");
     let plane = b.cat(&[beyond, upper.slice(0, rest), start.slice(0, &low_w)]).named("plane_ahead");
-    b.drive(out, plane, Some(l));
-    b.finish(Some(l), &bindings())
+    b.drive(out, plane);
+    b.finish(&bindings())
 }

@@ -54,13 +54,13 @@ pub fn window_address(d: &Design) -> Arc<Module> {
         places.push(first.named(&format!("first_{a}")));
         let low = tall.slice(0, CELL_W);
         let left = low ^ (!neg).rep(CELL_W);
-        b.drive(border, (left & b.konst(grid.pow2() - 1, CELL_W).named("in_cell")).named(&format!("left_{a}")), None);
+        b.drive(border, (left & b.konst(grid.pow2() - 1, CELL_W).named("in_cell")).named(&format!("left_{a}")));
     }
     let rows = b.konst(&levels - &grid, 4).named("row_bits");
     let wide = &addr_w + 2;
     let row = places[1].zext(&wide).shift_left(rows).named("row");
     let address = (row | places[0].zext(&wide)).named("place");
     b.unused(address);
-    b.drive(out, address.slice(0, &addr_w).named("word"), None);
-    b.finish(Some(0), &bindings())
+    b.drive(out, address.slice(0, &addr_w).named("word"));
+    b.finish(&bindings())
 }

@@ -2,14 +2,9 @@
 use super::params::{PLANES, SPAN_W, Widths, bindings, count_width};
 use crate::quantity::{BIT, CODES, TEXELS};
 use crate::traversal::fixed::params::{GUARD, TIME};
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
-
-/// Clocks through `window_advance`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.compare
-}
 
 /// Builds `window_advance`.
 pub fn window_advance(d: &Design) -> Arc<Module> {
@@ -39,7 +34,7 @@ pub fn window_advance(d: &Design) -> Arc<Module> {
     let o_m = b.output("m", &time, TIME, "the largest of t and what counts");
     let o_below = b.output("below", 1, BIT, "the depth lies before t: a hit would be on a wall");
     let o_k = ["x", "y"].map(|a| b.output(&format!("passed_{a}"), &count, PLANES, "planes passed by way of the exit"));
-    let l = latency(&d.latency);
+    b.at_least(d.latency.compare);
     b.section("parameter", "Three comparisons at once. A depth has only a height code's bits.");
     let high = t.slice(&low, &h);
     let exit_later = (t.lt(exit) & takes_exit).named("exit_later");
@@ -48,9 +43,9 @@ pub fn window_advance(d: &Design) -> Arc<Module> {
     let at_exit = (exit_later & !(depth_later & depth_last)).named("at_exit");
     let code = b.cat(&[depth, b.zeros(&low)]);
     let m = at_exit.mux(exit, depth_later.mux(code, t)).named("m_chosen");
-    b.drive(o_m, m, Some(l));
+    b.drive(o_m, m);
     let past = (depth.lt(high) | (depth.eq(high) & t.slice(0, &low).any())).named("is_below");
-    b.drive(o_below, past, Some(l));
+    b.drive(o_below, past);
     b.section("planes", "");
     for ((a, k, texels), out) in axes.into_iter().zip(o_k) {
         let moves = if a == "x" { crosses & x_first } else { crosses & !x_first }.named(&format!("moves_{a}"));
@@ -62,7 +57,7 @@ pub fn window_advance(d: &Design) -> Arc<Module> {
         let sum = b.cat(&[k, moves]) + b.cat(&[by.slice(0, &count), moves]);
         let sum = sum.named(&format!("sum_{a}"));
         b.unused(sum);
-        b.drive(out, sum.slice(1, &tall - 1).named(&format!("k_{a}_passed")), Some(l));
+        b.drive(out, sum.slice(1, &tall - 1).named(&format!("k_{a}_passed")));
     }
-    b.finish(Some(l), &bindings())
+    b.finish(&bindings())
 }

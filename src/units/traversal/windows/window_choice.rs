@@ -2,14 +2,9 @@
 use super::params::{CELL_W, SPAN_W, Widths, bindings, set_word};
 use crate::quantity::{BIT, CODES, TEXELS};
 use crate::traversal::fixed::params::TIME;
-use reliefrtl_config::Design;
+use reliefrtl_config::{Design, Register};
 use reliefrtl_ir::{Builder, Module, Sig};
 use std::sync::Arc;
-
-/// Clocks through `window_choice`: what else is decided has clocks of its own.
-pub fn latency(d: &Design) -> u32 {
-    u32::from(d.latency.decision > 1)
-}
 
 /// What one size brings.
 struct Channel<'b> {
@@ -45,6 +40,7 @@ pub fn window_choice(d: &Design) -> Arc<Module> {
             depth: b.input(&format!("depth_{c}"), &h, CODES, "of its highest code"),
         }
     };
+    b.at_least(u32::from(d.latency.has(Register::WindowChoice)));
     let list: Vec<Channel<'_>> = (0..set.sizes().len()).map(channel).collect();
     let o_hit = b.output("hit", 1, BIT, "the ray ends in this texel");
     let o_exit = b.output("exit", &time, TIME, "exit of the largest empty window");
@@ -74,7 +70,6 @@ pub fn window_choice(d: &Design) -> Arc<Module> {
     }
     picks.reverse();
     let picks: Vec<Sig<'_>> = picks.into_iter().map(|id| b.sig(id)).collect();
-    let l = latency(d);
     let exit = picked(&picks, "exit_chosen", |c| Some(list[c].exit));
     let x_first = picked(&picks, "x_first_chosen", |c| Some(list[c].x_first));
     let fraction = picked(&picks, "fraction_chosen", |c| Some(list[c].fraction));
@@ -84,14 +79,14 @@ pub fn window_choice(d: &Design) -> Arc<Module> {
     let goes = (!stays).named("goes");
     let ends = (inside & open).named("ends");
     let hit = (ends & goes).named("is_hit");
-    b.drive(o_hit, hit, Some(l));
-    b.drive(o_exit, exit, Some(l));
-    b.drive(o_first, x_first, Some(l));
-    b.drive(o_fraction, fraction, Some(l));
-    b.drive(o_depth, inside.mux(list[0].depth, next_depth).named("depth_chosen"), Some(l));
-    b.drive(o_takes_exit, (!inside & goes).named("exit_counts"), Some(l));
-    b.drive(o_takes_depth, (hit | (!inside & list[last].is_in & goes)).named("depth_counts"), Some(l));
-    b.drive(o_crosses, (goes & !ends).named("goes_on"), Some(l));
+    b.drive(o_hit, hit);
+    b.drive(o_exit, exit);
+    b.drive(o_first, x_first);
+    b.drive(o_fraction, fraction);
+    b.drive(o_depth, inside.mux(list[0].depth, next_depth).named("depth_chosen"));
+    b.drive(o_takes_exit, (!inside & goes).named("exit_counts"));
+    b.drive(o_takes_depth, (hit | (!inside & list[last].is_in & goes)).named("depth_counts"));
+    b.drive(o_crosses, (goes & !ends).named("goes_on"));
     b.section("texels", "");
     for ((a, border), out) in ["x", "y"].into_iter().zip(borders).zip(o_past) {
         let past = picked(&picks, &format!("{a}_past"), |c| {
@@ -105,12 +100,12 @@ pub fn window_choice(d: &Design) -> Arc<Module> {
                 _ => Some(in_cell() | ahead()),
             }
         });
-        b.drive(out, past, Some(l));
+        b.drive(out, past);
         if set.sizes().iter().all(|w| w.grid == 1) {
             b.unused(border);
         }
     }
-    b.finish(Some(l), &bindings())
+    b.finish(&bindings())
 }
 
 /// What the size picked one-hot has; sizes that have nothing give 0.

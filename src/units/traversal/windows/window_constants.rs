@@ -4,14 +4,9 @@ use super::params::{Estimate, FINE, Planes, Widths, bindings};
 use crate::lzc::lzc;
 use crate::quantity::{BIT, BITS, integer};
 use crate::traversal::fixed::params::{LENGTH, shift_width};
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
-
-/// Clocks through `window_constants`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.add + l.mul + 1
-}
 
 /// Builds `window_constants`.
 pub fn window_constants(d: &Design) -> Arc<Module> {
@@ -48,14 +43,14 @@ pub fn window_constants(d: &Design) -> Arc<Module> {
         integer("2^-EstimateW texels"),
         "how far in its texel the ray begins; its top bit is 0",
     );
-    let l = latency(&d.latency);
     let plan =
         [("distance", 5), ("products", 9), ("product", 6), ("leading zeros", 5), ("align", 5), ("first plane", 2)];
-    b.plan(l, &plan);
+    let clocks = d.latency.add + d.latency.mul + 1;
+    b.plan(clocks, &plan);
 
     let (travel, offset) = estimate(&b, &f, &p, &e, entry, neg, s);
-    b.drive(o_s, travel, Some(l));
-    b.drive(o_o, offset, Some(l));
+    b.drive(o_s, travel);
+    b.drive(o_o, offset);
     b.section("step", "Of a ray that moves, r has its top bit set: how far it may be moved up does not depend on it.");
     let below = (&f - &p.levels).smaller(&p.w + &p.tile - 2);
     let extra = b.konst(&f - &p.levels - &below, 6).named("place");
@@ -63,12 +58,12 @@ pub fn window_constants(d: &Design) -> Arc<Module> {
     let still = (!r.msb()).named("is_still");
     let far = (room.lt(z) | still).named("is_far");
     let step = r.zext(&p.plane).shift_left(extra).named("step_low").shift_left(z).named("step");
-    let (step, far) = if l > 1 { (step.reg(), far.reg()) } else { (step, far) };
-    b.drive(o_q, (step | far.rep(p.plane.clone())).named("step_plane"), Some(l));
+    let (step, far) = (step.reg_if(clocks > 1), far.reg_if(clocks > 1));
+    b.drive(o_q, (step | far.rep(p.plane.clone())).named("step_plane"));
 
     let first = first_plane(&b, &f, &p, entry, neg, (r, z), still);
-    b.drive(o_c, first, Some(l));
-    b.finish(Some(l), &bindings())
+    b.drive(o_c, first);
+    b.finish(&bindings())
 }
 
 /// The parameter of the first plane, of a ray that moves along this axis.

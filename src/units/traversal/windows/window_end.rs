@@ -1,13 +1,8 @@
 //! `window_end`: the parameter of the plane that ends a window along one axis, from that of the texel's plane.
 use super::params::{FINE, SPAN_W, Widths, bindings};
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
-
-/// Clocks through `window_end`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.add.min(1)
-}
 
 /// Builds `window_end`.
 pub fn window_end(d: &Design) -> Arc<Module> {
@@ -19,7 +14,7 @@ pub fn window_end(d: &Design) -> Arc<Module> {
     let plane = b.input("plane", &p.plane + 1, FINE, "parameter of the plane ahead of the texel");
     let span = b.input("span", &wide, FINE, "from there to the end of the window, at most 78 planes");
     let out = b.output("ends_at", &wide, FINE, "parameter of that plane");
-    let l = latency(&d.latency);
-    b.drive(out, (plane.zext(&wide) + span).named("end_plane"), Some(l));
-    b.finish(Some(l), &bindings())
+    b.at_least(d.latency.add.min(1));
+    b.drive(out, (plane.zext(&wide) + span).named("end_plane"));
+    b.finish(&bindings())
 }

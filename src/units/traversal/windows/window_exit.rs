@@ -2,14 +2,9 @@
 use super::params::{FINE, SPAN_W, Widths, bindings};
 use crate::quantity::{BIT, CODES};
 use crate::traversal::fixed::params::{GUARD, TIME};
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Module};
 use std::sync::Arc;
-
-/// Clocks through `window_exit`: two comparisons in series.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    2 * l.compare
-}
 
 /// Builds `window_exit`.
 pub fn window_exit(d: &Design) -> Arc<Module> {
@@ -31,8 +26,8 @@ pub fn window_exit(d: &Design) -> Arc<Module> {
     let o_in = b.output("is_in", 1, BIT, "the window can hold the hit");
     let o_open = b.output("is_open", 1, BIT, "the exit lies after t");
     let o_depth = b.output("depth", &h, CODES, "from the top plane to the highest code");
-    let l = latency(&d.latency);
-    b.plan(l, &[("nearer plane", 9), ("exit", 7)]);
+    // Two comparisons in series.
+    b.plan(2 * d.latency.compare, &[("nearer plane", 9), ("exit", 7)]);
     b.section("nearer plane", "Cut to a ray parameter. Of two planes that are never met the first is that of u.");
     let low = f.clone() - &h + GUARD;
     let (mut when, mut parts) = (Vec::new(), Vec::new());
@@ -52,11 +47,11 @@ pub fn window_exit(d: &Design) -> Arc<Module> {
     let fraction = x_first.mux(parts[0], parts[1]).named("exit_fraction");
     let depth = (!height).named("depth_code");
     let inside = b.cat(&[depth, b.zeros(1)]).lt(b.cat(&[exit.slice(&low, &h), fraction])).named("can_hold");
-    b.drive(o_exit, exit, Some(l));
-    b.drive(o_first, x_first, Some(l));
-    b.drive(o_fraction, fraction, Some(l));
-    b.drive(o_in, inside, Some(l));
-    b.drive(o_open, t.lt(exit).named("exit_ahead"), Some(l));
-    b.drive(o_depth, depth, Some(l));
-    b.finish(Some(l), &bindings())
+    b.drive(o_exit, exit);
+    b.drive(o_first, x_first);
+    b.drive(o_fraction, fraction);
+    b.drive(o_in, inside);
+    b.drive(o_open, t.lt(exit).named("exit_ahead"));
+    b.drive(o_depth, depth);
+    b.finish(&bindings())
 }

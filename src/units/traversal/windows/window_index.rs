@@ -20,6 +20,6 @@ pub fn window_index(d: &Design) -> Arc<Module> {
     let at = (way.zext(&tall) + offset.zext(&tall)).named("at");
     b.unused(at);
     let reached = at.slice(&e.fraction, &count).named("reached");
-    b.drive(out, passed.lt(reached).mux(reached, passed).named("larger"), None);
-    b.finish(Some(0), &bindings())
+    b.drive(out, passed.lt(reached).mux(reached, passed).named("larger"));
+    b.finish(&bindings())
 }

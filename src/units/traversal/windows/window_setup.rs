@@ -1,17 +1,12 @@
 //! `window_setup`: once per ray, from texture coordinates to what a search by windows reads: `ray_setup`, then the constants of each axis.
 use super::params::{Estimate, FINE, Widths, bindings};
-use super::window_constants::{self, window_constants};
+use super::window_constants::window_constants;
 use crate::quantity::{BIT, Quantity, integer};
 use crate::traversal::fixed::params::LENGTH;
-use crate::traversal::fixed::{self, ray_setup};
+use crate::traversal::fixed::ray_setup;
 use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Expr, Module};
 use std::sync::Arc;
-
-/// Clocks through `window_setup`, at least 1.
-pub fn latency(d: &Design) -> u32 {
-    fixed::setup_clocks(d) + window_constants::latency(&d.latency)
-}
 
 /// Builds `window_setup`.
 pub fn window_setup(d: &Design) -> Arc<Module> {
@@ -46,10 +41,9 @@ pub fn window_setup(d: &Design) -> Arc<Module> {
         ]
     };
     let outs = [("x", ports("x")), ("y", ports("y"))];
-    let l = latency(d);
     b.section("ray", "");
     let ray = b.inst(&ray_setup(d), "u_ray", &[], &ray);
-    b.drive(o_ok, ray["ok"].named("is_ok"), Some(l));
+    b.drive(o_ok, ray["ok"].named("is_ok"));
     for (a, outs) in outs {
         b.section(&format!("axis {a}"), "");
         let of = |n: &str| ray[format!("{n}_{a}").as_str()].named(&format!("{a}_{n}"));
@@ -58,8 +52,8 @@ pub fn window_setup(d: &Design) -> Arc<Module> {
         let given = ["p", "s", "neg"].map(of);
         let made = ["q", "c", "travel", "offset"].map(|n| found[n].named(&format!("{a}_{n}")));
         for (port, v) in outs.into_iter().zip(given.into_iter().chain(made)) {
-            b.drive(port, v, Some(l));
+            b.drive(port, v);
         }
     }
-    b.finish(Some(l), &bindings())
+    b.finish(&bindings())
 }

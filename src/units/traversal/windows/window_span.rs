@@ -3,14 +3,9 @@
 //! S - g and the texels up to the border of the grid's cell have no bit in common, so their sum is their bits together.
 use super::params::{CELL_W, FINE, SPAN_W, Widths, bindings};
 use crate::quantity::TEXELS;
-use reliefrtl_config::{Design, LatencyConfig};
+use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Expr, Module, Sig};
 use std::sync::Arc;
-
-/// Clocks through `window_span`.
-pub fn latency(l: &LatencyConfig) -> u32 {
-    l.add.min(3)
-}
 
 /// Builds `window_span` (parameter AHEAD beside the map's).
 pub fn window_span(d: &Design) -> Arc<Module> {
@@ -25,8 +20,7 @@ pub fn window_span(d: &Design) -> Arc<Module> {
     let border = b.input("border", CELL_W, TEXELS, "texels up to the border of the grid's cell; no bit of AHEAD");
     let wide = &p.plane + SPAN_W;
     let out = b.output("span", &wide, FINE, "parameter between the two planes");
-    let l = latency(&d.latency);
-    b.plan(l, &[("pairs", 7), ("fours", 7), ("sum", 7)]);
+    b.plan(d.latency.add.min(3), &[("pairs", 7), ("fours", 7), ("sum", 7)]);
     b.section("pairs", "Shifted Q of each bit that is set; of a constant one that is not, nothing remains.");
     let tall = q.zext(&wide).named("q_tall");
     let texels = border.zext(SPAN_W) | b.konst(ahead, SPAN_W).named("ahead_texels");
@@ -41,11 +35,11 @@ pub fn window_span(d: &Design) -> Arc<Module> {
     let four = |x, y, n: &str| (b.sig(x) + b.sig(y)).named(n).id();
     let fours = [four(pairs[0], pairs[1], "four_0"), four(pairs[2], last, "four_4")];
     b.section("sum", "");
-    b.drive(out, (b.sig(fours[0]) + b.sig(fours[1])).named("sum"), Some(l));
+    b.drive(out, (b.sig(fours[0]) + b.sig(fours[1])).named("sum"));
     let at = |ahead: i64| [("AHEAD".to_string(), ahead)].into();
     let mut list = bindings();
     list.extend([at(0), at(63)]);
-    b.finish(Some(l), &list)
+    b.finish(&list)
 }
 
 /// The parameter of a size, which an instance passes.

@@ -18,6 +18,6 @@ pub fn window_texel(d: &Design) -> Arc<Module> {
     // origin - k is the complement of ~origin + k.
     let flip = neg.rep(levels.clone()).named("flip");
     let ahead = ((origin ^ flip).named("origin_ahead") + steps).named("ahead");
-    b.drive(out, (ahead ^ flip).named("at"), None);
-    b.finish(Some(0), &bindings())
+    b.drive(out, (ahead ^ flip).named("at"));
+    b.finish(&bindings())
 }

@@ -1,5 +1,6 @@
 //! `window_way`: how far the ray has come along one axis by a parameter, for an estimate that is never ahead.
 use super::params::{Estimate, Widths, bindings};
+use super::plane_product::multiplier_clocks;
 use crate::quantity::integer;
 use crate::traversal::fixed::params::TIME;
 use reliefrtl_config::Design;
@@ -23,11 +24,11 @@ pub fn window_way(d: &Design) -> Arc<Module> {
     );
     let m = b.input("m", &time, TIME, "parameter");
     let out = b.output("way", &e.travel, integer("2^-EstimateW texels"), "how far the ray has come");
-    let l = super::plane_product::latency(&d.latency);
+    b.at_least(multiplier_clocks(d));
     let top = m.slice(&time - &e.time, &e.time);
     b.unused(m);
     let product = travel.product(top).named("product");
     b.unused(product);
-    b.drive(out, product.slice(&e.time, &e.travel).named("upper"), Some(l));
-    b.finish(Some(l), &bindings())
+    b.drive(out, product.slice(&e.time, &e.travel).named("upper"));
+    b.finish(&bindings())
 }
