@@ -2,11 +2,11 @@
 // relief_tb_traverse: loads the pyramid, sends the golden rays, and checks that each ray has
 // exactly one result, the expected one.
 //   +vectors=DIR   directory with memory.hex, stimulus.hex, expected.hex (default golden/traverse)
-//   +gaps          rays are held back at random      +stalls    results are taken at random
+//   +gaps          in_valid falls at random         +stalls    out_ready falls at random
 //   +flood         fills the pipeline with rays, resets it for one clock, and only then runs the set
 //   +reset         resets of one clock while rays are on their way; the set starts again after each
 //   +again         the set, and once it has passed, the set again with gaps, stalls, flood, reset, and
-//                  a hold: no result is taken until every stage is full, and none may be lost
+//                  a hold: out_ready is 0 until every stage is full, and no result may be lost
 //   +patience=N    clocks without a result after which a ray counts as lost (default: four times
 //                  what the longest ray sent so far may take)
 //   +results=FILE  one line per ray: its number, then its outputs in hex
@@ -56,48 +56,48 @@ module relief_tb_traverse #(
     16;  // out_ups
   localparam integer Words = ((1 << (2 * LEVELS + 2)) - 1) / 3;
 
-  reg [8*1000-1:0] dir;
-  reg [8*1020-1:0] path;
-  integer mem_fd;
-  integer stim_fd;
-  integer exp_fd;
-  integer res_fd;
-  integer stim_bits;
+  reg [8*1000-1:0] dir;   // directory of the vectors
+  reg [8*1020-1:0] path;  // file of the results
+  integer mem_fd;         // memory.hex
+  integer stim_fd;        // stimulus.hex
+  integer exp_fd;         // expected.hex
+  integer res_fd;         // results, 0: none
+  integer stim_bits;      // bits of a row, as the head of the file states them
   integer exp_bits;
-  integer patience;
+  integer patience;       // clocks without a result after which a ray is lost, 0: by the longest ray
   integer k;
-  reg     gaps;
-  reg     stalls;
-  reg     again;
-  reg     told;
+  reg     gaps;           // in_valid falls at random
+  reg     stalls;         // out_ready falls at random
+  reg     again;          // the set runs once more
+  reg     told;           // the utilization has been printed
   integer resets_left;
-  integer until_reset;
+  integer until_reset;    // clocks
 
   // What is left to send and to expect, and what was observed.
-  integer words_left;
-  integer stim_left;
-  integer exp_left;
-  integer flood_left;
-  integer flood_rows;
-  integer hold_left;
-  integer rays;
-  integer checked;
-  integer wrong;
-  integer quiet;
-  reg [31:0] longest;
+  integer words_left;     // words to load into the memory
+  integer stim_left;      // rows of stimulus.hex to send
+  integer exp_left;       // rows of expected.hex to read
+  integer flood_left;     // clocks
+  integer flood_rows;     // rays sent in the flood
+  integer hold_left;      // clocks
+  integer rays;           // accepted
+  integer checked;        // results compared
+  integer wrong;          // of these, different from what is expected
+  integer quiet;          // clocks since the last result
+  reg [31:0] longest;     // most iterations of a ray so far
   integer cycles;
-  integer first_in;
-  integer last_out;
-  integer after;
-  integer loaded;
-  integer busy;
-  reg     false_idle;
-  reg     false_busy;
-  reg     bad_stim;
-  reg     bad_exp;
-  reg [31:0] in_slots;
-  reg [31:0] needed;
-  reg [31:0] lfsr;
+  integer first_in;       // clock of the first ray
+  integer last_out;       // clock of the last result
+  integer after;          // clocks under full load
+  integer loaded;         // of these, with a pipeline that can be full
+  integer busy;           // of these, with a ray in the slot of stage 0
+  reg     false_idle;     // idle was 1 while a ray was inside
+  reg     false_busy;     // slot_busy was 1 while no ray was inside
+  reg     bad_stim;       // a row of stimulus.hex can't be read
+  reg     bad_exp;        // a row of expected.hex can't be read
+  reg [31:0] in_slots;    // clocks in which slot_busy was 1
+  reg [31:0] needed;      // iterations of the rays sent
+  reg [31:0] lfsr;        // random bits
 
   reg        rst;
   reg        load_en;
@@ -127,9 +127,9 @@ module relief_tb_traverse #(
   wire       idle;
 
   // Per tag in flight: its ray, and the result expected of it.
-  reg [Tags-1:0] tag_used;
-  integer    tag_ray [0:Tags-1];
-  reg [TAG_W-1:0] tag_sent [0:Tags-1];
+  reg [Tags-1:0] tag_used;              // a result is expected under this tag
+  integer    tag_ray [0:Tags-1];        // number of the ray
+  reg [TAG_W-1:0] tag_sent [0:Tags-1];  // the whole tag
   reg [LEVELS-1:0] want_out_i [0:Tags-1];
   reg [LEVELS-1:0] want_out_j [0:Tags-1];
   reg [FRAC_W-1:0] want_out_fu [0:Tags-1];
@@ -141,9 +141,9 @@ module relief_tb_traverse #(
   reg [15:0] want_out_crossings [0:Tags-1];
   reg [15:0] want_out_ups [0:Tags-1];
   wire [TagBits-1:0] slot = out_tag[TagBits-1:0];
-  reg [TagBits-1:0] next_tag;
+  reg [TagBits-1:0] next_tag;  // of the ray on the inputs
   wire       accepted = in_valid & in_ready & ~rst;
-  wire       taken = out_valid & out_ready & ~rst;
+  wire       transferred = out_valid & out_ready & ~rst;
   wire       expected = (tag_used[slot] === 1'b1) & (out_tag === tag_sent[slot]);
   // An iteration takes less than WarmUp clocks; the rest of a ray takes no longer than some of them.
   wire [31:0] limit = (patience > 0) ? patience : 4 * WarmUp * (longest + 16);
@@ -430,7 +430,7 @@ module relief_tb_traverse #(
   endtask
 
   // Compares an expected result, field by field.
-  task automatic take_result;
+  task automatic check_result;
     reg row_wrong;
     begin
       row_wrong = 1'b0;
@@ -596,8 +596,8 @@ module relief_tb_traverse #(
     end
   endtask
 
-  // Presents the next ray once the last one has been accepted.
-  task automatic offer;
+  // Drives the next ray once the last one has been accepted.
+  task automatic drive_ray;
     reg [TagBits-1:0] low;
     begin
       // The tag of a ray that a reset discarded is not used next, so that a stale result shows.
@@ -669,7 +669,7 @@ module relief_tb_traverse #(
       load_en <= 1'b0;
       out_ready <= (~stalls | lfsr[5]) && hold_left == 0;
       if (hold_left > 0) hold_left <= hold_left - 1;
-      quiet <= taken ? 0 : quiet + 1;
+      quiet <= transferred ? 0 : quiet + 1;
       if (slot_busy) in_slots <= in_slots + 1;
       if (resets_left > 0 && until_reset == 0) begin
         reset_inside;
@@ -678,10 +678,10 @@ module relief_tb_traverse #(
         if (idle && rays != checked) false_idle <= 1'b1;
         if (idle && slot_busy) false_busy <= 1'b1;
         if (accepted) note_ray;
-        if (taken && expected) take_result;
-        offer;
+        if (transferred && expected) check_result;
+        drive_ray;
       end
-      // Under full load: from the first ray on, until the last one has been taken.
+      // Under full load: from the first ray on, until the last one was accepted.
       if ((stim_left > 0 || in_valid) && (rays > 0 || accepted)) begin
         after <= after + 1;
         if (after >= WarmUp) begin
@@ -693,7 +693,7 @@ module relief_tb_traverse #(
         $display("FAIL tb_traverse: in_ready, out_valid, slot_busy or idle is undefined, after %0d",
                  checked);
         finish(8'd1);
-      end else if (taken && !expected) begin
+      end else if (transferred && !expected) begin
         $display("FAIL tb_traverse: an unexpected result, with tag %h, after %0d",
                  out_tag, checked);
         finish(8'd7);

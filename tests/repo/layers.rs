@@ -5,7 +5,7 @@ use std::path::Path;
 
 /// Lowest first. Modules of one layer don't see each other.
 const LAYERS: &[&[&str]] = &[
-    &["error", "bits", "measured"],
+    &["alike", "error", "bits", "measured"],
     &["format", "files", "process"],
     &["config"],
     &["golden", "oracle", "ir"],
