@@ -142,7 +142,8 @@ fn a_simulator_names_the_first_wrong_iteration() {
     }
     let dir = tempfile::tempdir().unwrap();
     // What is spoiled may well go round for ever.
-    let small = [&SMALL[..], &["--set", "traverse.step_limit=100", "--set", "traverse.levels=5"]].concat();
+    let few = ["--profile", "published", "--set", "traverse.step_limit=100", "--set", "traverse.levels=5"];
+    let small = [&SMALL[..], &few].concat();
     assert_eq!(said(dir.path(), &[&["build"][..], &small].concat()).0, Some(0));
     let file = dir.path().join("out/rtl/relief_multi_level_down.v");
     let text = std::fs::read_to_string(&file).unwrap();
