@@ -3,6 +3,7 @@ use super::expr::{Binding, Expr};
 use super::keywords::is_keyword;
 use super::loops::combinational_loop;
 use super::module::*;
+use super::names::Names;
 use reliefrtl_base::bits::{MAX_BUNDLE, MAX_WIDTH};
 use std::collections::BTreeSet;
 
@@ -15,10 +16,14 @@ pub fn verify(m: &Module, bindings: &[Binding]) -> Vec<String> {
     }
     structure(m, &mut bad);
     if bad.is_empty() {
+        declared(m, &mut bad);
         no_loop(m, &mut bad);
     }
     stages(m, &mut bad);
     latency(m, &mut bad);
+    if m.latency().is_some() {
+        every_stage_counts(m, &mut bad);
+    }
     unused(m, &mut bad);
     let mut all = vec![m.default_binding()];
     all.extend(bindings.iter().map(|b| m.binding_with(b)));
@@ -34,12 +39,41 @@ fn label(m: &Module, id: NodeId) -> String {
     format!("{} {}", n.op.name(), n.name.clone().unwrap_or_else(|| format!("#{}", id.0)))
 }
 
+/// Whether Verilog takes a name as it is.
+fn legal(name: &str) -> bool {
+    name.starts_with(|c: char| c.is_ascii_alphabetic())
+        && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+        && !is_keyword(name)
+}
+
+/// Everything that a module declares has one name space in Verilog: parameters, localparams, ports, nets and instances.
+fn declared(m: &Module, bad: &mut Vec<String>) {
+    if !legal(&m.name) {
+        bad.push(format!("module name {} is not usable in Verilog", m.name));
+    }
+    let mut seen: BTreeSet<String> = m.ports.iter().map(|p| p.name.clone()).collect();
+    // Of the contract with an instance.
+    seen.extend(["LATENCY".to_owned(), "VARIANT".to_owned()]);
+    let printed = Names::new(m);
+    let nets: BTreeSet<String> = (0..m.nodes.len() as u32)
+        .filter(|i| !matches!(m.nodes[*i as usize].op, Op::Input(_)) && printed.owns_net(NodeId(*i)))
+        .filter_map(|i| printed.net(NodeId(i)))
+        .collect();
+    let params = m.params.iter().map(|p| ("parameter", &p.name));
+    let locals = m.locals.iter().map(|l| ("localparam", &l.0));
+    let insts = m.insts.iter().map(|i| ("instance", &i.name));
+    let files = m.files.iter().map(|f| ("parameter", &f.name));
+    for (what, name) in params.chain(files).chain(locals).chain(nets.iter().map(|n| ("net", n))).chain(insts) {
+        if !legal(name) {
+            bad.push(format!("{what} name {name} is not usable in Verilog"));
+        }
+        if !seen.insert(name.clone()) {
+            bad.push(format!("{what} {name} has the name of something else in the module"));
+        }
+    }
+}
+
 fn names(m: &Module, bad: &mut Vec<String>) {
-    let legal = |n: &str| {
-        n.starts_with(|c: char| c.is_ascii_alphabetic())
-            && n.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
-            && !is_keyword(n)
-    };
     let mut seen = BTreeSet::new();
     for p in &m.ports {
         if !legal(&p.name) {
@@ -118,6 +152,35 @@ fn no_loop(m: &Module, bad: &mut Vec<String>) {
     if let Some(around) = combinational_loop(m) {
         let names: Vec<String> = around.iter().map(|id| label(m, *id)).collect();
         bad.push(format!("a combinational loop: {} -> {}", names.join(" -> "), names[0]));
+    }
+}
+
+/// In a module of a fixed latency nothing loses its stage and no register is read as if it were none: else outputs would come later, or earlier,
+/// than the stage says. A register that only replaces its own input while the clock enable is 0 changes no clock.
+fn every_stage_counts(m: &Module, bad: &mut Vec<String>) {
+    for (i, n) in m.nodes.iter().enumerate() {
+        let (id, me) = (NodeId(i as u32), label(m, NodeId(i as u32)));
+        if n.stage.is_none() {
+            let staged = n.args.iter().find(|a| m.node(**a).stage.is_some() && !m.node(**a).op.is_const());
+            bad.extend(staged.map(|a| {
+                format!(
+                    "{me} belongs to no stage and reads {}: in a module of a fixed latency each stage counts",
+                    label(m, *a)
+                )
+            }));
+        }
+        if matches!(n.op, Op::Reg { wrap: true, .. }) {
+            let enable = |a: NodeId| matches!(m.node(a).op, Op::Input(p) if Some(p) == m.ce);
+            let holds = |r: &Node| {
+                r.op == Op::Mux && enable(r.args[0]) && Some(&r.args[1]) == n.args.first() && r.args[2] == id
+            };
+            if m.nodes.iter().filter(|r| r.args.contains(&id)).any(|r| !holds(r)) || m.outputs.iter().any(|o| o.1 == id)
+            {
+                bad.push(format!(
+                    "{me} of a loop in a module of a fixed latency: finish_streams ends a module with a loop"
+                ));
+            }
+        }
     }
 }
 

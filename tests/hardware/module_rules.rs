@@ -217,3 +217,92 @@ fn the_builder_refuses_what_has_no_meaning() {
         assert!(said.starts_with(sentence), "{sentence}: {said}");
     }
 }
+
+/// A module of a fixed latency, described by `body` from two inputs of four bits and an output.
+fn fixed(body: impl for<'b> FnOnce(&'b Builder, [Sig<'b>; 2], Sig<'b>)) -> String {
+    panics("the module is wrong", || {
+        let b = Builder::new("lie", "tests", "a module");
+        b.clock();
+        b.clock_enable();
+        let ins = ["x", "y"].map(|n| b.input(n, 4, BITS, n));
+        let out = b.output("o", 4, BITS, "o");
+        body(&b, ins, out);
+        b.finish(&[]);
+    })
+}
+
+/// Registers that the stage of the outputs does not count would let a module lie about its latency.
+#[test]
+fn no_register_of_a_fixed_latency_goes_uncounted() {
+    let said = fixed(|b, [x, y], out| {
+        let back = b.wire("w", 4);
+        b.connect(back, (x & y).named("both").reg().reg());
+        b.drive(out, (back & x).named("mix"));
+    });
+    assert!(said.contains("wire w belongs to no stage and reads"), "{said}");
+    let said = fixed(|b, [x, y], out| {
+        let both = (x & y).named("both").reg();
+        let late = (!both.reg().reg()).named("late").unstaged();
+        b.drive(out, (late & both).named("mix"));
+    });
+    assert!(said.contains("not late belongs to no stage and reads"), "{said}");
+    let said = fixed(|b, [x, y], out| {
+        let before = b.loop_reg("before", 4, false);
+        b.close(&[(before, (x & y).named("both"))]);
+        b.drive(out, before);
+    });
+    assert!(said.contains("register before of a loop in a module of a fixed latency"), "{said}");
+    let said = fixed(|b, [x, y], out| {
+        b.drive(out, (x & y).named("both").reg().reg().rebase_stage(0));
+    });
+    assert!(said.contains("without a delay"), "{said}");
+}
+
+/// Whatever a module declares has one name space, and no keyword in it.
+#[test]
+fn every_declared_name_is_legal_and_its_own() {
+    let through = |b: &Builder, width: &Expr, name: &str| {
+        let x = b.input(name, width, BITS, "x");
+        b.drive(b.output("z", width, BITS, "z"), x);
+    };
+    let of = |name: &str, body: &dyn Fn(&Builder)| {
+        panics(name, || {
+            let b = Builder::new(name, "tests", "a module");
+            body(&b);
+            b.finish(&[]);
+        })
+    };
+    let rows: [(&str, &str, &dyn Fn(&Builder)); 8] = [
+        ("casez", "module name casez is not usable", &|b| through(b, &Expr::from(4), "x")),
+        ("m", "parameter name endcase is not usable", &|b| through(b, &b.param("endcase", 4, "w"), "x")),
+        ("m", "localparam name forever is not usable", &|b| through(b, &b.local("forever", Expr::from(4)), "x")),
+        ("m", "parameter x has the name of something else", &|b| through(b, &b.param("x", 4, "w"), "x")),
+        ("m", "parameter LATENCY has the name of something else", &|b| through(b, &b.param("LATENCY", 4, "w"), "x")),
+        ("m", "net s0_both has the name of something else", &|b| {
+            b.clock();
+            b.clock_enable();
+            let x = b.input("s0_both", 4, BITS, "x");
+            b.drive(b.output("z", 4, BITS, "z"), (x & !x).named("both").reg());
+        }),
+        ("m", "instance name begin is not usable", &|b| {
+            b.clock();
+            b.clock_enable();
+            let a = b.input("a", 1, BIT, "a");
+            b.drive(b.output("z", 1, BIT, "z"), b.inst(&leaf(), "begin", &[], &[("a", a)])["held"].named("kept"));
+        }),
+        ("m", "instance u_leaf has the name of something else", &|b| {
+            b.clock();
+            b.clock_enable();
+            let a = b.input("a", 1, BIT, "a");
+            let first = b.inst(&leaf(), "u_leaf", &[], &[("a", a)])["held"].named("first");
+            b.drive(
+                b.output("z", 1, BIT, "z"),
+                b.inst(&leaf(), "u_leaf", &[], &[("a", first)])["held"].named("second"),
+            );
+        }),
+    ];
+    for (name, sentence, body) in rows {
+        let said = of(name, body);
+        assert!(said.contains(sentence), "{sentence}: {said}");
+    }
+}
