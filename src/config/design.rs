@@ -1,5 +1,5 @@
 //! What is to be generated: format, traversal parameters, modes, latencies.
-use super::{DatapathConfig, ExtraUnits, FetchConfig, WindowsConfig};
+use super::{Counters, DatapathConfig, ExtraUnits, FetchConfig, WindowsConfig};
 use reliefrtl_base::format::FloatFormat;
 use serde::{Deserialize, Serialize};
 
@@ -185,6 +185,8 @@ pub struct Design {
     pub extra: ExtraUnits,
     /// Widths of conversions alone.
     pub convert: ConvertConfig,
+    /// Counters of a hit.
+    pub counters: Counters,
 }
 
 impl Design {
@@ -233,6 +235,7 @@ impl Default for Design {
             windows: WindowsConfig::default(),
             extra: ExtraUnits::default(),
             convert: ConvertConfig::default(),
+            counters: Counters::default(),
         }
     }
 }

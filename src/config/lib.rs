@@ -9,6 +9,7 @@ pub mod check;
 mod words;
 mod clock;
 mod commented;
+mod counters;
 mod datapath;
 mod design;
 mod divider;
@@ -26,6 +27,7 @@ pub mod validate;
 mod windows;
 
 pub use clock::{Choice, Part, Scope, Timed, for_clock};
+pub use counters::Counters;
 pub use datapath::{DatapathConfig, DatapathFacts, DatapathKind, Reads, Search, datapaths, searches};
 pub use design::{ConvertConfig, Design, Divider, LatencyConfig, LevelUp, ModeConfig, TraverseConfig, Trim};
 pub use extra::{ExtraUnit, ExtraUnits};
@@ -94,6 +96,7 @@ impl Config {
             windows: self.windows,
             extra: self.emit.units.iter().copied().collect(),
             convert: self.convert,
+            counters: self.emit.counters,
         }
     }
 
