@@ -103,7 +103,7 @@ pub(super) fn iteration<'b>(
     let hit = late("hit", "is_hit");
     let crosses = ray.notes_crossings().then(|| late("crosses", "crosses"));
     if crosses.is_none() {
-        b.unused(o["crosses"]);
+        b.unused(o["crosses"].named("crosses"));
     }
     let level_next = late("level_next", "level_next");
     let [x_at, y_at, t_after] =
