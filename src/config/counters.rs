@@ -1,21 +1,5 @@
 //! Which counters a hit has.
-use super::Design;
-use serde::{Deserialize, Serialize};
-
-/// The counters that `traverse` gives with each hit; what is not given has no port, no register and no column in the vectors.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Counters {
-    /// Iterations, node crossings and levels gone up, as far as the datapath has them.
-    #[default]
-    All,
-    /// Iterations alone.
-    Steps,
-    /// None: iterations are counted inside of the loop for the step limit alone.
-    None,
-}
-
-words!(Counters: All = "all", Steps = "steps", None = "none");
+use super::{Counters, Design};
 
 impl Design {
     /// A hit says its iterations.

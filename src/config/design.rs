@@ -1,5 +1,5 @@
 //! What is to be generated: format, traversal parameters, modes, latencies.
-use super::{Counters, DatapathConfig, ExtraUnits, FetchConfig, WindowsConfig};
+use super::{DatapathConfig, ExtraUnits, FetchConfig, WindowsConfig};
 use reliefrtl_base::format::FloatFormat;
 use serde::{Deserialize, Serialize};
 
@@ -113,6 +113,21 @@ pub enum Divider {
     Table,
 }
 words!(Divider: Rows = "rows", Table = "table");
+
+/// The counters that `traverse` gives with each hit; what is not given has no port, no register and no column in the vectors.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Counters {
+    /// Iterations, node crossings and levels gone up, as far as the datapath has them.
+    #[default]
+    All,
+    /// Iterations alone.
+    Steps,
+    /// None: iterations are counted inside of the loop for the step limit alone.
+    None,
+}
+
+words!(Counters: All = "all", Steps = "steps", None = "none");
 
 /// Clocks from operand to result of each kind of unit; the pipelines rebalance around them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]

@@ -27,9 +27,8 @@ pub mod validate;
 mod windows;
 
 pub use clock::{Choice, Part, Scope, Timed, for_clock};
-pub use counters::Counters;
 pub use datapath::{DatapathConfig, DatapathFacts, DatapathKind, Reads, Search, datapaths, searches};
-pub use design::{ConvertConfig, Design, Divider, LatencyConfig, LevelUp, ModeConfig, TraverseConfig, Trim};
+pub use design::{ConvertConfig, Counters, Design, Divider, LatencyConfig, LevelUp, ModeConfig, TraverseConfig, Trim};
 pub use extra::{ExtraUnit, ExtraUnits};
 pub use fetch::FetchConfig;
 pub use given::Given;

@@ -43,7 +43,7 @@ fn equal(d: &Design, count: usize, traffic: Traffic) -> usize {
     let p = Pipeline::new(d, &Binding::new()).unwrap();
     let run = p.run(&pyramid, &rays, 16, traffic).unwrap();
     for (k, (r, ray)) in run.results.iter().zip(&rays).enumerate() {
-        assert_eq!(hit(&d, r), g.trace(&pyramid, ray), "ray {k} {ray:x?} at {d:?}");
+        assert_eq!(hit(d, r), g.trace(&pyramid, ray), "ray {k} {ray:x?} at {d:?}");
     }
     rays.len()
 }

@@ -101,10 +101,7 @@ pub(super) fn iteration<'b>(
     let o = b.inst(&level_choice(d), "u_decision", &[], &ins);
     let late = |port: &str, net: &str| (0..l.decision).fold(o[port].named(net), |v, _| v.reg());
     let hit = late("hit", "is_hit");
-    let crosses = ray.notes_crossings().then(|| late("crosses", "crosses"));
-    if crosses.is_none() {
-        b.unused(o["crosses"].named("crosses"));
-    }
+    let crosses = noted(b, ray, o["crosses"], || late("crosses", "crosses"));
     let level_next = late("level_next", "level_next");
     let [x_at, y_at, t_after] =
         [("x_next", "x_next_at"), ("y_next", "y_next_at"), ("t_out", "t_after")].map(|(p, n)| late(p, n));
@@ -113,6 +110,15 @@ pub(super) fn iteration<'b>(
     let at = [texel("x", "next", x_at), texel("y", "next", y_at)];
 
     write_back(b, s, d, ray, heights.missed, Decided { hit, crosses, below, up, level: level_next, at, t: t_after })
+}
+
+/// Whether the ray `crosses` (1 bit), as `late` delays it, where a word of the ray takes note of that.
+fn noted<'b>(b: &Builder, ray: &Ray<'b>, crosses: Sig<'b>, late: impl FnOnce() -> Sig<'b>) -> Option<Sig<'b>> {
+    let notes = ray.notes_crossings();
+    if !notes {
+        b.unused(crosses.named("crosses"));
+    }
+    notes.then(late)
 }
 
 /// Whether a crossing goes one level up (1 bit); `near` makes the texel of the hit on both axes, where the rule asks for it.
