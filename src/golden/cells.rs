@@ -1,7 +1,7 @@
 //! Four siblings judged in one iteration (`docs/cells.md`): the block of level k + 1 with its cells of level k.
 //!
 //! A cell is named by its half of the block along each axis: the near or the far one, seen along the ray.
-use super::level::{Crossing, level_up, trim_return};
+use super::level::{Crossing, level_after, trim_return};
 use super::planes::{AxisView, PlaneArithmetic, Setup, kept};
 use super::pyramid::Pyramid;
 use super::record::{Decision, Iteration};
@@ -178,18 +178,18 @@ pub(super) fn iterate<const RECORD: bool, P: PlaneArithmetic>(
     }
     let (t_e, plane) = cross(&mut it, setup, x_first);
     it.next_t = planes.max(s.t, t_e);
-    it.next_level = across(d.top_level(), rule, k, r, &Crossing { level: r, plane, x, y, e_x, e_y, previous: s.prev });
+    it.next_level = across(d, k, r, &Crossing { level: r, plane, x, y, e_x, e_y, previous: s.prev });
     (it, false)
 }
 
 /// The level after a crossing out of the block of level `k` + 1, whose cells were read at level `r`.
-fn across(top: u32, rule: LevelUp, k: u32, r: u32, c: &Crossing) -> u32 {
+fn across(d: &Design, k: u32, r: u32, c: &Crossing) -> u32 {
     // The plane bounds the block; whether it bounds the block's parent too is a level further up.
     let leaves_parent = (c.plane >> (k + 1)) % 2 == 0;
     if r < k {
         // Of a trimmed block, the plane does not count: it bounds larger ones besides.
-        return trim_return(rule, k, &Crossing { plane: 0, ..*c });
+        return trim_return(d.mode.level_up, k, &Crossing { plane: 0, ..*c });
     }
     let at_parent = Crossing { plane: if leaves_parent { 0 } else { 1 << c.level }, ..*c };
-    top.min(k + u32::from(level_up(rule, &at_parent)))
+    level_after(&d.mode, d.top_level(), k, &at_parent)
 }

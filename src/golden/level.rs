@@ -1,5 +1,5 @@
 //! Which pyramid level to start on, to descend to, and when to go up: integers only.
-use reliefrtl_config::LevelUp;
+use reliefrtl_config::{LevelUp, ModeConfig};
 
 /// The lowest level, at most `n`, whose node holds both texels `(x, y)` and `(xa, ya)`.
 ///
@@ -35,7 +35,7 @@ pub struct Crossing {
     pub previous: bool,
 }
 
-/// Whether a crossing goes one level up (the root is the caller's business).
+/// Whether a crossing goes one level up, wherever the root is.
 pub fn level_up(rule: LevelUp, c: &Crossing) -> bool {
     // The planes of the parent's border are those of even index, in node units.
     let leaves_parent = (c.plane >> c.level) % 2 == 0;
@@ -50,6 +50,11 @@ pub fn level_up(rule: LevelUp, c: &Crossing) -> bool {
         LevelUp::Coherent => c.previous,
         LevelUp::Always => true,
     }
+}
+
+/// The level after a crossing out of a node of level `k`, where the root is of level `top`: the rule never goes beyond it.
+pub fn level_after(mode: &ModeConfig, top: u32, k: u32, c: &Crossing) -> u32 {
+    top.min(k + u32::from(level_up(mode.level_up, c)))
 }
 
 /// The level after a crossing out of a node that was trimmed from level `k` to `c.level`: back to `k`, whose plane is crossed too; but where

@@ -23,7 +23,7 @@ mod windows;
 
 pub use datapath::Datapath;
 pub use image::Image;
-pub use level::{Crossing, descend_levels, level_up, start_level, trim_return};
+pub use level::{Crossing, descend_levels, level_after, level_up, start_level, trim_return};
 pub use planes::Setup;
 pub use published::{Exit, Published, Route, Travel};
 pub use pyramid::{Pyramid, address};

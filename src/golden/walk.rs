@@ -1,6 +1,6 @@
 //! The walk from node to node, or from one block of four cells to the next: the same for every datapath that compares parameters of planes; what it computes with is a [`PlaneArithmetic`].
 use super::cells;
-use super::level::{Crossing, descend_levels, level_up, trim_return};
+use super::level::{Crossing, descend_levels, level_after, trim_return};
 use super::planes::{AxisView, PlaneArithmetic, Setup, kept};
 use super::pyramid::Pyramid;
 use super::record::{Decision, Iteration, RayHit, RayInput};
@@ -157,6 +157,6 @@ fn iterate<const RECORD: bool, P: PlaneArithmetic>(
     let (t_e, plane) = cross(&mut it, setup, x_first);
     it.next_t = planes.max(s.t, t_e);
     let c = |level| Crossing { level, plane, x: s.x, y: s.y, e_x, e_y, previous: s.prev };
-    it.next_level = if r < k { trim_return(rule, k, &c(r)) } else { n.min(k + u32::from(level_up(rule, &c(k)))) };
+    it.next_level = if r < k { trim_return(rule, k, &c(r)) } else { level_after(&mode, n, k, &c(k)) };
     it
 }

@@ -134,18 +134,12 @@ impl Stream {
         ends: impl Fn(usize, &[u64]) -> bool,
     ) -> Result<StreamRun> {
         let lanes = lanes.clamp(1, items.len().max(1));
-        let mut sim = Lanes::of_ports(&self.net, lanes);
-        images.iter().enumerate().for_each(|(i, words)| sim.load(i, words.clone()));
-        let rst = self.net.input("rst");
-        sim.fill(rst, 1);
-        sim.eval();
-        sim.clock();
-        sim.fill(rst, 0);
+        let mut sim = self.after_reset(images, lanes);
         let mut lane: Vec<Lane> = (0..lanes).map(|l| Lane::new(l, self.tags)).collect();
         let mut rng = ChaCha8Rng::seed_from_u64(traffic.seed);
         let mut run = StreamRun { results: vec![Vec::new(); items.len()], ..StreamRun::default() };
         let (mut left, mut quiet) = (items.len(), 0);
-        let [iv, it, or] = ["in_valid", "in_tag", "out_ready"].map(|n| self.net.input(n));
+        let [rst, iv, it, or] = ["rst", "in_valid", "in_tag", "out_ready"].map(|n| self.net.input(n));
         let [ir, ov, ot, busy] = ["in_ready", "out_valid", "out_tag", "slot_busy"].map(|n| self.net.output(n));
         let mut seen = [(); 3].map(|()| vec![0u64; lanes]);
         sim.fill(or, 1);
@@ -226,6 +220,18 @@ impl Stream {
             run.cycles += 1;
         }
         Ok(run)
+    }
+
+    /// `lanes` copies whose memories are loaded, one clock after a reset.
+    fn after_reset(&self, images: &[Arc<Vec<u64>>], lanes: usize) -> Lanes {
+        let mut sim = Lanes::of_ports(&self.net, lanes);
+        images.iter().enumerate().for_each(|(i, words)| sim.load(i, words.clone()));
+        let rst = self.net.input("rst");
+        sim.fill(rst, 1);
+        sim.eval();
+        sim.clock();
+        sim.fill(rst, 0);
+        sim
     }
 }
 

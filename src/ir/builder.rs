@@ -48,6 +48,7 @@ impl Builder {
             name: name.into(),
             summary: summary.into(),
             choices: vec![],
+            described: vec![],
             variant_memo: Default::default(),
             notes: vec![],
             source: source.into(),
@@ -81,6 +82,10 @@ impl Builder {
     /// What was chosen at generation and no parameter can change; names the module where an instance asks for another.
     pub fn choice(&self, name: &str, word: impl ToString) {
         self.st.borrow_mut().m.choices.push((name.into(), word.to_string()));
+    }
+    /// What was chosen, too, and shows in ports, stages and operations: for the banner alone.
+    pub fn describe(&self, name: &str, word: impl ToString) {
+        self.st.borrow_mut().m.described.push((name.into(), word.to_string()));
     }
     /// Declares a Verilog parameter.
     pub fn param(&self, name: &str, default: u32, doc: &str) -> Expr {

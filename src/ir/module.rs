@@ -303,6 +303,8 @@ pub struct Module {
     pub summary: String,
     /// What was chosen at generation and no parameter can change: name and word, both of letters, digits and `_`.
     pub choices: Vec<(String, String)>,
+    /// More of them, for the banner alone: the digest of the module's ports and operations tells them apart.
+    pub described: Vec<(String, String)>,
     /// The digest of what is no parameter, once it was asked for.
     pub variant_memo: super::memo::Memo,
     /// Further banner lines: formats, policies, deviations.

@@ -6,7 +6,7 @@ use crate::emit::Files;
 use crate::ir::{Binding, Module};
 use crate::units::traversal::Traverse;
 use crate::verilog::{SPDX, Style};
-use minijinja::{Environment, context};
+use minijinja::{Environment, Value, context};
 use std::fmt::Write;
 use std::sync::Arc;
 
@@ -54,6 +54,7 @@ pub fn proof_files(
         let harness = counted.unwrap_or(p.text);
         let value = context! {
             flights => flights.value(),
+            mode => Value::from_serialize(d.mode),
             claim => p.claim, latency => p.clocks(units), prefix,
             levels_down => d.mode.levels_down, parity => matches!(d.mode.level_up, LevelUp::Tevs | LevelUp::Selective),
             trims => d.mode.trim != Trim::None, lod => d.mode.lod, rule => d.mode.level_up.word(), slots => flights.len(), lengths => LENGTHS.collect::<Vec<u32>>(), tag_w => d.traverse.tag_bits,

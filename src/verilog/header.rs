@@ -12,9 +12,10 @@ impl Printer<'_> {
         self.out += &format!("// {SPDX}\n");
         self.comment("", &format!("{}{}: ", self.style.prefix, m.name), &m.summary);
         self.comment("", "Emitted    ", &format!("by reliefrtl as its unit {}; do not edit", m.name));
-        if !m.choices.is_empty() {
-            let choices: Vec<String> = m.choices.iter().map(|(name, word)| format!("{name} {word}")).collect();
-            self.comment("", "Chosen     ", &choices.join(", "));
+        let chosen: Vec<String> =
+            m.choices.iter().chain(&m.described).map(|(name, word)| format!("{name} {word}")).collect();
+        if !chosen.is_empty() {
+            self.comment("", "Chosen     ", &chosen.join(", "));
         }
         let latency = match m.latency() {
             Some(0) => "none, combinational".to_string(),

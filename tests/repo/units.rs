@@ -25,11 +25,11 @@ fn designs() -> Vec<Design> {
                         mode: ModeConfig {
                             start_level,
                             levels_down,
-                            levels_down_after: None,
                             level_up,
                             trim,
                             lod,
                             bilinear,
+                            ..ModeConfig::default()
                         },
                         ..Config::default()
                     };

@@ -62,7 +62,7 @@ impl Block<'_, '_> {
 
     /// Whether the first of two parameters is less.
     fn less(&self, first: &str, second: &str) -> bool {
-        self.0.is_set(&format!("{first}_{second}"))
+        self.0.is_set(&format!("{first}_lt_{second}"))
     }
 
     /// The plane by which a cell ends along each axis.
@@ -131,7 +131,7 @@ fn compare(row: &Row<'_>, out: &mut Row<'_>, less: impl Fn(u64, u64) -> bool) {
         ("far_y", &["far_x", "mid_x"]),
     ] {
         for second in seconds {
-            out[format!("{first}_{second}").as_str()] = u64::from(less(row[first], row[second]));
+            out[format!("{first}_lt_{second}").as_str()] = u64::from(less(row[first], row[second]));
         }
     }
 }

@@ -5,7 +5,7 @@ use super::super::unit::{UNIT, Unit};
 use super::{in_order, some_level};
 use crate::bits::signed;
 use crate::config::{LevelUp, Trim};
-use crate::golden::{Crossing, address, descend_levels, level_up, start_level};
+use crate::golden::{Crossing, address, descend_levels, level_after, start_level};
 use crate::proofs::{BIT_LEVEL, PROOF, Proof};
 
 /// The entries.
@@ -131,7 +131,7 @@ static LEVEL_UP: Unit = Unit {
         let plane = row.get("even").map_or(0, |even| (1 - even as i64) << level);
         let [x, e_x, y, e_y] = ["x_at", "x_hit", "y_at", "y_hit"].map(|p| row.get(p).map_or(0, |v| c.signed(v)));
         let crossing = Crossing { level, plane, x, y, e_x, e_y, previous: row.is_set("prev_crossed") };
-        out["up"] = u64::from(level < c.design.traverse.levels && level_up(c.design.mode.level_up, &crossing));
+        out["up"] = u64::from(level_after(&c.design.mode, c.design.traverse.levels, level, &crossing) > level);
     }),
     // Coordinates keep a bit of headroom: IDX_W holds any sum of an entry point and a travel.
     legal: Some(|c, row| {

@@ -2,7 +2,7 @@
 use super::model::Published;
 use super::route::{Route, Travel};
 use crate::float;
-use crate::level::{Crossing, descend_levels, level_up};
+use crate::level::{Crossing, descend_levels, level_after};
 use crate::pyramid::Pyramid;
 use crate::record::{Decision, Iteration, RayHit, RayInput};
 
@@ -125,7 +125,7 @@ impl Published {
         it.next_t = self.max(s.t, t_e);
         let plane = if x_first { x.plane } else { y.plane };
         let c = Crossing { level: k, plane, x: s.x, y: s.y, e_x, e_y, previous: s.prev };
-        it.next_level = n.min(k + u32::from(level_up(self.design.mode.level_up, &c)));
+        it.next_level = level_after(&self.design.mode, n, k, &c);
         it
     }
 

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 /// Builds `multi_level_down`.
 pub fn multi_level_down(d: &Design) -> Arc<Module> {
-    let (t, mode, cut) = (&d.traverse, &d.mode, d.latency.has(Register::Descent));
+    let (t, mode, registered) = (&d.traverse, &d.mode, d.latency.has(Register::Descent));
     let what = match mode.levels_down {
         1 => "level and child of a descent by one level".to_string(),
         n => format!("level and child of a descent: {n} levels until the first crossing, then one"),
@@ -19,7 +19,7 @@ pub fn multi_level_down(d: &Design) -> Arc<Module> {
     let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
     let idx = index_width(&b, t, Some(&levels));
     let many = u64::from(mode.levels_down);
-    if cut {
+    if registered {
         b.clock();
         b.clock_enable();
     }
@@ -59,14 +59,14 @@ pub fn multi_level_down(d: &Design) -> Arc<Module> {
     });
     b.drive(out, next.named("next_level"));
     for ((axis, low, high, e), out) in axes.into_iter().zip(outs) {
-        b.drive(out, clamp(e, low, high, axis, cut));
+        b.drive(out, clamp(e, low, high, axis, registered));
     }
     b.finish(&bindings())
 }
 
 /// Estimate `e`, kept between two texels; with `cut` a register stands after the comparisons.
-pub(super) fn clamp<'b>(e: Sig<'b>, low: Sig<'b>, high: Sig<'b>, axis: &str, cut: bool) -> Sig<'b> {
-    let below = e.slt(low).named(&format!("{axis}_is_below")).reg_if(cut);
-    let above = high.slt(e).named(&format!("{axis}_is_above")).reg_if(cut);
+pub(super) fn clamp<'b>(e: Sig<'b>, low: Sig<'b>, high: Sig<'b>, axis: &str, registered: bool) -> Sig<'b> {
+    let below = e.slt(low).named(&format!("{axis}_is_below")).reg_if(registered);
+    let above = high.slt(e).named(&format!("{axis}_is_above")).reg_if(registered);
     below.mux(low, above.mux(high, e)).named(&format!("{axis}_child"))
 }

@@ -8,12 +8,12 @@ use std::sync::Arc;
 
 /// Builds `node_planes`; `parity` adds the output that tevs and selective level-up ask for.
 pub fn node_planes(d: &Design, parity: bool) -> Arc<Module> {
-    let (t, cut) = (&d.traverse, d.latency.has(Register::NodeExtent));
+    let (t, registered) = (&d.traverse, d.latency.has(Register::NodeExtent));
     let b =
         Builder::new("node_planes", file!(), "extent of a node along one axis, and the plane by which the ray leaves");
     let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
     let idx = index_width(&b, t, Some(&levels));
-    if cut {
+    if registered {
         b.clock();
         b.clock_enable();
     }
@@ -28,15 +28,15 @@ pub fn node_planes(d: &Design, parity: bool) -> Arc<Module> {
 
     // Extent and planes are a shift and a sum, one after the other.
     let keep = b.ones(&idx).shift_left(level).named("keep");
-    let first = (x & keep).named("first").reg_if(cut);
-    let last = (x | !keep).named("last").reg_if(cut);
+    let first = (x & keep).named("first").reg_if(registered);
+    let last = (x | !keep).named("last").reg_if(registered);
     // The plane lies at the node's number, or at the next one: the last bit of that takes neither a shift nor a sum.
     let is_odd = parity.then(|| {
-        let keep = keep.reg_if(cut);
+        let keep = keep.reg_if(registered);
         let side = (keep & !b.cat(&[keep.slice(0, &idx - 1), b.zeros(1)])).named("side_length");
         (first & side).any().named("is_odd")
     });
-    let (x, minus) = (x.reg_if(cut), minus.reg_if(cut));
+    let (x, minus) = (x.reg_if(registered), minus.reg_if(registered));
     let edge = minus.mux(first, last).named("side");
     let exit = (edge + (!minus).zext(&idx)).named("exit_plane");
     let next = minus.mux(first - b.lit(1, &idx), exit).named("next");

@@ -18,6 +18,8 @@ pub struct Search {
     pub throughput: &'static str,
     /// What was chosen, by name.
     pub choices: fn(&Design) -> Vec<(&'static str, String)>,
+    /// What else was chosen, and shows in the text: for the banner.
+    pub described: fn(&Design) -> Vec<(&'static str, String)>,
     /// What the file of the memories' first words holds.
     pub image: fn(&Design) -> String,
     /// Declares the load ports, one each memory.
@@ -34,6 +36,15 @@ pub static PYRAMID: Search = Search {
     throughput: "one iteration (one node) per clock; a ray takes as many iterations as its path needs",
     choices: |d| {
         vec![("levels_down", d.mode.levels_down.to_string()), ("level_up", d.mode.level_up.word().to_string())]
+    },
+    described: |d| {
+        let (facts, mode) = (d.datapath.kind.facts(), &d.mode);
+        let on = |is_on: bool| if is_on { "on" } else { "off" }.to_string();
+        let mut all = vec![("start", if mode.start_level { "lowest node" } else { "root" }.to_string())];
+        all.extend(facts.has_trim.then(|| ("trim", mode.trim.word().to_string())));
+        all.extend(facts.has_lod.then(|| ("lod", on(mode.lod))));
+        all.extend(facts.has_bilinear.then(|| ("bilinear", on(mode.bilinear))));
+        all
     },
     image: |d| {
         let more =

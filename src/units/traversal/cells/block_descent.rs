@@ -13,7 +13,7 @@ pub fn reads_crossed(d: &Design) -> bool {
 
 /// Builds `block_descent`.
 pub fn block_descent(d: &Design) -> Arc<Module> {
-    let (t, cut) = (&d.traverse, d.latency.has(Register::Descent));
+    let (t, registered) = (&d.traverse, d.latency.has(Register::Descent));
     let (before, after) = (d.mode.levels_down, d.levels_down_after());
     let b = Builder::new(
         "block_descent",
@@ -24,7 +24,7 @@ pub fn block_descent(d: &Design) -> Arc<Module> {
     b.choice("levels_down_after", after);
     let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
     let idx = index_width(&b, t, Some(&levels));
-    if cut {
+    if registered {
         b.clock();
         b.clock_enable();
     }
@@ -56,7 +56,7 @@ pub fn block_descent(d: &Design) -> Arc<Module> {
     let next = lod.map_or(next, |lod| next.lt(lod).mux(lod, next).named("next_level"));
     b.drive(out, next);
     for ((axis, low, high, e), out) in axes.into_iter().zip(outs) {
-        b.drive(out, clamp(e, low, high, axis, cut));
+        b.drive(out, clamp(e, low, high, axis, registered));
     }
     b.finish(&bindings())
 }

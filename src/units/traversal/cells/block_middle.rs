@@ -7,11 +7,11 @@ use std::sync::Arc;
 
 /// Builds `block_middle`.
 pub fn block_middle(d: &Design) -> Arc<Module> {
-    let (t, cut) = (&d.traverse, d.latency.has(Register::NodeExtent));
+    let (t, registered) = (&d.traverse, d.latency.has(Register::NodeExtent));
     let b = Builder::new("block_middle", file!(), "middle plane of a block of four cells along one axis");
     let LevelParams { levels, level_w } = LevelParams::declare(&b, t);
     let idx = index_width(&b, t, Some(&levels));
-    if cut {
+    if registered {
         b.clock();
         b.clock_enable();
     }
@@ -26,9 +26,9 @@ pub fn block_middle(d: &Design) -> Arc<Module> {
     let keep = b.ones(&idx).shift_left(level).named("keep");
     // The lowest bit that a cell's index keeps tells the halves apart.
     let side = (keep & !b.cat(&[keep.slice(0, &idx - 1), b.zeros(1)])).named("side_length");
-    let upper = (x & side).any().named("is_upper").reg_if(cut);
-    let corner = ((x & keep) | side).named("middle_plane").reg_if(cut);
-    let (x, minus) = (x.reg_if(cut), minus.reg_if(cut));
+    let upper = (x & side).any().named("is_upper").reg_if(registered);
+    let corner = ((x & keep) | side).named("middle_plane").reg_if(registered);
+    let (x, minus) = (x.reg_if(registered), minus.reg_if(registered));
     let is_past = (upper ^ minus).named("is_past");
     let edge = (corner - minus.zext(&idx)).named("border");
     b.drive(middle, corner);

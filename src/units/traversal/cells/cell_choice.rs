@@ -11,18 +11,18 @@ use std::sync::Arc;
 /// Comparisons of two parameters: the ray's own (`t`), and those of the middle (`mid`) and the exit planes (`far`) along x and y. Each is the net
 /// of "the first is less than the second".
 pub const ORDER: [(&str, &str, &str); 12] = [
-    ("t_mid_x", "t", "mid_x"),
-    ("t_mid_y", "t", "mid_y"),
-    ("t_far_x", "t", "far_x"),
-    ("t_far_y", "t", "far_y"),
-    ("mid_x_mid_y", "mid_x", "mid_y"),
-    ("mid_y_mid_x", "mid_y", "mid_x"),
-    ("mid_x_far_x", "mid_x", "far_x"),
-    ("mid_y_far_y", "mid_y", "far_y"),
-    ("mid_x_far_y", "mid_x", "far_y"),
-    ("mid_y_far_x", "mid_y", "far_x"),
-    ("far_y_far_x", "far_y", "far_x"),
-    ("far_y_mid_x", "far_y", "mid_x"),
+    ("t_lt_mid_x", "t", "mid_x"),
+    ("t_lt_mid_y", "t", "mid_y"),
+    ("t_lt_far_x", "t", "far_x"),
+    ("t_lt_far_y", "t", "far_y"),
+    ("mid_x_lt_mid_y", "mid_x", "mid_y"),
+    ("mid_y_lt_mid_x", "mid_y", "mid_x"),
+    ("mid_x_lt_far_x", "mid_x", "far_x"),
+    ("mid_y_lt_far_y", "mid_y", "far_y"),
+    ("mid_x_lt_far_y", "mid_x", "far_y"),
+    ("mid_y_lt_far_x", "mid_y", "far_x"),
+    ("far_y_lt_far_x", "far_y", "far_x"),
+    ("far_y_lt_mid_x", "far_y", "mid_x"),
 ];
 
 /// The cells in the order of their words in memory: the upper half along x, then along y.
@@ -30,13 +30,13 @@ pub const CELLS: [&str; 4] = ["height_0", "height_1", "height_2", "height_3"];
 
 /// Builds `cell_choice`.
 pub fn cell_choice(d: &Design, time: &TimeWord) -> Arc<Module> {
-    let cut = d.latency.has(Register::Parameter);
+    let registered = d.latency.has(Register::Parameter);
     let b = Builder::new("cell_choice", file!(), "the cell of a block that a ray hits, or out of which it leaves");
     let (time_w, unit) = (time.declare)(&b, d);
     let h = b.param("HEIGHT_W", d.traverse.height_bits, "bits of a height code");
     b.require(2, &h);
     b.require(&h, 16);
-    if cut {
+    if registered {
         b.clock();
         b.clock_enable();
     }
@@ -77,30 +77,31 @@ pub fn cell_choice(d: &Design, time: &TimeWord) -> Arc<Module> {
 
     b.section("choice", "The first diagonal with a hit; without one, the cell at which the ray leaves.");
     let inside = (hits[0] | hits[1] | hits[2] | hits[3]).named("is_hit");
-    let x_first = (!less("far_y_far_x")).named("x_exits_first");
-    let last_x = (x_first | past_x | !less("far_y_mid_x")).named("last_far_x");
-    let last_y = (!x_first | past_y | less("mid_y_far_x")).named("last_far_y");
+    let x_first = (!less("far_y_lt_far_x")).named("x_exits_first");
+    let last_x = (x_first | past_x | !less("far_y_lt_mid_x")).named("last_far_x");
+    let last_y = (!x_first | past_y | less("mid_y_lt_far_x")).named("last_far_y");
     let hit_x = !hits[0] & (hits[1] | !hits[2]);
     let hit_y = !hits[0] & !hits[1];
     let far_x = inside.mux(hit_x, last_x).named("far_x_chosen");
     let far_y = inside.mux(hit_y, last_y).named("far_y_chosen");
 
     b.section("entry", "The latest of the ray's own parameter and those of the middle planes that it has to pass.");
-    let from_x = (far_x & !past_x & less("t_mid_x")).named("enters_by_x");
-    let from_y = (far_y & !past_y & from_x.mux(less("mid_x_mid_y"), less("t_mid_y"))).named("enters_by_y");
-    let grows = x_first.mux(less("t_far_x"), less("t_far_y")).named("t_advances");
+    let from_x = (far_x & !past_x & less("t_lt_mid_x")).named("enters_by_x");
+    let from_y = (far_y & !past_y & from_x.mux(less("mid_x_lt_mid_y"), less("t_lt_mid_y"))).named("enters_by_y");
+    let grows = x_first.mux(less("t_lt_far_x"), less("t_lt_far_y")).named("t_advances");
     let place = [(far_x ^ neg[0]).named("upper_x"), (far_y ^ neg[1]).named("upper_y")];
 
     // A register between the choice and what is chosen.
-    let [h0, h1, h2, h3] = heights.map(|v| v.reg_if(cut));
-    let [upper_x, upper_y] = place.map(|v| v.reg_if(cut));
-    let ([mid_x, mid_y], [far_x_t, far_y_t]) = (t_mid.map(|v| v.reg_if(cut)), t_far.map(|v| v.reg_if(cut)));
-    let t = t.reg_if(cut);
+    let [h0, h1, h2, h3] = heights.map(|v| v.reg_if(registered));
+    let [upper_x, upper_y] = place.map(|v| v.reg_if(registered));
+    let ([mid_x, mid_y], [far_x_t, far_y_t]) =
+        (t_mid.map(|v| v.reg_if(registered)), t_far.map(|v| v.reg_if(registered)));
+    let t = t.reg_if(registered);
     let height = upper_y.mux(upper_x.mux(h3, h2), upper_x.mux(h1, h0)).named("height_chosen");
-    let by_x = from_x.reg_if(cut).mux(mid_x, t).named("enters_x");
-    let enters = from_y.reg_if(cut).mux(mid_y, by_x).named("enters_cell");
-    let exit = x_first.reg_if(cut).mux(far_x_t, far_y_t).named("t_exit");
-    let next = grows.reg_if(cut).mux(exit, t).named("t_after");
+    let by_x = from_x.reg_if(registered).mux(mid_x, t).named("enters_x");
+    let enters = from_y.reg_if(registered).mux(mid_y, by_x).named("enters_cell");
+    let exit = x_first.reg_if(registered).mux(far_x_t, far_y_t).named("t_exit");
+    let next = grows.reg_if(registered).mux(exit, t).named("t_after");
     b.drive(o_inside, inside);
     o_half.into_iter().zip([far_x, far_y]).for_each(|(o, v)| b.drive(o, v));
     b.drive(o_first, x_first);
@@ -129,18 +130,18 @@ impl<'b> Order<'b> {
     /// Whether the ray is in a cell for a while: of nn, fn, nf and ff.
     fn on_way(&self, [past_x, past_y]: [Sig<'b>; 2]) -> [Sig<'b>; 4] {
         let less = |name: &str| self.less(name);
-        let before_x = (past_x | less("mid_x_far_x")).named("x_halves_differ");
-        let before_y = (past_y | less("mid_y_far_y")).named("y_halves_differ");
+        let before_x = (past_x | less("mid_x_lt_far_x")).named("x_halves_differ");
+        let before_y = (past_y | less("mid_y_lt_far_y")).named("y_halves_differ");
         [
-            !past_x & !past_y & less("t_mid_x") & less("t_mid_y"),
-            !past_y & less("t_far_x") & less("t_mid_y") & (past_x | less("mid_x_mid_y")) & before_x,
-            !past_x & less("t_mid_x") & less("t_far_y") & (past_y | less("mid_y_mid_x")) & before_y,
-            less("t_far_x")
-                & less("t_far_y")
+            !past_x & !past_y & less("t_lt_mid_x") & less("t_lt_mid_y"),
+            !past_y & less("t_lt_far_x") & less("t_lt_mid_y") & (past_x | less("mid_x_lt_mid_y")) & before_x,
+            !past_x & less("t_lt_mid_x") & less("t_lt_far_y") & (past_y | less("mid_y_lt_mid_x")) & before_y,
+            less("t_lt_far_x")
+                & less("t_lt_far_y")
                 & before_x
                 & before_y
-                & (past_x | less("mid_x_far_y"))
-                & (past_y | less("mid_y_far_x")),
+                & (past_x | less("mid_x_lt_far_y"))
+                & (past_y | less("mid_y_lt_far_x")),
         ]
     }
 }

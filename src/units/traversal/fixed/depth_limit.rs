@@ -12,8 +12,8 @@ pub fn depth_limit(d: &Design) -> Arc<Module> {
     let f = of.fraction();
     let h = of.height(&f);
     let time = b.local("TimeW", time_width(&f));
-    let cut = d.latency.has(Register::Parameter);
-    if cut {
+    let registered = d.latency.has(Register::Parameter);
+    if registered {
         b.clock();
         b.clock_enable();
     }
@@ -23,6 +23,6 @@ pub fn depth_limit(d: &Design) -> Arc<Module> {
     b.section("round up", "The largest parameter, of a plane that is never met, becomes 2^HEIGHT_W.");
     let rest = t.slice(0, &f - &h + GUARD).any().named("has_fraction");
     let whole = (t.slice(&f - &h + GUARD, &h).zext(&h + 1) + rest.zext(&h + 1)).named("whole");
-    b.drive(out, whole.reg_if(cut));
+    b.drive(out, whole.reg_if(registered));
     b.finish(&bindings())
 }

@@ -25,8 +25,8 @@ pub fn plane_order(d: &Design) -> Arc<Module> {
     let outs = ORDER.map(|(name, first, second)| b.output(name, 1, BIT, &format!("{first} is less than {second}")));
     b.section("compare", "");
     b.at_least(d.latency.compare);
-    for ((name, first, second), out) in ORDER.into_iter().zip(outs) {
-        let less = of(first).lt(of(second)).named(&format!("{name}_less"));
+    for ((_, first, second), out) in ORDER.into_iter().zip(outs) {
+        let less = of(first).lt(of(second)).named(&format!("{first}_before_{second}"));
         b.drive(out, less);
     }
     b.finish(&bindings())

@@ -108,8 +108,8 @@ fn axis<'b>(b: &'b Builder, d: &Design, idx: &Expr, name: &str, p: Sig<'b>, trav
     b.section(&format!("axis {name}"), "");
     let o = b.inst(&axis_scale(d), &format!("u_scale_{name}"), &[], &[("p", p), ("d", travel)]);
     let ok = o["ok"].named(&n("ok"));
-    let cut = |v: Sig<'b>| v.reg_if(d.latency.has(Register::ScaledRay));
-    let (p, dn) = (cut(o["p_texels"].named(&n("p"))), cut(o["d_texels"].named(&n("dn"))));
+    let registered = |v: Sig<'b>| v.reg_if(d.latency.has(Register::ScaledRay));
+    let (p, dn) = (registered(o["p_texels"].named(&n("p"))), registered(o["d_texels"].named(&n("dn"))));
 
     let o = b.inst(&axis_slope(d), &format!("u_slope_{name}"), &[], &[("p", p), ("dn", dn)]);
     let ports = [("pb", "p_back"), ("d", "d"), ("r", "r"), ("never", "never"), ("pf", "p_ahead"), ("le", "farthest")];

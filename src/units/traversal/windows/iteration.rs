@@ -40,11 +40,11 @@ pub fn iteration<'b>(
     b.section("texel", "");
     let origin = AXES.map(|a| (format!("origin_{a}"), new[format!("p_{a}").as_str()].slice(&f - &s.levels, &s.levels)));
     let origin = slots.read_early("origin", &origin.into_iter().collect::<Record<'b>>().and(two("neg")));
-    let cut = |v: Sig<'b>| v.reg_if(d.latency.has(Register::WindowTexel));
+    let registered = |v: Sig<'b>| v.reg_if(d.latency.has(Register::WindowTexel));
     let texel = AXES.map(|a| {
         let of = |n: &str| origin[format!("{n}_{a}").as_str()];
         let ins = [("origin", of("origin")), ("neg", of("neg")), ("k", ray.get(if a == "x" { "k_x" } else { "k_y" }))];
-        cut(b.inst(&window_texel(d), &format!("u_texel_{a}"), &[], &ins).only().named(&format!("texel_{a}")))
+        registered(b.inst(&window_texel(d), &format!("u_texel_{a}"), &[], &ins).only().named(&format!("texel_{a}")))
     });
     b.section("address", "");
     let (mut addresses, mut borders) = (Vec::new(), Vec::new());

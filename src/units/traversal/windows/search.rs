@@ -13,6 +13,7 @@ pub(super) static WINDOWS: Search = Search {
     summary: "traces rays against a height field: a looping pipeline, the windows of all sizes a clock",
     throughput: "one iteration (a window of each size) per clock; a ray takes as many iterations as its path needs",
     choices: |d| vec![("windows", set_word(&d.window_set()))],
+    described: |_| Vec::new(),
     image: |d| {
         let last = d.window_set().sizes().len() - 1;
         format!("with .0 to .{last} after its name, files for $readmemh with the words of each size; \"\": none")
