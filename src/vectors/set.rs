@@ -35,8 +35,8 @@ pub struct Counts {
 pub struct Iterations {
     /// Those of the longest ray.
     pub most: u32,
-    /// Those of all rays together.
-    pub sum: u64,
+    /// Those of all rays together, modulo 2^32, as a bench counts.
+    pub sum: u32,
 }
 
 /// Stimulus and expected results of one unit at one set of parameter values.

@@ -216,15 +216,9 @@ module {{ prefix }}tb_traverse #(
   // of the set, and of all its rays.
   task automatic read_iterations;
     integer c;
-    reg [63:0] most;
-    reg [63:0] sum;
     begin
-      most = 0;
-      sum = 0;
-      c = $fscanf(exp_fd, "%h %h", most, sum);
+      c = $fscanf(exp_fd, "%h %h", longest, needed);
       if (c != 2) exp_bits = 0;
-      longest = most[31:0];
-      needed = sum[31:0];
     end
   endtask
 {%- endif %}
