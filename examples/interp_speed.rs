@@ -43,7 +43,7 @@ fn measure(mode: ModeConfig, rays: usize, lanes: usize, threads: usize) {
     let run = pipeline.run_parallel(&pyramid, &ins, lanes, threads, Traffic::default()).expect("every ray comes out");
     let seconds = start.elapsed().as_secs_f64();
     let busy = processor_seconds() - busy;
-    let wrong = ins.iter().zip(&run.results).filter(|(r, h)| golden.trace(&pyramid, r) != hit(h)).count();
+    let wrong = ins.iter().zip(&run.results).filter(|(r, h)| golden.trace(&pyramid, r) != hit(&d, h)).count();
     let lane_cycles = run.cycles as f64 * lanes as f64 * threads as f64;
     println!(
         "{mode:?}: {wrong} of {rays} differ from golden; {} ops, {} registers, {} clocks; {:.2} M lane-cycles/s, {:.0} rays/s, {:.2} M lane-cycles per processor second",

@@ -88,7 +88,7 @@ pub fn bench_files(units: &[Arc<Module>], traverse: Option<(&Design, &Traverse)>
         enters, valid => valid.unwrap_or_else(|| format!("s{enters}_valid")),
         prefix, unit => traverse.name, dut => format!("{prefix}{TRAVERSE}"), params => params(traverse), terms => terms(traverse),
         files => files_of(traverse), warm_up, sizes => sizes(d, traverse),
-        lingers => !d.datapath.kind.facts().rays_end,
+        counted => d.gives_steps(), lingers => !d.datapath.kind.facts().rays_end,
         inputs => named(&crate::trace::inputs(traverse)), outputs => named(&crate::trace::outputs(traverse)),
     };
     files.insert(format!("testbench/{prefix}tb_{TRAVERSE}.v"), render("rays", value.clone()));

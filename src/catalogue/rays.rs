@@ -6,7 +6,7 @@ use crate::golden::{Iteration, Pyramid, RayHit, RayInput, images, prepare};
 use crate::ir::{Binding, Module};
 use crate::trace::{hit_row, inputs, outputs, row};
 use crate::units::traversal::traverse;
-use crate::vectors::{Column, Counts, VectorSet};
+use crate::vectors::{Column, Counts, Iterations, VectorSet};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -68,7 +68,7 @@ pub fn ray_set_at(
     let trims = d.mode.trim != Trim::None;
     let mut trace = format!("ray,step,level,x,y,height,t,decision{}\n", if trims { ",read" } else { "" });
     let mut expected = Vec::with_capacity(rays.len());
-    let mut events = Reached::default();
+    let (mut events, mut iterations) = (Reached::default(), Iterations::default());
     for (k, r) in rays.iter().enumerate() {
         let mut step = 0;
         let mut line = |i: &Iteration| {
@@ -80,6 +80,8 @@ pub fn ray_set_at(
         };
         let h = g.trace_with(pyramid, r, Some(&mut line));
         events.count(d, r, &h);
+        iterations.most = iterations.most.max(h.steps);
+        iterations.sum = iterations.sum.wrapping_add(h.steps);
         expected.push(hit_row(d, &h));
     }
     let names = inputs(m);
@@ -90,6 +92,7 @@ pub fn ray_set_at(
         seed,
         counts: Counts { corners: planned.len(), rays: seen.len(), ..Counts::default() },
         events: events.0,
+        iterations: (!d.gives_steps()).then_some(iterations),
         inputs,
         outputs,
         stimulus: rays.iter().map(|r| row(&names, r)).collect(),

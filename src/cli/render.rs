@@ -2,10 +2,12 @@
 use super::args::{Cli, RenderArgs};
 use super::views::Pixels;
 use crate::config::{Config, View};
+use crate::engine::EngineName;
 use crate::error::{Error, Result};
 use crate::files::Sink;
 use crate::project::{Lost, Scene, encode, footprint_picture, surface_picture};
 use crate::scene::{Picture, RaySet};
+use crate::trace::refused;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -30,6 +32,12 @@ pub fn run(cli: &Cli, a: &RenderArgs) -> Result<()> {
     if let Some(n) = a.scene.count() {
         return Err(Error::input(format!(
             "render draws every pixel: --rays {n} counts none; give a camera file of fewer pixels, or --rays R.csv"
+        )));
+    }
+    if a.steps && a.engine != EngineName::Golden && !c.design().gives_steps() {
+        return Err(Error::input(format!(
+            "render --steps draws iterations, and emit.counters = \"{}\" gives none with a hit: use --engine golden, or another emit.counters",
+            c.emit.counters
         )));
     }
     if sets.len() > 1 && !is_picture(&a.out) {
@@ -107,7 +115,7 @@ fn draw(cli: &Cli, c: &Config, a: &RenderArgs, scene: &Scene, set: &RaySet, out:
         bar.finish_and_clear();
         traced.hits
     };
-    let lost = Lost::of(&hits);
+    let lost = Lost::of(&hits, &refused(&c.design(), &scene.pyramid, &encoded, &hits)?);
     lost.verdict(hits.len())?;
     let (all, picture) = match set.camera(c.view.width, c.view.height) {
         Some(camera) => (

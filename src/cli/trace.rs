@@ -8,7 +8,7 @@ use crate::golden::RayInput;
 use crate::project::{self, Lost, Scene, without_border_hits};
 use crate::scene::border::enter_border;
 use crate::scene::{RaySet, RaySource, evenly};
-use crate::trace::{hits_csv, record};
+use crate::trace::{hits_csv, record, refused};
 use crate::units::traversal::TRAVERSE;
 
 /// Runs `trace`.
@@ -43,7 +43,8 @@ pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
     let bar = spinner(cli, format!("tracing {} rays", rays.len()));
     let mut hits = a.engine.engine().trace(&c, &scene.pyramid, &rays)?.hits;
     bar.finish_and_clear();
-    let beyond = without_border_hits(&c, &entered, &mut hits);
+    let mut refused = refused(&c.design(), &scene.pyramid, &rays, &hits)?;
+    let beyond = without_border_hits(&c, &entered, &mut hits, &mut refused);
     let recorded = match &wave {
         None => None,
         Some((sink, format)) => {
@@ -54,10 +55,10 @@ pub fn run(cli: &Cli, a: &TraceArgs) -> Result<()> {
         }
     };
     // Each is written, even if the other can't be: no reader may be left waiting at a pipe.
-    let written = out.write(hits_csv(&c.design(), c.map.border, &hits).as_bytes());
+    let written = out.write(hits_csv(&c.design(), c.map.border, &hits, &refused).as_bytes());
     let waved = recorded.map_or(Ok(()), |(wave, sink, format)| wave.write(sink, format, TRAVERSE));
     written.and(waved)?;
-    let lost = Lost { beyond, ..Lost::of(&hits) };
+    let lost = Lost { beyond, ..Lost::of(&hits, &refused) };
     if cli.json {
         println!(
             "{}",

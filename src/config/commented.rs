@@ -53,6 +53,7 @@ fn example(path: &str) -> String {
         "map.size" => "[1024, 1024]".into(),
         "map.byte_order" => "\"little\"".into(),
         "map.max_texels" => super::MapConfig::MAX_TEXELS.to_string(),
+        "emit.counters" => "\"all\"".into(),
         "mode.start_level" => "true".into(),
         "mode.levels_down" => "2".into(),
         "mode.level_up" => "\"selective\"".into(),

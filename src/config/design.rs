@@ -114,6 +114,21 @@ pub enum Divider {
 }
 words!(Divider: Rows = "rows", Table = "table");
 
+/// The counters that `traverse` gives with each hit; what is not given has no port, no register and no column in the vectors.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Counters {
+    /// Iterations, node crossings and levels gone up, as far as the datapath has them.
+    #[default]
+    All,
+    /// Iterations alone.
+    Steps,
+    /// None: iterations are counted inside of the loop for the step limit alone.
+    None,
+}
+
+words!(Counters: All = "all", Steps = "steps", None = "none");
+
 /// Clocks from operand to result of each kind of unit; the pipelines rebalance around them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields, default)]
@@ -185,6 +200,8 @@ pub struct Design {
     pub extra: ExtraUnits,
     /// Widths of conversions alone.
     pub convert: ConvertConfig,
+    /// Counters of a hit.
+    pub counters: Counters,
 }
 
 impl Design {
@@ -233,6 +250,7 @@ impl Default for Design {
             windows: WindowsConfig::default(),
             extra: ExtraUnits::default(),
             convert: ConvertConfig::default(),
+            counters: Counters::default(),
         }
     }
 }

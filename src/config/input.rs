@@ -1,5 +1,5 @@
 //! The sections of the configuration that do not shape the hardware, and the named choices of the number format.
-use super::ExtraUnit;
+use super::{Counters, ExtraUnit};
 use reliefrtl_base::format::{FloatFormat, Rounding, Specials, Subnormals};
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -332,6 +332,9 @@ pub struct EmitConfig {
     pub default_nettype: DefaultNettype,
     /// Units besides what the traversal needs.
     pub units: Vec<ExtraUnit>,
+    /// Counters of a hit.
+    #[serde(skip_serializing_if = "is_default")]
+    pub counters: Counters,
     /// Clock of the constraints in `flow/`, MHz; 1 to 1000.
     pub clock_mhz: u32,
 }
@@ -343,6 +346,7 @@ impl Default for EmitConfig {
             timescale: String::new(),
             default_nettype: DefaultNettype::Wire,
             units: Vec::new(),
+            counters: Counters::default(),
             clock_mhz: 84,
         }
     }

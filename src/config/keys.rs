@@ -2,8 +2,8 @@
 //!
 //! The commented file, the schema's ranges, the checks and their sentences all come from here.
 use super::{
-    Border, ByteOrder, DefaultNettype, Divider, ExtraUnit, LevelUp, MapKind, Rounding, Search, Specials, Subnormals,
-    Trim, View,
+    Border, ByteOrder, Counters, DefaultNettype, Divider, ExtraUnit, LevelUp, MapKind, Rounding, Search, Specials,
+    Subnormals, Trim, View,
 };
 use reliefrtl_base::alike::{nearest_by, similarity};
 use std::fmt;
@@ -342,6 +342,11 @@ pub const KEYS: &[Key] = &[
         Legal::Word(DefaultNettype::WORDS),
     ),
     key("emit.units", "units besides what the traversal needs", Legal::SomeWords(ExtraUnit::WORDS)),
+    key(
+        "emit.counters",
+        "what traverse counts beside each hit; iterations, node crossings and levels gone up, iterations alone, or nothing",
+        Legal::Word(Counters::WORDS),
+    ),
     key("emit.clock_mhz", "clock that the constraints in flow/ ask for, in MHz", Legal::Whole(1, 1000)),
 ];
 

@@ -9,6 +9,7 @@ pub mod check;
 mod words;
 mod clock;
 mod commented;
+mod counters;
 mod datapath;
 mod design;
 mod divider;
@@ -27,7 +28,7 @@ mod windows;
 
 pub use clock::{Choice, Part, Scope, Timed, for_clock};
 pub use datapath::{DatapathConfig, DatapathFacts, DatapathKind, Reads, Search, datapaths, searches};
-pub use design::{ConvertConfig, Design, Divider, LatencyConfig, LevelUp, ModeConfig, TraverseConfig, Trim};
+pub use design::{ConvertConfig, Counters, Design, Divider, LatencyConfig, LevelUp, ModeConfig, TraverseConfig, Trim};
 pub use extra::{ExtraUnit, ExtraUnits};
 pub use fetch::FetchConfig;
 pub use given::Given;
@@ -94,6 +95,7 @@ impl Config {
             windows: self.windows,
             extra: self.emit.units.iter().copied().collect(),
             convert: self.convert,
+            counters: self.emit.counters,
         }
     }
 

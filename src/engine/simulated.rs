@@ -3,7 +3,7 @@ use super::run::{Checked, Engine, Replay, SlotLoad, Traced};
 use super::stored::{memory, memory_files, pyramid_of, ray_of};
 use crate::bench::{Outcome, Paths, Simulator, bench_files, run_bench_on};
 use crate::catalogue::{decoded, design_at, ray_set, takes_rays};
-use crate::config::Config;
+use crate::config::{Config, Design};
 use crate::emit::{hardware, write_tree};
 use crate::error::{Error, Result};
 use crate::files::Scratch;
@@ -71,21 +71,22 @@ impl Engine for Simulated {
         let paths = Paths { results: Some(results.clone()), ..Paths::default() };
         let Outcome { build, run, .. } = run_bench_on(self.0, &tree, &t.module.name, &Binding::new(), &paths, &[])?;
         let text = std::fs::read_to_string(&results).map_err(|e| Error::file("read", &results, e))?;
-        let hits = self.hits(&text, rays.len(), outputs(&t.module).len())?;
+        let hits = self.hits(&c.design(), &text, rays.len(), outputs(&t.module).len())?;
         Ok(Traced { hits, build, run })
     }
 }
 
 impl Simulated {
     /// The hits of `rays` rays from what a bench wrote: a line a ray, its number and `words` words in hex.
-    fn hits(&self, text: &str, rays: usize, words: usize) -> Result<Vec<RayHit>> {
+    fn hits(&self, d: &Design, text: &str, rays: usize, words: usize) -> Result<Vec<RayHit>> {
         let mut hits = vec![RayHit::default(); rays];
         let broken = || Error::ToolFailed(format!("{} wrote results that can't be read", self.name()));
         for line in text.lines() {
             let mut fields = line.split_whitespace();
             let ray: usize = fields.next().and_then(|w| w.parse().ok()).ok_or_else(broken)?;
             let row = fields.map(|w| u64::from_str_radix(w, 16).map_err(|_| broken())).collect::<Result<Vec<u64>>>()?;
-            *hits.get_mut(ray).filter(|_| row.len() == words).ok_or_else(broken)? = hit(&row);
+            let place = hits.get_mut(ray).filter(|_| row.len() == words).ok_or_else(broken)?;
+            *place = hit(d, &row);
         }
         Ok(hits)
     }

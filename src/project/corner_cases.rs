@@ -8,6 +8,7 @@ use crate::measure::corner_cases::HardFigures;
 use crate::measure::{RayEnd, hex_words};
 use crate::scene::hard::{Case, HardScene};
 use crate::scene::{RaySet, ViewRay};
+use crate::trace::said;
 use serde::Serialize;
 
 /// What is run: a case, or rays of the user's.
@@ -300,7 +301,7 @@ fn equal(c: &Config, engine: EngineName, name: &str, hard: &HardScene, f: &HardF
     let t = &c.traverse;
     let pyramid = Pyramid::build(t.levels, t.height_bits, &hard.texels)?;
     let hits = engine.engine().trace(&c, &pyramid, &f.rays)?.hits;
-    match hits.iter().zip(&f.hits).position(|(got, want)| got != want) {
+    match hits.iter().zip(&f.hits).position(|(got, want)| *got != said(&c.design(), want)) {
         None => Ok(()),
         Some(ray) => Err(Error::mismatch(format!(
             "case {name}, ray {ray} ({}): expected {}, got {}",

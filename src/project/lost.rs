@@ -17,10 +17,11 @@ pub struct Lost {
 }
 
 impl Lost {
-    /// Counts them.
-    pub fn of(hits: &[RayHit]) -> Self {
-        let count = |started: bool| hits.iter().filter(|h| h.limit && (h.steps > 0) == started).count();
-        Self { refused: count(false), given_up: count(true), beyond: 0 }
+    /// Counts them; `refused` are those of [`crate::trace::refused`].
+    pub fn of(hits: &[RayHit], refused: &[bool]) -> Self {
+        let lost = hits.iter().filter(|h| h.limit).count();
+        let refused = refused.iter().filter(|r| **r).count();
+        Self { refused, given_up: lost - refused, beyond: 0 }
     }
 
     /// An error if there was no hit at all.
@@ -35,13 +36,15 @@ impl Lost {
     }
 }
 
-/// Takes their hits from `rays` (u, v, du, dv, in tiles of the design) that went on beyond what `map.border` prepares; returns how many these are.
-pub fn without_border_hits(c: &Config, rays: &[[f64; 4]], hits: &mut [RayHit]) -> usize {
+/// Takes their hits from `rays` (u, v, du, dv, in tiles of the design) that went on beyond what `map.border` prepares; returns how many these are, and marks them
+/// among the `refused`.
+pub fn without_border_hits(c: &Config, rays: &[[f64; 4]], hits: &mut [RayHit], refused: &mut [bool]) -> usize {
     let d = c.design();
     let mut beyond = 0;
-    for (hit, ray) in hits.iter_mut().zip(rays) {
+    for ((hit, refused), ray) in hits.iter_mut().zip(refused).zip(rays) {
         if !hit.limit && !saw_border(&d, c.map.border, ray, hit) {
             *hit = RayHit { limit: true, ..RayHit::default() };
+            *refused = true;
             beyond += 1;
         }
     }

@@ -1,6 +1,6 @@
 //! Whether a tree is the one that the configuration emits, before it is checked.
-use crate::config::Config;
 use crate::config::keys::HARDWARE;
+use crate::config::{Config, Counters};
 use crate::emit::Files;
 use crate::error::{Error, Result};
 use crate::files::{read_of_tree, read_text_of_tree};
@@ -40,18 +40,23 @@ pub fn same_config(c: &Config, dir: &Path) -> Result<()> {
     let manifest: Value = serde_json::from_slice(&text)
         .map_err(|e| Error::input(format!("{} is not the manifest of an emitted tree: {e}", path.display())))?;
     let asked = serde_json::to_value(c).expect("a configuration is plain data");
+    let other = |key: &str, there: &Value, value: &Value| {
+        Err(Error::input(format!(
+            "{} was emitted with {key} = {there}, and {value} is asked for: give the configuration of the tree, or emit it anew",
+            dir.display()
+        )))
+    };
     for section in HARDWARE {
         let there = &manifest["config"][section];
         let differs = |(key, value): &(&String, &Value)| there.get(key.as_str()).is_some_and(|x| x != *value);
         if let Some((key, value)) = asked[section].as_object().and_then(|keys| keys.iter().find(differs)) {
-            return Err(Error::input(format!(
-                "{} was emitted with {section}.{key} = {}, and {value} is asked for: give the configuration of the tree, or emit it anew",
-                dir.display(),
-                there[key]
-            )));
+            return other(&format!("{section}.{key}"), &there[key], value);
         }
     }
-    Ok(())
+    // Written only where it is not the default.
+    let plain = serde_json::json!(Counters::default());
+    let [there, value] = [&manifest["config"], &asked].map(|c| c["emit"].get("counters").unwrap_or(&plain));
+    if there == value { Ok(()) } else { other("emit.counters", there, value) }
 }
 
 /// The exports hold the rows that the hex files hold: whoever reads those checks against the same set.

@@ -20,7 +20,8 @@ pub fn row(inputs: &[&str], r: &RayInput) -> Vec<u64> {
     words.truncate(inputs.len());
     words
 }
-/// Data outputs of a `traverse` over a pyramid, in the order of a hit's row; a search by windows has no crossings and goes up no levels.
+/// Data outputs of a `traverse` over a pyramid that gives all counters, in the order of a hit's row; a search by windows has no crossings and goes up
+/// no levels, and `emit.counters` leaves out counters.
 pub const OUTPUTS: [&str; 10] =
     ["out_i", "out_j", "out_fu", "out_fv", "out_t", "out_wall", "out_limit", "out_steps", "out_crossings", "out_ups"];
 /// Those that a design with the bilinear refinement has besides.
@@ -33,8 +34,8 @@ pub fn outputs(traverse: &Module) -> Vec<&'static str> {
 pub fn hit_row(design: &Design, h: &RayHit) -> Vec<u64> {
     let mut row = [h.i, h.j, h.fu, h.fv].map(u64::from).to_vec();
     row.extend([h.t, u64::from(h.wall), u64::from(h.limit)]);
-    row.push(u64::from(h.steps));
-    if design.datapath.kind.facts().counts_levels {
+    row.extend(design.gives_steps().then(|| u64::from(h.steps)));
+    if design.gives_crossings() {
         row.extend([h.crossings, h.ups].map(u64::from));
     }
     if design.mode.bilinear {
@@ -129,24 +130,32 @@ impl Pipeline {
 pub fn trace_interp(design: &Design, pyramid: &Pyramid, rays: &[RayInput]) -> Result<Vec<RayHit>> {
     let p = Pipeline::new(design, &Binding::new())?;
     let run = p.run_parallel(pyramid, rays, BLOCK, rayon::current_num_threads(), Traffic::default())?;
-    Ok(run.results.iter().map(|r| hit(r)).collect())
+    Ok(run.results.iter().map(|r| hit(design, r)).collect())
 }
 
-/// A hit from its row of outputs.
-pub fn hit(r: &[u64]) -> RayHit {
-    RayHit {
-        i: r[0] as u32,
-        j: r[1] as u32,
-        fu: r[2] as u32,
-        fv: r[3] as u32,
-        t: r[4],
-        wall: r[5] != 0,
-        limit: r[6] != 0,
-        steps: r[7] as u32,
-        crossings: r.get(8).map_or(0, |v| *v as u32),
-        ups: r.get(9).map_or(0, |v| *v as u32),
-        bilinear: r.get(10).and_then(|code| Patch::ALL.into_iter().find(|p| p.code() == *code)).map(|patch| {
-            BilinearHit { patch, i: r[11] as u32, j: r[12] as u32, fu: r[13] as u32, fv: r[14] as u32, t: r[15] }
-        }),
-    }
+/// A hit from its row of outputs: what the design does not count is 0.
+///
+/// # Panics
+/// If the row is not one of the design.
+pub fn hit(design: &Design, r: &[u64]) -> RayHit {
+    let mut words = r.iter().copied();
+    let mut next = || words.next().expect("a row has a word for each output of its design");
+    let [i, j, fu, fv] = [(); 4].map(|()| next() as u32);
+    let (t, wall, limit) = (next(), next() != 0, next() != 0);
+    let steps = if design.gives_steps() { next() as u32 } else { 0 };
+    let [crossings, ups] = if design.gives_crossings() { [(); 2].map(|()| next() as u32) } else { [0; 2] };
+    let mut refined = || {
+        let code = next();
+        let [i, j, fu, fv] = [(); 4].map(|()| next() as u32);
+        let t = next();
+        let patch = Patch::ALL.into_iter().find(|p| p.code() == code)?;
+        Some(BilinearHit { patch, i, j, fu, fv, t })
+    };
+    let bilinear = if design.mode.bilinear { refined() } else { None };
+    RayHit { i, j, fu, fv, t, wall, limit, steps, crossings, ups, bilinear }
+}
+
+/// A hit of the golden model as the design's `traverse` says it: what it does not count is 0.
+pub fn said(design: &Design, h: &RayHit) -> RayHit {
+    hit(design, &hit_row(design, h))
 }

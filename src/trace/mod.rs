@@ -5,15 +5,17 @@ mod diagnose;
 mod interp;
 mod iterations;
 mod memory;
+mod refused;
 mod shown;
 mod wave;
 
 pub use border::{rays_inside, saw_border};
 pub use csv::{HEADER, REFINED, hits_csv};
 pub use diagnose::{Divergence, decode, diagnose, diagnose_in};
-pub use interp::{INPUTS, OUTPUTS, Pipeline, hit, hit_row, inputs, outputs, row, trace_interp};
+pub use interp::{INPUTS, OUTPUTS, Pipeline, hit, hit_row, inputs, outputs, row, said, trace_interp};
 pub use iterations::wrong_iteration;
 pub use memory::{image, images};
+pub use refused::refused;
 pub use shown::shade_point;
 pub use wave::{Window, record, record_mismatch, record_ray, record_rows};
 

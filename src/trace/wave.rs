@@ -146,7 +146,7 @@ fn result(p: &Pipeline, sim: &Tracked<'_>, clock: u64) -> Result<Option<RayHit>>
         return Ok(None);
     }
     let words = p.outputs.iter().map(|n| known(n)).collect::<Result<Vec<u64>>>()?;
-    Ok(Some(hit(&words)))
+    Ok(Some(hit(&p.design, &words)))
 }
 
 /// Compares `ray` with the golden model, net by net, and records `before` and `after` clocks around the first difference;

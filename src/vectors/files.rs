@@ -1,9 +1,10 @@
 //! A vector set as files: `vectors.json` (description), `stimulus.hex` and `expected.hex` (`$readmemh`), `vectors.csv` and `rows.json`
 //! (the same rows, for other programs).
 //!
-//! A hex file starts with the number of rows and the bits of a row; each row is one line of words, separated by blanks, first column first.
+//! A hex file starts with the number of rows and the bits of a row, `expected.hex` of rays whose hits do not say their iterations with the iterations of
+//! the longest ray and of all rays besides; each row is one line of words, separated by blanks, first column first.
 use super::campaign::Campaign;
-use super::set::{Column, Counts, VectorSet};
+use super::set::{Column, Counts, Iterations, VectorSet};
 use crate::emit::Files;
 use crate::error::{Error, Result};
 use crate::files::read_text_of_tree;
@@ -31,6 +32,8 @@ struct Description {
     campaign: Option<Campaign>,
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     events: BTreeMap<String, usize>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    iterations: Option<Iterations>,
     policy: String,
     inputs: Vec<Column>,
     outputs: Vec<Column>,
@@ -68,6 +71,7 @@ pub fn set_files(s: &VectorSet) -> Files {
         counts: s.counts,
         campaign: s.campaign,
         events: s.events.clone(),
+        iterations: s.iterations,
         policy: policy(s),
         inputs: s.inputs.clone(),
         outputs: s.outputs.clone(),
@@ -81,8 +85,8 @@ pub fn set_files(s: &VectorSet) -> Files {
     }
     Files::from([
         ("vectors.json".into(), json),
-        ("stimulus.hex".into(), hex(&s.unit, &s.inputs, &s.stimulus)),
-        ("expected.hex".into(), hex(&s.unit, &s.outputs, &s.expected)),
+        ("stimulus.hex".into(), hex(&s.unit, &s.inputs, &s.stimulus, None)),
+        ("expected.hex".into(), hex(&s.unit, &s.outputs, &s.expected, s.iterations)),
         ("vectors.csv".into(), csv),
         ("rows.json".into(), rows_json(s)),
     ])
@@ -157,13 +161,16 @@ fn names(c: &[Column]) -> impl Iterator<Item = String> + '_ {
     c.iter().map(|c| c.name.clone())
 }
 
-/// `$readmemh` text of rows.
-pub fn hex(unit: &str, columns: &[Column], rows: &[Vec<u64>]) -> String {
+/// `$readmemh` text of rows, with the iterations of their rays in its head where they are given.
+pub fn hex(unit: &str, columns: &[Column], rows: &[Vec<u64>], iterations: Option<Iterations>) -> String {
     let cols: Vec<String> = columns.iter().map(|c| format!("{}[{}]", c.name, c.width)).collect();
     let bits: u32 = columns.iter().map(|c| c.width).sum();
     let cols = cols.join(" ");
+    let (said, head) = iterations.map_or_else(Default::default, |n| {
+        (", iterations of the longest ray and of all", format!(" {:x} {:x}", n.most, n.sum))
+    });
     let mut out = format!(
-        "// unit {unit}; number of rows and bits of a row, then a row a line: {cols}\n{:x} {bits:x}\n",
+        "// unit {unit}; number of rows and bits of a row{said}, then a row a line: {cols}\n{:x} {bits:x}{head}\n",
         rows.len()
     );
     for r in rows {
@@ -197,8 +204,8 @@ pub fn read_set(dir: &Path) -> Result<(VectorSet, bool)> {
         let (at, width) = (at("vectors.json"), column.width);
         return Err(Error::input(format!("{at}: column {} has {width} bits, 1 to 64 are legal", column.name)));
     }
-    let stimulus = rows(&text("stimulus.hex")?, &d.inputs, &at("stimulus.hex"))?;
-    let expected = rows(&text("expected.hex")?, &d.outputs, &at("expected.hex"))?;
+    let stimulus = rows(&text("stimulus.hex")?, &d.inputs, None, &at("stimulus.hex"))?;
+    let expected = rows(&text("expected.hex")?, &d.outputs, d.iterations, &at("expected.hex"))?;
     let set = VectorSet {
         unit: d.unit,
         params: d.parameters,
@@ -206,6 +213,7 @@ pub fn read_set(dir: &Path) -> Result<(VectorSet, bool)> {
         counts: d.counts,
         campaign: d.campaign,
         events: d.events,
+        iterations: d.iterations,
         inputs: d.inputs,
         outputs: d.outputs,
         stimulus,
@@ -215,7 +223,7 @@ pub fn read_set(dir: &Path) -> Result<(VectorSet, bool)> {
     Ok((set, whole))
 }
 
-fn rows(text: &str, columns: &[Column], at: &str) -> Result<Vec<Vec<u64>>> {
+fn rows(text: &str, columns: &[Column], iterations: Option<Iterations>, at: &str) -> Result<Vec<Vec<u64>>> {
     let mut lines = text.lines().enumerate().map(|(i, l)| (i + 1, l.split("//").next().unwrap_or("").trim()));
     let mut lines = lines.by_ref().filter(|(_, l)| !l.is_empty());
     let word = |line: usize, w: &str, width: u32| {
@@ -228,10 +236,21 @@ fn rows(text: &str, columns: &[Column], at: &str) -> Result<Vec<Vec<u64>>> {
     };
     let (line, head) =
         lines.next().ok_or_else(|| Error::NothingRan(format!("{at} is empty: it starts with the number of rows")))?;
-    let (count, bits) = head.split_once(' ').ok_or_else(|| {
+    let (count, more) = head.split_once(' ').ok_or_else(|| {
         Error::input(format!("{at}, line {line}: {head}, where the number of rows and the bits of a row stand"))
     })?;
-    let (count, bits) = (word(line, count, 32)? as usize, word(line, bits.trim(), 32)?);
+    let (bits, counted) = match iterations {
+        None => (more.trim(), ""),
+        Some(_) => more.trim().split_once(' ').unwrap_or((more, "")),
+    };
+    let (count, bits) = (word(line, count, 32)? as usize, word(line, bits, 32)?);
+    if let Some(Iterations { most, sum }) = iterations.filter(|n| counted.trim() != format!("{:x} {:x}", n.most, n.sum))
+    {
+        return Err(Error::input(format!(
+            "{at} announces the iterations \"{}\", vectors.json describes {most:x} {sum:x}",
+            counted.trim()
+        )));
+    }
     let described: u64 = columns.iter().map(|c| u64::from(c.width)).sum();
     if bits != described {
         return Err(Error::input(format!("{at} announces rows of {bits} bits, vectors.json describes {described}")));

@@ -12,4 +12,4 @@ pub use corners::{Plan, exhaustive, landmarks, plan_rows};
 pub use files::{Rows, read_csv, read_json, read_set, set_files};
 pub use kind::Kind;
 pub use levels::campaign_rows;
-pub use set::{Column, Counts, VectorSet};
+pub use set::{Column, Counts, Iterations, VectorSet};

@@ -30,6 +30,15 @@ pub struct Counts {
     pub exhaustive: usize,
 }
 
+/// Iterations of the rays of a set.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Iterations {
+    /// Those of the longest ray.
+    pub most: u32,
+    /// Those of all rays together, modulo 2^32, as a bench counts.
+    pub sum: u32,
+}
+
 /// Stimulus and expected results of one unit at one set of parameter values.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct VectorSet {
@@ -45,6 +54,8 @@ pub struct VectorSet {
     pub campaign: Option<Campaign>,
     /// Rows that reach each event of the operation, by its name; empty where none was counted.
     pub events: BTreeMap<String, usize>,
+    /// Iterations of rays whose hits do not say them; a bench needs them to tell a lost ray from a long one.
+    pub iterations: Option<Iterations>,
     /// Input columns, in port order.
     pub inputs: Vec<Column>,
     /// Output columns, in port order.
@@ -67,7 +78,7 @@ impl Counts {
 }
 
 impl VectorSet {
-    /// blake3 of columns and rows, in hex: what the description pins.
+    /// blake3 of columns, rows and iterations, in hex: what the description pins.
     pub fn hash(&self) -> String {
         let mut h = blake3::Hasher::new();
         for c in self.inputs.iter().chain(&self.outputs) {
@@ -77,6 +88,9 @@ impl VectorSet {
             for v in row {
                 h.update(&v.to_le_bytes());
             }
+        }
+        if let Some(Iterations { most, sum }) = self.iterations {
+            h.update(format!("iterations {most} {sum}\n").as_bytes());
         }
         h.finalize().to_hex().to_string()
     }

@@ -81,6 +81,7 @@ fn the_key_table_is_the_configuration() {
         "windows.set=1 4@2",
         "fetch.cells=4",
         "mode.levels_down_after=1",
+        "emit.counters=steps",
     ]);
     let json = serde_json::to_value(&config).unwrap();
     let mut fields = Vec::new();

@@ -6,6 +6,7 @@ mod cells;
 mod check;
 mod clocks;
 mod config;
+mod counters;
 mod emit;
 mod files;
 mod input;

@@ -76,7 +76,7 @@ fn the_interpreter_equals_golden_at_formats_and_level_counts() {
             let run = p.run(&pyramid, &rays, 2, traffic).unwrap();
             for (n, (row, r)) in run.results.iter().zip(&rays).enumerate() {
                 let want = g.trace(&pyramid, r);
-                assert_eq!((hit(row), row), (want, &hit_row(&d, &want)), "ray {n} of {format:?}, {levels} levels");
+                assert_eq!((hit(&d, row), row), (want, &hit_row(&d, &want)), "ray {n} of {format:?}, {levels} levels");
                 seen[want.bilinear.map_or(0, |b| b.patch.code() as usize)] += 1;
             }
         }
@@ -96,7 +96,7 @@ fn clocks_and_trims_change_no_refined_hit() {
         (d.latency.from_int, d.latency.to_int) = (l, l / 2);
         let run = Pipeline::new(&d, &Binding::new()).unwrap().run(&pyramid, &rays, 4, Traffic::default()).unwrap();
         for (row, r) in run.results.iter().zip(&rays) {
-            assert_eq!(hit(row).bilinear, golden.trace(&pyramid, r).bilinear, "{l} clocks, {trim:?}, {r:?}");
+            assert_eq!(hit(&d, row).bilinear, golden.trace(&pyramid, r).bilinear, "{l} clocks, {trim:?}, {r:?}");
         }
     }
 }

@@ -112,7 +112,7 @@ fn the_pipeline_equals_the_model_at_three_widths_of_each_datapath() {
             let g = prepare(&d).unwrap();
             let run = Pipeline::new(&d, &Binding::new()).unwrap().run(&pyramid, &rays, 16, traffic).unwrap();
             for (n, (h, r)) in run.results.iter().zip(&rays).enumerate() {
-                assert_eq!(hit(h), g.trace(&pyramid, r), "ray {n}, {r:x?}, of {} {:?}", d.label(), d.mode);
+                assert_eq!(hit(&d, h), g.trace(&pyramid, r), "ray {n}, {r:x?}, of {} {:?}", d.label(), d.mode);
                 checked += 1;
             }
         }
@@ -167,7 +167,7 @@ fn other_parameters_equal_golden() {
         let g = prepare(&d).unwrap();
         let run = Pipeline::new(&base.design(), &at).unwrap().run(&pyramid, &rays, 16, Traffic::default()).unwrap();
         for (n, (h, r)) in run.results.iter().zip(&rays).enumerate() {
-            assert_eq!(hit(h), g.trace(&pyramid, r), "ray {n} at {values}");
+            assert_eq!(hit(&d, h), g.trace(&pyramid, r), "ray {n} at {values}");
         }
     }
 }

@@ -58,7 +58,7 @@ fn in_mode(given: &[&Given], mode: ModeConfig) -> Vec<Vec<RayHit>> {
         let golden = prepare(&d).unwrap();
         let p = pipelines.entry(d.traverse).or_insert_with(|| Pipeline::new(&d, &Binding::new()).unwrap());
         let run = p.run(&g.pyramid, &g.rays, 16, Traffic::default()).unwrap();
-        let hits: Vec<RayHit> = run.results.iter().map(|r| hit(r)).collect();
+        let hits: Vec<RayHit> = run.results.iter().map(|r| hit(&d, r)).collect();
         assert_eq!(hits.len(), g.rays.len());
         for (k, (got, ray)) in hits.iter().zip(&g.rays).enumerate() {
             assert_eq!(*got, golden.trace(&g.pyramid, ray), "{}, ray {k} {ray:x?} in {mode:?}", g.name);

@@ -4,6 +4,7 @@ mod bilinear_rtl;
 mod cells;
 mod checked;
 mod corners;
+mod counters;
 mod cut_out;
 mod engines;
 mod exit_status;

@@ -51,7 +51,7 @@ fn every_mode_equals_golden_and_hits_alike() {
                 let p = Pipeline::new(&d, &Binding::new()).unwrap();
                 let traffic = Traffic { gaps: 60, stalls: 90, resets: 2, seed: runs };
                 let run = p.run(&pyramid, &rays, 16, traffic).unwrap();
-                let hits: Vec<RayHit> = run.results.iter().map(|r| hit(r)).collect();
+                let hits: Vec<RayHit> = run.results.iter().map(|r| hit(&d, r)).collect();
                 for (k, (h, r)) in hits.iter().zip(&rays).enumerate() {
                     assert_eq!(*h, g.trace(&pyramid, r), "ray {k} in {:?}", d.mode);
                 }
@@ -90,7 +90,7 @@ fn every_trim_equals_golden_and_hits_alike() {
                     let p = Pipeline::new(&d, &Binding::new()).unwrap();
                     let traffic = Traffic { gaps: 60, stalls: 90, resets: 2, seed: runs };
                     let run = p.run(&pyramid, &rays, 16, traffic).unwrap();
-                    let hits: Vec<RayHit> = run.results.iter().map(|r| hit(r)).collect();
+                    let hits: Vec<RayHit> = run.results.iter().map(|r| hit(&d, r)).collect();
                     for (k, (h, r)) in hits.iter().zip(&rays).enumerate() {
                         assert_eq!(*h, g.trace(&pyramid, r), "ray {k} in {:?}", d.mode);
                     }
@@ -117,7 +117,7 @@ fn other_latencies_and_full_load() {
         let g = Watertight::prepare(&d).unwrap();
         let p = Pipeline::new(&d, &Binding::new()).unwrap();
         let run = p.run(&pyramid, &rays, 1, Traffic::default()).unwrap();
-        assert!(run.results.iter().zip(&rays).all(|(h, r)| hit(h) == g.trace(&pyramid, r)));
+        assert!(run.results.iter().zip(&rays).all(|(h, r)| hit(&d, h) == g.trace(&pyramid, r)));
         assert!(run.loaded > 500 && run.busy as f64 / run.loaded as f64 >= 0.98, "{} of {}", run.busy, run.loaded);
     }
 }
@@ -166,7 +166,10 @@ fn registers_between_units_change_no_result() {
         {
             let run = p.run(&pyramid, &rays, 64, traffic).unwrap();
             assert_eq!(run.results.len(), rays.len(), "{l:?}");
-            assert!(run.results.iter().zip(&rays).all(|(h, r)| hit(h) == g.trace(&pyramid, r)), "{l:?}, {traffic:?}");
+            assert!(
+                run.results.iter().zip(&rays).all(|(h, r)| hit(&d, h) == g.trace(&pyramid, r)),
+                "{l:?}, {traffic:?}"
+            );
         }
     };
     all.par_iter().enumerate().for_each(check);
@@ -184,7 +187,7 @@ fn dividers_by_table() {
         let p = Pipeline::new(&d, &Binding::new()).unwrap();
         let run = p.run(&pyramid, &rays, 64, Traffic::default()).unwrap();
         assert_eq!(run.results.len(), rays.len());
-        assert!(run.results.iter().zip(&rays).all(|(h, r)| hit(h) == g.trace(&pyramid, r)), "{div} clocks");
+        assert!(run.results.iter().zip(&rays).all(|(h, r)| hit(&d, h) == g.trace(&pyramid, r)), "{div} clocks");
     }
 }
 
@@ -221,7 +224,7 @@ fn other_formats_equal_golden() {
         let run = Pipeline::new(&d, &over).unwrap().run(&pyramid, &rays, 16, Traffic::default()).unwrap();
         let g = Watertight::prepare(&at).unwrap();
         for (k, (got, r)) in run.results.iter().zip(&rays).enumerate() {
-            assert_eq!(hit(got), g.trace(&pyramid, r), "ray {k} at {over:?}");
+            assert_eq!(hit(&d, got), g.trace(&pyramid, r), "ray {k} at {over:?}");
         }
     }
 }

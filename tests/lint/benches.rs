@@ -13,7 +13,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Configurations whose benches differ in more than widths.
-const CHOSEN: [&str; 8] = [
+const CHOSEN: [&str; 9] = [
     "default",
     "emit.prefix=pdm_",
     "emit.timescale=1ns/1ps emit.default_nettype=none",
@@ -22,6 +22,7 @@ const CHOSEN: [&str; 8] = [
     "mode.bilinear=true",
     "datapath.kind=published",
     "datapath.kind=fixed",
+    "emit.counters=none",
 ];
 
 /// Writes the benches of a configuration beside its modules; returns the benches and their tops.

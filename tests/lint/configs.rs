@@ -227,6 +227,11 @@ const SPREAD: &[&[&str]] = &[
     ],
     &["datapath.kind=fixed", "latency.add=0", "latency.mul=0", "latency.div=0", "latency.compare=0"],
     &["datapath.kind=fixed", "datapath.search=windows"],
+    &["emit.counters=none"],
+    &["emit.counters=steps", "mode.trim=always", "mode.levels_down=1", "mode.level_up=none"],
+    &["emit.counters=none", "mode.trim=always", "datapath.kind=fixed", "fetch.cells=4"],
+    &["emit.counters=none", "datapath.kind=published", "mode.levels_down=1"],
+    &["emit.counters=none", "datapath.kind=fixed", "datapath.search=windows"],
     &[
         "datapath.kind=fixed",
         "datapath.search=windows",

@@ -7,7 +7,7 @@
 //   +again         the set, and once it has passed, the set again with gaps, stalls, flood, reset, and
 //                  a hold: out_ready is 0 until every stage is full, and no result may be lost
 //   +patience=N    clocks without a result after which a ray counts as lost (default: four times
-//                  what the longest ray sent so far may take)
+//                  what the longest ray {% if counted %}sent so far{% else %}of the set{% endif %} may take)
 //   +results=FILE  one line per ray: its number, then its outputs in hex
 // The parameter MEM_INIT names a file that fills the memory at power-up; memory.hex is not loaded
 // then. Compiled with ITERATIONS defined, it reads nets of the loop, which a netlist does not have:
@@ -76,7 +76,7 @@ module {{ prefix }}tb_traverse #(
   integer checked;        // results compared
   integer wrong;          // of these, different from what is expected
   integer quiet;          // clocks since the last result
-  reg [31:0] longest;     // most iterations of a ray so far
+  reg [31:0] longest;     // most iterations of a ray {% if counted %}so far{% else %}of the set{% endif %}
   integer cycles;
   integer first_in;       // clock of the first ray
   integer last_out;       // clock of the last result
@@ -88,7 +88,7 @@ module {{ prefix }}tb_traverse #(
   reg     bad_stim;       // a row of stimulus.hex can't be read
   reg     bad_exp;        // a row of expected.hex can't be read
   reg [31:0] in_slots;    // clocks in which slot_busy was 1
-  reg [31:0] needed;      // iterations of the rays sent
+  reg [31:0] needed;      // iterations of the rays {% if counted %}sent{% else %}of the set{% endif %}
   reg [31:0] lfsr;        // random bits
 
   reg        rst;
@@ -210,6 +210,19 @@ module {{ prefix }}tb_traverse #(
     end
   endtask
 
+{%- if not counted %}
+
+  // What follows in the head of expected.hex, as no result says it: iterations of the longest ray
+  // of the set, and of all its rays.
+  task automatic read_iterations;
+    integer c;
+    begin
+      c = $fscanf(exp_fd, "%h %h", longest, needed);
+      if (c != 2) exp_bits = 0;
+    end
+  endtask
+{%- endif %}
+
   // Ends the bench; the line for the log has been printed.
   task automatic finish(input reg [7:0] code);
     begin
@@ -289,6 +302,9 @@ module {{ prefix }}tb_traverse #(
       end
       read_head(stim_fd, stim_left, stim_bits);
       read_head(exp_fd, exp_left, exp_bits);
+{%- if not counted %}
+      if (exp_bits != 0) read_iterations;
+{%- endif %}
       if ((stim_left == 0 && exp_left == 0) || stim_bits == 0 || exp_bits == 0) begin
         $display("FAIL tb_traverse: no rays in %0s, nothing ran", dir);
         exit_code = 8'd5;
@@ -395,12 +411,17 @@ module {{ prefix }}tb_traverse #(
       exp_fd = $fopen($sformatf("%0s/expected.hex", dir), "r");
       read_head(stim_fd, rows_in, stim_bits);
       read_head(exp_fd, rows_out, exp_bits);
+{%- if not counted %}
+      read_iterations;
+{%- endif %}
       stim_left <= rows_in;
       exp_left <= rows_out;
       rays <= 0;
       checked <= 0;
       quiet <= 0;
+{%- if counted %}
       needed <= 0;
+{%- endif %}
       in_slots <= 0;
       tag_used <= {Tags{1'b0}};
     end

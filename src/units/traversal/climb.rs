@@ -5,7 +5,7 @@ use super::trim_return::trim_return;
 use reliefrtl_config::{Design, LevelUp, Trim};
 use reliefrtl_ir::{Builder, Sig};
 
-/// What a crossing does to the level: the operand of `level_decision` by its port name, and whether the level rises (1 bit). `at` and `predicted` are
+/// What a crossing does to the level: the operand of `level_decision` by its port name, and, where that is counted, whether the level rises (1 bit). `at` and `predicted` are
 /// the ray's texel and the predicted one, `even` says whether the crossed plane bounds the parent.
 pub(super) fn climb<'b>(
     b: &'b Builder,
@@ -15,8 +15,12 @@ pub(super) fn climb<'b>(
     read: Sig<'b>,
     even: &dyn Fn() -> Sig<'b>,
     [at, predicted]: [[Sig<'b>; 2]; 2],
-) -> ((&'static str, Sig<'b>), Sig<'b>) {
+) -> ((&'static str, Sig<'b>), Option<Sig<'b>>) {
     b.section("level up", "");
+    let counts = d.gives_crossings();
+    if d.mode.trim != Trim::None && d.mode.level_up == LevelUp::None {
+        return (("level_across", ray.get("level")), counts.then(|| b.zeros(1)));
+    }
     let up = match level_up(d) {
         None => b.zeros(1),
         Some(unit) => {
@@ -42,13 +46,14 @@ pub(super) fn climb<'b>(
         }
     };
 
-    match (d.mode.trim, d.mode.level_up) {
-        (Trim::None, _) => (("up", up), up),
-        (_, LevelUp::None) => (("level_across", ray.get("level")), up),
-        _ => {
-            let ins = [("level", ray.get("level")), ("level_read", read), ("up", up)];
-            let o = b.inst(&trim_return(d), "u_return", &[], &ins);
-            (("level_across", o["level_across"].named("level_across")), o["grown"].named("grown"))
-        }
+    if d.mode.trim == Trim::None {
+        return (("up", up), counts.then_some(up));
     }
+    let ins = [("level", ray.get("level")), ("level_read", read), ("up", up)];
+    let o = b.inst(&trim_return(d), "u_return", &[], &ins);
+    let grown = o["grown"].named("grown");
+    if !counts {
+        b.unused(grown);
+    }
+    (("level_across", o["level_across"].named("level_across")), counts.then_some(grown))
 }

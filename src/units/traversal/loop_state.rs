@@ -146,9 +146,13 @@ pub fn level_state(s: &Sizes, d: &Design) -> Vec<Field> {
         Field::new("wall", &bit, Start::Zero).doc("the hit is on the side of a texel"),
         Field::new("limit", &bit, Start::Refused).doc("given up, or not a ray"),
         Field::new("steps", &counter, Start::Zero).doc("nodes visited [iterations]"),
-        Field::new("crossings", &counter, Start::Zero).doc("iterations that crossed into a neighbour [iterations]"),
-        Field::new("ups", &counter, Start::Zero).doc("levels gone up [levels]"),
     ]);
+    if d.gives_crossings() {
+        list.extend([
+            Field::new("crossings", &counter, Start::Zero).doc("iterations that crossed into a neighbour [iterations]"),
+            Field::new("ups", &counter, Start::Zero).doc("levels gone up [levels]"),
+        ]);
+    }
     let finest = Field::new("lod", &s.level_w, Start::Setup("finest"));
     list.extend(d.mode.lod.then(|| finest.doc("finest level at which the ray may end [levels]")));
     // Only several levels down ask for the first, only coherent level-up for the second, only the trim of descents for the third.
@@ -218,6 +222,11 @@ impl<'b> Ray<'b> {
     /// If the design has no such word.
     pub fn get(&self, name: &str) -> Sig<'b> {
         self.find(name).unwrap_or_else(|| panic!("a ray carries no {name}"))
+    }
+
+    /// Whether a word says whether, or how often, the ray crossed into a neighbour.
+    pub fn notes_crossings(&self) -> bool {
+        ["crossings", "crossed", "prev", "descended"].iter().any(|name| self.find(name).is_some())
     }
 
     /// Constants of an axis by the ports that read them: pairs of port and word, without `_x` or `_y`.

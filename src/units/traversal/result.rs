@@ -24,12 +24,16 @@ pub(super) fn result_fields<'a>(b: &Builder, s: &Sizes, d: &Design) -> Vec<(&'a 
         ("fv", position(), FRACTION, "position in the texel along v"),
         ("t", time.clone(), unit, "ray parameter: 0 at the top plane"),
         ("wall", one(), BIT, "the hit is on the side of a texel"),
-        ("limit", one(), BIT, "given up: STEP_LIMIT reached, or not a ray (steps 0)"),
     ];
+    let given_up = match d.gives_steps() {
+        true => "given up: STEP_LIMIT reached, or not a ray (steps 0)",
+        false => "given up: STEP_LIMIT reached, or not a ray",
+    };
+    list.push(("limit", one(), BIT, given_up));
     let windows = !d.datapath.kind.facts().counts_levels;
     let visited = if windows { "iterations, each over all windows" } else { "nodes visited" };
-    list.push(("steps", 16.into(), ITERATIONS, visited));
-    if !windows {
+    list.extend(d.gives_steps().then(|| ("steps", 16.into(), ITERATIONS, visited)));
+    if d.gives_crossings() {
         list.push(("crossings", 16.into(), ITERATIONS, "iterations that crossed into a neighbour"));
         list.push(("ups", 16.into(), LEVELS, "levels gone up"));
     }
@@ -82,8 +86,10 @@ impl<'b> Result<'_, 'b> {
                 })
                 .into(),
         };
-        let carried = ["t", "wall", "limit", "steps", "crossings", "ups", "tag"];
-        let carried = carried.into_iter().filter_map(|n| Some((n, held.find(n)?))).collect::<Record<'b>>();
+        // The loop counts steps for its limit, whether a hit says them or not.
+        let is_given = |n: &&str| *n != "steps" || self.d.gives_steps();
+        let carried = ["t", "wall", "limit", "steps", "crossings", "ups", "tag"].into_iter().filter(is_given);
+        let carried = carried.filter_map(|n| Some((n, held.find(n)?))).collect::<Record<'b>>();
         if self.d.mode.bilinear {
             computed = computed.and(self.refined(hit.enable(b)));
         }

@@ -20,8 +20,8 @@ pub(super) struct Found<'b> {
     pub(super) read: Sig<'b>,
     /// What a crossing does to the level, by the port of `level_decision` that takes it.
     pub(super) across: (&'static str, Sig<'b>),
-    /// The level rises if the ray crosses.
-    pub(super) grown: Sig<'b>,
+    /// The level rises if the ray crosses; where that is counted.
+    pub(super) grown: Option<Sig<'b>>,
     /// Level of a descent.
     pub(super) level_down: Sig<'b>,
     /// The ray's texel, x first.
@@ -69,8 +69,8 @@ struct Decided<'b> {
     crosses: Sig<'b>,
     /// Its height parameter lies before it: the hit would be a wall.
     below: Sig<'b>,
-    /// The level rises if it crosses.
-    grown: Sig<'b>,
+    /// The level rises if it crosses; where that is counted.
+    grown: Option<Sig<'b>>,
     /// Level, x, y, t after the iteration.
     next: [Sig<'b>; 4],
 }
@@ -99,23 +99,18 @@ fn write_back<'b>(
     let ends_now = hit | last_step;
     let ends_now = waits.map_or(ends_now, |_| ends_now & moves).named("ends_now");
     let given_up = (ends_now & !hit & moves).named("given_up");
-    let crossed_now = (crosses & moves).named("crossed_now");
-    let up_now = done((grown & crossed_now).named("up_now"));
-    let crossed_now = done(crossed_now);
+    let crossed_now = ray.notes_crossings().then(|| (crosses & moves).named("crossed_now"));
+    let up_now = grown.zip(crossed_now).map(|(grown, crossed)| done((grown & crossed).named("up_now")));
+    let crossed_now = crossed_now.map(done);
+    if crossed_now.is_none() {
+        b.unused(crosses);
+    }
     b.section("write back", "A finished ray recirculates unchanged.");
     let keep = |new: Sig<'b>, old: &str| stays.mux(ray.get(old), new);
     let [level, x, y, t] =
         [(next[0], "level"), (next[1], "x"), (next[2], "y"), (next[3], "t")].map(|(new, old)| keep(new, old));
-    let has_crossed = ray.find("crossed").map_or(crossed_now, |c| c | crossed_now);
-    // Of a ray that ends here it does not matter whether it descended.
-    let descended = if ray.find("descended").is_some() { (!crossed_now).named("descended_now") } else { crossed_now };
-    // What the iteration before was, a ray that waits still says of the one before that.
-    let held = |new: Sig<'b>, old: &str| match (waits, ray.find(old)) {
-        (Some(missed), Some(old)) => missed.mux(old, new),
-        _ => new,
-    };
-    let (prev, descended) = (held(crossed_now, "prev"), held(descended, "descended"));
-    ray.with(&[
+    let noted = crossed_now.map_or_else(Vec::new, |crossed| noted(ray, waits, crossed));
+    let mut next = vec![
         ("level", level),
         ("x", x),
         ("y", y),
@@ -124,10 +119,25 @@ fn write_back<'b>(
         ("wall", keep(hit & below, "wall")),
         ("limit", ray.get("limit") | given_up),
         ("steps", steps),
-        ("crossings", ray.get("crossings") + crossed_now.zext(16)),
-        ("ups", ray.get("ups") + up_now.zext(16)),
-        ("crossed", has_crossed),
-        ("prev", prev),
-        ("descended", descended),
-    ])
+    ];
+    if let Some((crossed, up)) = crossed_now.zip(up_now) {
+        let count = |name, event: Sig<'b>| (name, ray.get(name) + event.zext(16));
+        next.extend([count("crossings", crossed), count("ups", up)]);
+    }
+    next.extend(noted);
+    ray.with(&next)
+}
+
+/// What a ray carries on of whether it `crossed` in this iteration: crossed, prev, descended. A ray that waits still says what the iteration before
+/// it was.
+fn noted<'b>(ray: &Ray<'b>, waits: Option<Sig<'b>>, crossed: Sig<'b>) -> Vec<(&'static str, Sig<'b>)> {
+    let has_crossed = ray.find("crossed").map_or(crossed, |c| c | crossed);
+    // Of a ray that ends here it does not matter whether it descended.
+    let descended = if ray.find("descended").is_some() { (!crossed).named("descended_now") } else { crossed };
+    let held = |new: Sig<'b>, old: &str| match (waits, ray.find(old)) {
+        (Some(missed), Some(old)) => missed.mux(old, new),
+        _ => new,
+    };
+    let (prev, descended) = (held(crossed, "prev"), held(descended, "descended"));
+    vec![("crossed", has_crossed), ("prev", prev), ("descended", descended)]
 }

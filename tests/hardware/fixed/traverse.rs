@@ -21,7 +21,7 @@ fn every_mode_equals_golden_and_hits_alike() {
                 let g = prepare(&d).unwrap();
                 let p = Pipeline::new(&d, &Binding::new()).unwrap();
                 let run = p.run(&pyramid, &rays, 16, Traffic { gaps: 60, stalls: 90, resets: 2, seed: runs }).unwrap();
-                let hits: Vec<RayHit> = run.results.iter().map(|r| hit(r)).collect();
+                let hits: Vec<RayHit> = run.results.iter().map(|r| hit(&d, r)).collect();
                 for (k, (h, r)) in hits.iter().zip(&rays).enumerate() {
                     assert_eq!(*h, g.trace(&pyramid, r), "ray {k} in {:?}", d.mode);
                 }
@@ -60,7 +60,7 @@ fn every_trim_equals_golden_and_hits_alike() {
                     let p = Pipeline::new(&d, &Binding::new()).unwrap();
                     let run =
                         p.run(&pyramid, &rays, 16, Traffic { gaps: 60, stalls: 90, resets: 2, seed: runs }).unwrap();
-                    let hits: Vec<RayHit> = run.results.iter().map(|r| hit(r)).collect();
+                    let hits: Vec<RayHit> = run.results.iter().map(|r| hit(&d, r)).collect();
                     for (k, (h, r)) in hits.iter().zip(&rays).enumerate() {
                         assert_eq!(*h, g.trace(&pyramid, r), "ray {k} in {:?}", d.mode);
                     }
@@ -110,7 +110,7 @@ fn other_parameters_equal_golden() {
             let g = prepare(&d).unwrap();
             let run = Pipeline::new(&base, &over).unwrap().run(&pyramid, &rays, 16, Traffic::default()).unwrap();
             for (k, (h, r)) in run.results.iter().zip(&rays).enumerate() {
-                assert_eq!(hit(h), g.trace(&pyramid, r), "ray {k} at {over:?}");
+                assert_eq!(hit(&d, h), g.trace(&pyramid, r), "ray {k} at {over:?}");
                 checked += 1;
             }
         }
@@ -129,7 +129,7 @@ fn other_latencies_and_full_load() {
         let g = prepare(&d).unwrap();
         let p = Pipeline::new(&d, &Binding::new()).unwrap();
         let run = p.run(&pyramid, &rays, 1, Traffic::default()).unwrap();
-        assert!(run.results.iter().zip(&rays).all(|(h, r)| hit(h) == g.trace(&pyramid, r)));
+        assert!(run.results.iter().zip(&rays).all(|(h, r)| hit(&d, h) == g.trace(&pyramid, r)));
         assert!(run.loaded > 400 && run.busy as f64 / run.loaded as f64 >= 0.98, "{} of {}", run.busy, run.loaded);
     }
 }

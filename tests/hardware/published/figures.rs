@@ -94,7 +94,7 @@ fn faults_are_diagnosed() {
         };
         // A fault may lose rays; those that come out wrong are diagnosed.
         let Ok(run) = p.run(&pyramid, &rays, 16, Traffic::default()) else { continue };
-        let Some(k) = (0..rays.len()).find(|k| hit(&run.results[*k]).steps != g.trace(&pyramid, &rays[*k]).steps)
+        let Some(k) = (0..rays.len()).find(|k| hit(&d, &run.results[*k]).steps != g.trace(&pyramid, &rays[*k]).steps)
         else {
             continue;
         };

@@ -43,7 +43,7 @@ fn equal(d: &Design, count: usize, traffic: Traffic) -> usize {
     let p = Pipeline::new(d, &Binding::new()).unwrap();
     let run = p.run(&pyramid, &rays, 16, traffic).unwrap();
     for (k, (r, ray)) in run.results.iter().zip(&rays).enumerate() {
-        assert_eq!(hit(r), g.trace(&pyramid, ray), "ray {k} {ray:x?} at {d:?}");
+        assert_eq!(hit(d, r), g.trace(&pyramid, ray), "ray {k} {ray:x?} at {d:?}");
     }
     rays.len()
 }
@@ -87,7 +87,7 @@ fn other_latencies_and_full_load() {
         let g = prepare(&d).unwrap();
         let p = Pipeline::new(&d, &Binding::new()).unwrap();
         let run = p.run(&pyramid, &rays, 1, Traffic::default()).unwrap();
-        assert!(run.results.iter().zip(&rays).all(|(h, r)| hit(h) == g.trace(&pyramid, r)));
+        assert!(run.results.iter().zip(&rays).all(|(h, r)| hit(&d, h) == g.trace(&pyramid, r)));
         assert!(run.loaded > 500 && run.busy as f64 / run.loaded as f64 >= 0.98, "{} of {}", run.busy, run.loaded);
         println!("latency {l}: {} slots, busy {} of {}", p.slots, run.busy, run.loaded);
     }

@@ -14,7 +14,7 @@ fn equal(base: &Design, over: &Binding, count: usize, traffic: Traffic) -> usize
     let g = prepare(&d).unwrap();
     let run = Pipeline::new(base, over).unwrap().run(&pyramid, &rays, 16, traffic).unwrap();
     for (k, (h, r)) in run.results.iter().zip(&rays).enumerate() {
-        assert_eq!(hit(h), g.trace(&pyramid, r), "ray {k}, {r:x?}, at {over:?} of {}", d.window_set());
+        assert_eq!(hit(&d, h), g.trace(&pyramid, r), "ray {k}, {r:x?}, at {over:?} of {}", d.window_set());
     }
     rays.len()
 }
@@ -73,7 +73,7 @@ fn other_latencies_and_full_load() {
         let g = prepare(&d).unwrap();
         let p = Pipeline::new(&d, &Binding::new()).unwrap();
         let run = p.run(&pyramid, &rays, 1, Traffic::default()).unwrap();
-        assert!(run.results.iter().zip(&rays).all(|(h, r)| hit(h) == g.trace(&pyramid, r)));
+        assert!(run.results.iter().zip(&rays).all(|(h, r)| hit(&d, h) == g.trace(&pyramid, r)));
         println!("{} slots: {} of {} busy", p.slots, run.busy, run.loaded);
     }
 }

@@ -100,8 +100,9 @@ pub(super) fn iteration<'b>(
     ins.extend([("x_hit", hit[0]), ("x_cross", cross[0]), ("y_hit", hit[1]), ("y_cross", cross[1])]);
     let o = b.inst(&level_choice(d), "u_decision", &[], &ins);
     let late = |port: &str, net: &str| (0..l.decision).fold(o[port].named(net), |v, _| v.reg());
-    let [hit, crosses, level_next] =
-        [("hit", "is_hit"), ("crosses", "crosses"), ("level_next", "level_next")].map(|(p, n)| late(p, n));
+    let hit = late("hit", "is_hit");
+    let crosses = noted(b, ray, o["crosses"], || late("crosses", "crosses"));
+    let level_next = late("level_next", "level_next");
     let [x_at, y_at, t_after] =
         [("x_next", "x_next_at"), ("y_next", "y_next_at"), ("t_out", "t_after")].map(|(p, n)| late(p, n));
 
@@ -109,6 +110,15 @@ pub(super) fn iteration<'b>(
     let at = [texel("x", "next", x_at), texel("y", "next", y_at)];
 
     write_back(b, s, d, ray, heights.missed, Decided { hit, crosses, below, up, level: level_next, at, t: t_after })
+}
+
+/// Whether the ray `crosses` (1 bit), as `late` delays it, where a word of the ray takes note of that.
+fn noted<'b>(b: &Builder, ray: &Ray<'b>, crosses: Sig<'b>, late: impl FnOnce() -> Sig<'b>) -> Option<Sig<'b>> {
+    let notes = ray.notes_crossings();
+    if !notes {
+        b.unused(crosses.named("crosses"));
+    }
+    notes.then(late)
 }
 
 /// Whether a crossing goes one level up (1 bit); `near` makes the texel of the hit on both axes, where the rule asks for it.
@@ -141,8 +151,8 @@ fn climbs<'b>(
 struct Decided<'b> {
     /// The ray ends at a hit.
     hit: Sig<'b>,
-    /// It crosses a plane.
-    crosses: Sig<'b>,
+    /// It crosses a plane; where the ray takes note of that.
+    crosses: Option<Sig<'b>>,
     /// Its height parameter lies before it: the hit would be a wall.
     below: Sig<'b>,
     /// The level rises if it crosses.
@@ -167,8 +177,8 @@ fn write_back<'b>(
     let (first, [x, y]) = (ray.find("first"), decided.at);
     b.section("end", "A finished ray recirculates unchanged; mode 1 changes the level alone.");
     let end = x.stage().unwrap_or(0);
-    let [hit, crosses, level_next, t_after] =
-        [decided.hit, decided.crosses, decided.level, decided.t].map(|v| v.at(end));
+    let (hit, crosses) = (decided.hit.at(end), decided.crosses.map(|v| v.at(end)));
+    let [level_next, t_after] = [decided.level, decided.t].map(|v| v.at(end));
     // A ray whose height is not there yet recirculates unchanged too, in mode 1 as well.
     let (waits, done) = (missed, ray.get("done"));
     let keeps = waits.map_or(done, |missed| (done | missed).named("keeps"));
@@ -190,9 +200,10 @@ fn write_back<'b>(
     // One that ends without a hit is given up: also in a simulation that does not know whether it is a hit.
     let ends_now = ((hit | last_step) & moves).named("ends_now");
     let given_up = (ends_now & !hit).named("given_up");
-    let crossed_now = (crosses & moves).named("crossed_now");
-    let up_now = (decided.up & crossed_now).named("up_now");
-    let has_crossed = ray.find("crossed").map_or(crossed_now, |c| c | crossed_now);
+    let crossed_now = crosses.map(|crosses| (crosses & moves).named("crossed_now"));
+    let counted = crossed_now.filter(|_| d.gives_crossings());
+    let counted = counted.map(|crossed| (crossed, (decided.up & crossed).named("up_now")));
+    let has_crossed = crossed_now.map(|now| ray.find("crossed").map_or(now, |c| c | now));
     let mut next = vec![
         ("level", keeps.mux(ray.get("level"), level)),
         ("x", stays.mux(ray.get("x"), x)),
@@ -202,12 +213,14 @@ fn write_back<'b>(
         ("wall", keeps.mux(ray.get("wall"), hit & decided.below)),
         ("limit", ray.get("limit") | given_up),
         ("steps", steps),
-        ("crossings", ray.get("crossings") + crossed_now.zext(16)),
-        ("ups", ray.get("ups") + up_now.zext(16)),
-        ("crossed", has_crossed),
     ];
-    let prev = waits.zip(ray.find("prev")).map_or(crossed_now, |(missed, prev)| missed.mux(prev, crossed_now));
-    next.push(("prev", prev));
+    if let Some((crossed, up)) = counted {
+        let count = |name, event: Sig<'b>| (name, ray.get(name) + event.zext(16));
+        next.extend([count("crossings", crossed), count("ups", up)]);
+    }
+    next.extend(has_crossed.map(|crossed| ("crossed", crossed)));
+    let prev = |now: Sig<'b>| waits.zip(ray.find("prev")).map_or(now, |(missed, prev)| missed.mux(prev, now));
+    next.extend(crossed_now.map(|now| ("prev", prev(now))));
     let still_first = |f: Sig<'b>| waits.map_or_else(|| b.zeros(1), |missed| (f & missed).named("still_first"));
     next.extend(first.map(|f| ("first", still_first(f))));
     ray.with(&next)
