@@ -81,9 +81,10 @@ struct Parts<'b> {
 }
 
 impl<'b> Parts<'b> {
-    /// `digits` times `div`, of at most 18 and 32 bits.
+    /// `digits` of at most 18 bits times `div` of 36.
     fn of(digits: Sig<'b>, div: Sig<'b>, name: &str) -> Self {
-        let (digits, div) = (digits.zext(OPERAND), div.zext(2 * OPERAND));
+        // A zero above at every width of the digits: no width may be none.
+        let digits = digits.zext(OPERAND + 1);
         let part = |lo: u32, which: &str| digits.product(div.slice(lo, OPERAND)).named(&format!("{name}_{which}"));
         Self { low: part(0, "low"), high: part(OPERAND, "high") }
     }
@@ -121,10 +122,11 @@ pub(super) fn by_table(d: &Design) -> Arc<Module> {
     let moved = tall.shift_left(count).named("a_moved");
     b.unused(moved.bit(0));
     let div = moved.slice(1, reach.clone()).named("divisor").reg_if(before > 1);
+    let wide = div.zext(2 * OPERAND).named("divisor_wide");
     let zero = a.none().named("is_zero");
     let ones = div.slice(&reach - &h, h.clone()).all();
     let over = (!(ones & div.slice(0, &reach - &h).any())).named("is_over");
-    let z = (over | zero).mux(count, count - b.lit(1, &shift_w)).named("shift");
+    let z = (over | zero).mux(count, (count - b.lit(1, &shift_w)).named("count_less")).named("shift");
 
     b.section("table", "The fraction's upper bits choose a line, the 18 below follow it.");
     let filled = b.cat(&[div, b.zeros(OPERAND)]).named("filled");
@@ -132,12 +134,12 @@ pub(super) fn by_table(d: &Design) -> Arc<Module> {
     let line = recip_table(&b, filled.slice(&reach + (OPERAND - 1 - INDEX_W), INDEX_W));
     let along = filled.slice(&reach - (1 + INDEX_W), OPERAND).named("along");
 
-    b.section("read", "Less than the reciprocal, whatever the line's error.");
+    b.section("read", "");
+    b.section("line", "Less than the reciprocal, whatever the line's error.");
     let start = b.cat(&[b.lit(1, 1), line.slice(SLOPE_W, START_W)]);
     let start = (start - b.lit(u64::from(LESS), RECIP)).named("start");
     let slope = line.slice(0, SLOPE_W).named("slope");
 
-    b.section("line", "");
     b.section("fall", "");
     let product = slope.product(along).named("fall_product");
     b.unused(product);
@@ -158,7 +160,7 @@ pub(super) fn by_table(d: &Design) -> Arc<Module> {
 
     b.section("factors", "");
     b.section("parts", "");
-    let parts = Parts::of(first, div, "back");
+    let parts = Parts::of(first, wide, "back");
 
     b.section("summed", "");
     b.section("remainder", "Of the dividend only what the remainder's bits hold; 0 where there are more digits.");
@@ -172,15 +174,15 @@ pub(super) fn by_table(d: &Design) -> Arc<Module> {
 
     b.section("upper", "");
     b.section("digits", "");
-    let wide = b.cat(&[rem, b.zeros(OPERAND)]);
-    b.unused(wide);
-    let product = wide.slice(rem_w.clone(), OPERAND).named("rem_upper").product(upper_recip).named("digits_product");
+    let filled = b.cat(&[rem, b.zeros(OPERAND)]).named("rem_filled");
+    b.unused(filled);
+    let product = filled.slice(rem_w.clone(), OPERAND).named("rem_upper").product(upper_recip).named("digits_product");
     b.unused(product);
     let digits = product.slice(Expr::from(33) - &gap, &gap + 2).named("digits");
 
     b.section("factor", "");
     b.section("parts at half", "");
-    let half = Parts::of(b.cat(&[digits, b.lit(1, 1)]).named("digits_half"), div, "half");
+    let half = Parts::of(b.cat(&[digits, b.lit(1, 1)]).named("digits_half"), wide, "half");
     let low = (b.cat(&[first, b.zeros(gap.clone())]) + digits.zext(&w)).named("low");
 
     b.section("summed at half", "");
