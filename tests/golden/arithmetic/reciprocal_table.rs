@@ -1,6 +1,6 @@
 //! The fixed-point reciprocal by table: the bounds of its estimates, exactly, on every line and at every place of it.
-use reliefrtl::bits::recip_table;
 use rayon::prelude::*;
+use reliefrtl::bits::recip_table;
 
 /// Units of 2^-22 that the line's value is given less.
 const LESS: u64 = 13;
@@ -44,11 +44,8 @@ fn at(index: u64, along: u64) -> Worst {
 
 #[test]
 fn every_estimate_is_near_enough() {
-    let join = |a: Worst, b: Worst| Worst {
-        below: a.below.max(b.below),
-        rest: a.rest.max(b.rest),
-        lack: a.lack.max(b.lack),
-    };
+    let join =
+        |a: Worst, b: Worst| Worst { below: a.below.max(b.below), rest: a.rest.max(b.rest), lack: a.lack.max(b.lack) };
     let line = |index: u64| (0..1 << 18).map(|along| at(index, along)).fold(Worst::default(), join);
     let worst = (0..256u64).into_par_iter().map(line).reduce(Worst::default, join);
     println!(

@@ -103,7 +103,8 @@ fn a_table_gives_what_rows_give() {
 /// Every width of the reciprocal and every height, with few travels each; and the rows at some of them.
 #[test]
 fn every_width_has_the_same_text() {
-    let all: Vec<[u32; 4]> = (8..=31).flat_map(|w| (4..=16).map(move |h| [if h > 8 { 16 } else { 28 }, w, 4, h])).collect();
+    let all: Vec<[u32; 4]> =
+        (8..=31).flat_map(|w| (4..=16).map(move |h| [if h > 8 { 16 } else { 28 }, w, 4, h])).collect();
     let total: usize = all.par_iter().map(|widths| rows(&by_table(7), *widths, 4096)).sum();
     let mut d = design(24, 24);
     d.latency.div = 5;
