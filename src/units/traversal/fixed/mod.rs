@@ -10,6 +10,7 @@ mod plane_time;
 mod predicted_hit;
 mod ray_setup;
 mod reciprocal;
+mod reciprocal_ports;
 mod reciprocal_table;
 
 pub use chord_end::chord_end;

@@ -2,14 +2,14 @@
 //!
 //! By rows: digit recurrence on operands whose top bits stand under each other; one digit more than the result has rounds it.
 //! By a table: [`by_table`]. Both give the same bits.
-use super::params::{LENGTH, Params, bindings, chunks, shift_width};
+use super::params::{bindings, chunks};
+use super::reciprocal_ports::{Ports, builder};
 use super::reciprocal_table::by_table;
 use crate::div_rows::{div_rows, div_rows_module};
 use crate::lzc::lzc;
-use crate::quantity::{BITS, integer};
 use crate::recip_table::recip_table_module;
 use reliefrtl_config::{Design, Divider};
-use reliefrtl_ir::{Builder, Expr, Module, Sig};
+use reliefrtl_ir::{Expr, Module};
 use std::sync::Arc;
 
 /// Builds `reciprocal`, `latency.div` clocks, by digit rows or by a table.
@@ -26,43 +26,6 @@ pub(super) fn reciprocal_core(d: &Design) -> Arc<Module> {
     match d.latency.divider {
         Divider::Rows => div_rows_module(f + d.traverse.tile_bits, w + 2),
         Divider::Table => recip_table_module(),
-    }
-}
-
-/// Starts the module.
-pub(super) fn builder(source: &str, divider: Divider) -> Builder {
-    let b = Builder::new("reciprocal", source, "slope of a ray's parameter along an axis: a reciprocal and a shift");
-    b.choice("divider", divider.word());
-    b
-}
-
-/// Parameters and ports, the same whatever the divider.
-pub(super) struct Ports<'b> {
-    pub w: Expr,
-    pub h: Expr,
-    pub reach: Expr,
-    pub shift_w: Expr,
-    pub a: Sig<'b>,
-    pub o_r: usize,
-    pub o_z: usize,
-}
-
-impl<'b> Ports<'b> {
-    /// Declares them; `locals` are further derived constants, of RECIP_W.
-    pub fn declare(b: &'b Builder, d: &Design, locals: impl FnOnce(&Expr)) -> Self {
-        let of = Params { b, d };
-        let f = of.fraction();
-        let w = of.recip();
-        let h = of.height(&f);
-        let (_, reach) = of.reach(&f);
-        let shift_w = b.local("ShiftW", shift_width(&reach));
-        locals(&w);
-        b.clock();
-        b.clock_enable();
-        let a = b.input("a", &reach, LENGTH, "travel, its magnitude");
-        let o_r = b.output("r", &w, integer("a number of RECIP_W bits"), "M / a without its power of two; 0 if a is");
-        let o_z = b.output("z", &shift_w, BITS, "that power: how far a distance is moved up before it meets r");
-        Self { w, h, reach, shift_w, a, o_r, o_z }
     }
 }
 

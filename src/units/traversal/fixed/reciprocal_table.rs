@@ -16,7 +16,7 @@
 //!
 //! `tests/golden/arithmetic/reciprocal_table.rs` holds these bounds against integers, on every line and at every place of it.
 use super::params::bindings;
-use super::reciprocal::{Ports, builder};
+use super::reciprocal_ports::{Ports, builder};
 use crate::lzc::lzc;
 use crate::recip_table::recip_table;
 use reliefrtl_base::bits::{INDEX_W, SLOPE_W, START_W};
@@ -35,7 +35,7 @@ const LESS: u32 = 13;
 const PLAN: [(&str, u32); 9] = [
     ("read", 60),
     ("fall", 40),
-    ("reciprocal", 50),
+    ("inverse", 50),
     ("parts", 40),
     ("remainder", 35),
     ("digits", 40),
@@ -50,7 +50,7 @@ const DEEP: [&str; 17] = [
     "line",
     "fall",
     "fallen",
-    "reciprocal",
+    "inverse",
     "estimate",
     "factors",
     "parts",
@@ -72,6 +72,18 @@ fn head(latency: u32) -> u32 {
         8..=13 => 1,
         _ => 2,
     }
+}
+
+/// Spreads what follows the table over the clocks that the registers before it leave; how many these are.
+fn plan(b: &Builder, latency: u32) -> u32 {
+    let before = head(latency);
+    let after = latency - before - 1;
+    if after as usize >= DEEP.len() {
+        b.plan_from(before + 1, after, &DEEP.map(|name| (name, 60)));
+    } else {
+        b.plan_from(before + 1, after, &PLAN);
+    }
+    before
 }
 
 /// The lower 36 bits of a product with the divisor, as products of 18 bits and their sum.
@@ -106,13 +118,7 @@ pub(super) fn by_table(d: &Design) -> Arc<Module> {
         lead = b.local("LeadW", (w - 1).smaller(OPERAND));
         gap = b.local("GapW", w - &lead);
     });
-    let before = head(latency);
-    let after = latency - before - 1;
-    if after as usize >= DEEP.len() {
-        b.plan_from(before + 1, after, &DEEP.map(|name| (name, 60)));
-    } else {
-        b.plan_from(before + 1, after, &PLAN);
-    }
+    let before = plan(&b, latency);
     let rem_w = b.local("RemW", &reach + 2);
 
     b.section("leading zeros", "A travel of 0 has no topmost 1.");
@@ -146,7 +152,7 @@ pub(super) fn by_table(d: &Design) -> Arc<Module> {
     let fall = product.slice(16, SLOPE_W + OPERAND - 16).named("fall");
 
     b.section("fallen", "");
-    b.section("reciprocal", "");
+    b.section("inverse", "");
     let recip = (start - fall.zext(RECIP)).named("recip");
     let upper_recip = recip.slice(RECIP - OPERAND, OPERAND).named("recip_upper");
 
