@@ -7,8 +7,10 @@ impl Design {
     pub const TABLE_CLOCKS: u32 = 2;
     /// The most fraction bits that one 18 x 18 multiplier a product takes.
     pub const TABLE_MAN: u32 = 16;
+    /// The most bits of a fixed-point reciprocal whose last one the table's estimate misses by less than a half.
+    pub const TABLE_RECIP: u32 = 31;
 
-    /// Whether `fp_div` can be built as it is asked for.
+    /// Whether `fp_div`, or the `reciprocal` in fixed point, can be built as it is asked for.
     ///
     /// # Errors
     /// One sentence with all keys that don't fit `latency.divider`.
@@ -33,7 +35,15 @@ impl Design {
             return problems;
         }
         let mut say = |text: String| problems.push(format!("latency.divider = \"table\" {text}"));
-        if self.format.man > Self::TABLE_MAN {
+        let reads = self.datapath.kind.facts().reads;
+        if reads.fraction_bits && self.datapath.reciprocal_bits > Self::TABLE_RECIP {
+            let most = Self::TABLE_RECIP;
+            say(format!(
+                "multiplies in 18 x 18 bits: datapath.reciprocal_bits = {} is too large, 8 to {most} are legal",
+                self.datapath.reciprocal_bits
+            ));
+        }
+        if reads.format && self.format.man > Self::TABLE_MAN {
             let most = Self::TABLE_MAN;
             say(format!(
                 "multiplies in 18 x 18 bits: format.man = {} is too large, 2 to {most} are legal",
@@ -47,15 +57,11 @@ impl Design {
                 self.latency.div
             ));
         }
-        if !self.format.is_plain() {
+        if reads.format && !self.format.is_plain() {
             say(format!(
                 "needs format.rounding = \"nearest-even\", format.subnormals = \"flush\" and format.specials = \"ieee\": the format is {}",
                 self.format
             ));
-        }
-        let (key, word) = self.datapath.kind.chosen_by();
-        if !self.datapath.kind.facts().reads.format {
-            say(format!("is how fp_div is built, and {key} = \"{word}\" has none"));
         }
         problems
     }

@@ -230,10 +230,10 @@ pub const KEYS: &[Key] = &[
     ),
     key("latency.add", "fp_add, in clocks", CLOCKS),
     key("latency.mul", "fp_mul, in clocks", CLOCKS),
-    key("latency.div", "fp_div and fp_recip, in clocks", Legal::Whole(0, 32)),
+    key("latency.div", "fp_div, fp_recip and the fixed-point reciprocal, in clocks", Legal::Whole(0, 32)),
     key(
         "latency.divider",
-        "how fp_div is built; digit rows, or a table of reciprocals and three multipliers for few clocks (2 or more; format.man up to 16, default choices of the format)",
+        "how fp_div and the fixed-point reciprocal are built; digit rows, or a table of reciprocals and multipliers for few clocks (2 or more; format.man up to 16, default choices of the format; datapath.reciprocal_bits up to 31)",
         Legal::Word(Divider::WORDS),
     ),
     key("latency.compare", "fp_lt and fp_compare, in clocks", CLOCKS),

@@ -16,11 +16,12 @@ pub enum Profile {
 words!(Profile: Published = "published", Balanced = "balanced", Fast = "fast");
 
 impl Profile {
-    /// Its latencies for a design: where the table of the divider does not fit the format, the divider has rows.
+    /// Its latencies for a design: where the table of the divider does not fit the numbers, the divider has rows.
     pub fn latency_for(self, d: &Design) -> LatencyConfig {
         let latency = self.latency(d.datapath.kind);
         let fits = Design { latency, ..*d }.check_divider().is_ok();
-        if fits { latency } else { LatencyConfig { div: Self::ROWS, divider: Divider::Rows, ..latency } }
+        let rows = if d.datapath.kind.facts().short_loop { Self::SINGLE_ROWS } else { Self::ROWS };
+        if fits { latency } else { LatencyConfig { div: rows, divider: Divider::Rows, ..latency } }
     }
 
     /// Clocks of a divider of rows, where there are many.
@@ -30,15 +31,19 @@ impl Profile {
     pub const fn latency(self, kind: DatapathKind) -> LatencyConfig {
         let latency = self.with_dividers(kind.facts().divides_in_loop);
         if kind.facts().short_loop && !matches!(self, Self::Published) {
-            // The loop is faster than two rows of a divider in series, and than a difference and a clamp.
+            // The loop is faster than two rows of a divider in series, and than a difference and a clamp. A table is a third of the rows' area.
             return LatencyConfig {
-                div: Self::SINGLE_ROWS,
+                div: Self::TABLE,
+                divider: Divider::Table,
                 hit: if latency.hit > 1 { latency.hit } else { 1 },
                 ..latency
             };
         }
         latency
     }
+
+    /// Clocks of a reciprocal by table with registers on both sides of each multiplier.
+    const TABLE: u32 = 20;
 
     /// Clocks of a reciprocal of 24 bits with one row a clock.
     const SINGLE_ROWS: u32 = 29;

@@ -81,6 +81,8 @@ const SPREAD: &[&[&str]] = &[
     ],
     &["latency.divider=table", "latency.div=6", "datapath.kind=published"],
     &["latency.divider=table", "latency.div=5", "mode.bilinear=true", "format.exp=6", "format.man=13"],
+    &["latency.divider=table", "latency.div=2", "datapath.kind=fixed"],
+    &["latency.divider=table", "latency.div=22", "datapath.kind=fixed", "datapath.search=windows"],
     &["emit.prefix=pdm_"],
     &["emit.timescale=1ns/1ps", "emit.default_nettype=none"],
     &["emit.prefix=", "emit.default_nettype=keep"],

@@ -235,7 +235,10 @@ fn what_it_can_not_have_is_refused() {
     refused(&["latency.div=1"], &["latency.div = 1 is too small, 2 to 32 are legal"]);
     refused(&["format.rounding=up"], &["the format is 7/16 up"]);
     refused(&["format.subnormals=gradual"], &["the format is 7/16 gradual"]);
-    refused(&["datapath.kind=fixed"], &["has none"]);
+    refused(
+        &["datapath.kind=fixed", "datapath.reciprocal_bits=32"],
+        &["datapath.reciprocal_bits = 32 is too large, 8 to 31 are legal"],
+    );
     let (_, m) = divider(4);
     assert_eq!(m.failed_checks(&at(7, 16)), Vec::<String>::new());
     assert_eq!(m.failed_checks(&at(7, 17)), ["fp_div: MAN_W <= 16 does not hold (17 > 16)"]);

@@ -4,4 +4,5 @@ mod float_choices;
 mod float_engines;
 mod float_oracle;
 mod levels;
+mod reciprocal_table;
 mod softfloat;

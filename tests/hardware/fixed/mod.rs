@@ -1,4 +1,5 @@
 //! The fixed-point datapath: units, traversal and emitted text against its golden model.
+mod reciprocal;
 mod simulators;
 mod traverse;
 mod units;

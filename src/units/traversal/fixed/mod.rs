@@ -10,6 +10,8 @@ mod plane_time;
 mod predicted_hit;
 mod ray_setup;
 mod reciprocal;
+mod reciprocal_ports;
+mod reciprocal_table;
 
 pub use chord_end::chord_end;
 pub use depth_limit::depth_limit;
@@ -30,17 +32,13 @@ use super::loop_state::{Field, Numbers, Sizes, Start};
 use super::plane_iteration::plane_iteration;
 use super::plane_units::PlaneUnits;
 use super::search::PYRAMID;
-use crate::div_rows::div_rows_module;
 use params::{LENGTH, Params, TIME, reach_conditions, shift_width, time_width};
 use reliefrtl_config::{Design, Trim};
 use reliefrtl_ir::{Builder, Expr};
 
 pub(in crate::traversal) static DATAPATH: Datapath = Datapath {
     search: &PYRAMID,
-    arithmetic: |d| {
-        let (f, w) = (d.datapath.fraction_bits, d.datapath.reciprocal_bits);
-        vec![div_rows_module(f + d.traverse.tile_bits, w + 2)]
-    },
+    arithmetic: |d| vec![reciprocal::reciprocal_core(d)],
     steps: |d| {
         let mut list = vec![reciprocal(d), plane_time(d), height_test(d), predicted_hit(d), node_crossing(d)];
         list.extend((d.mode.trim != Trim::None).then(|| chord_end(d)));

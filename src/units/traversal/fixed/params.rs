@@ -1,6 +1,6 @@
 //! Parameters and widths of the fixed-point units. What they may be: `docs/fixed.md`, Parameters.
 use crate::quantity::{Quantity, integer};
-use reliefrtl_config::Design;
+use reliefrtl_config::{Design, Divider};
 use reliefrtl_ir::{Binding, Builder, Expr};
 
 /// Bits that the ray parameter has beyond FRACTION_W: its least bit is then well below what a position's least bit is worth.
@@ -30,8 +30,16 @@ impl Params<'_> {
     /// RECIP_W: significant bits of the reciprocal.
     pub fn recip(&self) -> Expr {
         let w = self.b.param("RECIP_W", self.d.datapath.reciprocal_bits, "significant bits of a reciprocal");
-        self.b.require(8.max(i64::from(chunks(self.d)) - 2), &w);
-        self.b.require(&w, 32);
+        match self.d.latency.divider {
+            Divider::Rows => {
+                self.b.require(8.max(i64::from(chunks(self.d)) - 2), &w);
+                self.b.require(&w, 32);
+            }
+            Divider::Table => {
+                self.b.require(8, &w);
+                self.b.require(&w, Design::TABLE_RECIP);
+            }
+        }
         w
     }
 

@@ -1,31 +1,39 @@
 //! `reciprocal`: M / A for the largest height code M and a ray's travel A, with RECIP_W significant bits and a shift.
 //!
-//! Digit recurrence on operands whose top bits stand under each other; one digit more than the result has rounds it.
-use super::params::{LENGTH, Params, bindings, chunks, shift_width};
-use crate::div_rows::div_rows;
+//! By rows: digit recurrence on operands whose top bits stand under each other; one digit more than the result has rounds it.
+//! By a table: [`by_table`]. Both give the same bits.
+use super::params::{bindings, chunks};
+use super::reciprocal_ports::{Ports, builder};
+use super::reciprocal_table::by_table;
+use crate::div_rows::{div_rows, div_rows_module};
 use crate::lzc::lzc;
-use crate::quantity::{BITS, integer};
-use reliefrtl_config::Design;
-use reliefrtl_ir::{Builder, Expr, Module};
+use crate::recip_table::recip_table_module;
+use reliefrtl_config::{Design, Divider};
+use reliefrtl_ir::{Expr, Module};
 use std::sync::Arc;
 
-/// Builds `reciprocal`, `latency.div` clocks.
+/// Builds `reciprocal`, `latency.div` clocks, by digit rows or by a table.
 pub fn reciprocal(d: &Design) -> Arc<Module> {
+    match d.latency.divider {
+        Divider::Rows => by_rows(d),
+        Divider::Table => by_table(d),
+    }
+}
+
+/// What it stands on besides its own text.
+pub(super) fn reciprocal_core(d: &Design) -> Arc<Module> {
+    let (f, w) = (d.datapath.fraction_bits, d.datapath.reciprocal_bits);
+    match d.latency.divider {
+        Divider::Rows => div_rows_module(f + d.traverse.tile_bits, w + 2),
+        Divider::Table => recip_table_module(),
+    }
+}
+
+fn by_rows(d: &Design) -> Arc<Module> {
     let latency = d.latency.div;
-    let text = "slope of a ray's parameter along an axis: a reciprocal and a shift";
-    let b = Builder::new("reciprocal", file!(), text);
-    let of = Params { b: &b, d };
-    let f = of.fraction();
-    let w = of.recip();
-    let h = of.height(&f);
-    let (_, reach) = of.reach(&f);
-    let shift_w = b.local("ShiftW", shift_width(&reach));
-    let rows = b.local("QuotW", &w + 2);
-    b.clock();
-    b.clock_enable();
-    let a = b.input("a", &reach, LENGTH, "travel, its magnitude");
-    let o_r = b.output("r", &w, integer("a number of RECIP_W bits"), "M / a without its power of two; 0 if a is");
-    let o_z = b.output("z", &shift_w, BITS, "that power: how far a distance is moved up before it meets r");
+    let b = builder(file!(), Divider::Rows);
+    let mut rows = Expr::from(0);
+    let Ports { w, h, reach, shift_w, a, o_r, o_z } = Ports::declare(&b, d, |w| rows = b.local("QuotW", w + 2));
     let chunks = chunks(d);
     let titles: Vec<String> = (0..chunks).map(|c| format!("rows {c}")).collect();
     let mut plan: Vec<(&str, u32)> = vec![("leading zeros", 3), ("normalize", 3)];
