@@ -2,7 +2,8 @@
 // relief_traverse: traces rays against a height field: a looping pipeline, one node a clock
 // Emitted    by reliefrtl as its unit traverse; do not edit
 // Chosen     datapath watertight, levels_down 2, level_up selective, rounding nearest-even,
-//            subnormals flush, specials ieee, start lowest node, trim none, lod off, bilinear off
+//            subnormals flush, specials ieee, bilinear false, lod false, start_level true, trim
+//            none
 // Latency    varies; valid/ready on both sides
 // Throughput one iteration (one node) per clock; a ray takes as many iterations as its path needs
 // Note       Float: sign, EXP_W exponent bits of bias 2^(EXP_W-1)-1, MAN_W fraction bits. Exponent

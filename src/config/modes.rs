@@ -61,6 +61,13 @@ pub fn combinations(base: ModeConfig, trims: &[Trim]) -> Vec<ModeConfig> {
 }
 
 impl ModeConfig {
+    /// Every key of the mode that has a value, with that value as the configuration writes it, without quotes.
+    pub fn words(&self) -> Vec<(String, String)> {
+        let table = toml::Table::try_from(self).expect("a mode is a table");
+        let word = |value: toml::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+        table.into_iter().map(|(key, value)| (key, word(value))).collect()
+    }
+
     /// The mode in a few words: that of the published table where it has one. Level of detail and refinement are not said: they choose another
     /// answer, not another way to it.
     pub fn label(&self) -> String {

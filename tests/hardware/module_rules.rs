@@ -219,7 +219,7 @@ fn the_builder_refuses_what_has_no_meaning() {
 }
 
 /// A module of a fixed latency, described by `body` from two inputs of four bits and an output.
-fn fixed(body: impl for<'b> FnOnce(&'b Builder, [Sig<'b>; 2], Sig<'b>)) -> String {
+fn fixed(body: impl for<'b> FnOnce(&'b Builder, [Sig<'b>; 2], usize)) -> String {
     panics("the module is wrong", || {
         let b = Builder::new("lie", "tests", "a module");
         b.clock();

@@ -56,7 +56,7 @@ module {{ prefix }}tb_traverse #(
   integer res_fd;         // results, 0: none
   integer stim_bits;      // bits of a row, as the head of the file states them
   integer exp_bits;
-  integer patience;       // clocks without a result after which a ray is lost, 0: by the longest ray
+  integer patience;       // clocks without a result until a ray is lost, 0: by the longest ray
   integer k;
   reg     gaps;           // in_valid falls at random
   reg     stalls;         // out_ready falls at random

@@ -19,7 +19,7 @@ pub struct Search {
     /// What was chosen, by name.
     pub choices: fn(&Design) -> Vec<(&'static str, String)>,
     /// What else was chosen, and shows in the text: for the banner.
-    pub described: fn(&Design) -> Vec<(&'static str, String)>,
+    pub described: fn(&Design) -> Vec<(String, String)>,
     /// What the file of the memories' first words holds.
     pub image: fn(&Design) -> String,
     /// Declares the load ports, one each memory.
@@ -38,13 +38,8 @@ pub static PYRAMID: Search = Search {
         vec![("levels_down", d.mode.levels_down.to_string()), ("level_up", d.mode.level_up.word().to_string())]
     },
     described: |d| {
-        let (facts, mode) = (d.datapath.kind.facts(), &d.mode);
-        let on = |is_on: bool| if is_on { "on" } else { "off" }.to_string();
-        let mut all = vec![("start", if mode.start_level { "lowest node" } else { "root" }.to_string())];
-        all.extend(facts.has_trim.then(|| ("trim", mode.trim.word().to_string())));
-        all.extend(facts.has_lod.then(|| ("lod", on(mode.lod))));
-        all.extend(facts.has_bilinear.then(|| ("bilinear", on(mode.bilinear))));
-        all
+        let chosen = (PYRAMID.choices)(d);
+        d.mode.words().into_iter().filter(|(name, _)| !chosen.iter().any(|c| c.0 == name)).collect()
     },
     image: |d| {
         let more =

@@ -61,7 +61,7 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
     b.throughput(search.throughput);
     b.choice("datapath", d.datapath.kind.word());
     (search.choices)(d).into_iter().for_each(|(name, word)| b.choice(name, word));
-    (search.described)(d).into_iter().for_each(|(name, word)| b.describe(name, word));
+    (search.described)(d).into_iter().for_each(|(name, word)| b.describe(&name, word));
     d.counters_left().into_iter().for_each(|word| b.describe("counters", word));
     let s = path.sizes(&b, d);
     b.file_param(MEM_INIT, &(search.image)(d));

@@ -17,7 +17,7 @@ pub(in crate::traversal) static BLOCKS: Search = Search {
         let after = ("levels_down_after", d.levels_down_after().to_string());
         [("cells", d.fetch.cells.to_string())].into_iter().chain((PYRAMID.choices)(d)).chain([after]).collect()
     },
-    described: PYRAMID.described,
+    described: |d| (PYRAMID.described)(d).into_iter().filter(|word| word.0 != "levels_down_after").collect(),
     image: |_| {
         "with .0 to .3 after its name, files for $readmemh of every fourth word of the pyramid; \"\": none".to_string()
     },
