@@ -72,10 +72,10 @@ pub(super) fn load_ranges(cli: &Cli, units: &[String]) -> Result<Config> {
     Ok(c)
 }
 
-/// The design with the datapath, the format and the kind of divider that the configuration ends up with.
+/// The design with the datapath and its widths, the format and the kind of divider that the configuration ends up with.
 fn numbers(cli: &Cli, c: &Config) -> Result<Design> {
     let mut c = c.clone();
-    let keys = ["datapath.kind", "datapath.search", "format.", "latency.divider"];
+    let keys = ["datapath.", "format.", "latency.divider"];
     let numbers = |s: &&String| keys.iter().any(|key| s.trim_start().starts_with(key));
     cli.sets.iter().filter(numbers).try_for_each(|s| c.apply_set(s))?;
     Ok(c.design())

@@ -103,6 +103,7 @@ impl<'b> Parts<'b> {
 
     fn sum(self, b: &'b Builder, name: &str) -> Sig<'b> {
         let upper = self.low.slice(OPERAND, OPERAND) + self.high.slice(0, OPERAND);
+        b.unused(self.low);
         b.unused(self.high);
         b.cat(&[upper, self.low.slice(0, OPERAND)]).named(name)
     }
