@@ -1,4 +1,9 @@
 //! An entry of the table of units: all that the project knows of a unit besides its hardware.
+//!
+//! The builder is no field of it: which modules a design has follows from the design (the parts of its datapath, its modes, its latencies), and a
+//! module brings those that it instantiates; `units::all` says so where they are built. A field here would say it a second time, and `units`
+//! could no longer stand below this table. The two are held together by tests: every module of every design has one entry, and every entry a module
+//! (`tests/repo/units.rs`).
 use super::clocked::Clocked;
 use super::ray_stimulus::sample::RaySample;
 use super::row::{Context, Row};

@@ -6,11 +6,13 @@ mod figures;
 mod fresh;
 mod search;
 mod trial;
+mod trial_figures;
 
-pub use figures::{FitFigures, TrialFigures};
+pub use figures::FitFigures;
 pub use fresh::{Checked, SETS, fit_checked};
 pub use search::{Fit, Limits, Rejected, fit};
 pub use trial::{Budget, Trial, Truth};
+pub use trial_figures::TrialFigures;
 
 /// Keys of the configuration that a fit chooses; what they were before has no meaning to it.
 pub const CHOSEN: &[&str] = &[

@@ -1,9 +1,11 @@
 //! The search: one dimension after the other, each to the least that keeps the budget.
 use super::trial::{Budget, Trial, Truth};
+use super::trial_figures::TrialFigures;
 use crate::config::modes::PLAIN;
 use crate::config::{Design, Trim, WindowsConfig, datapaths};
 use crate::error::{Error, Result};
 use crate::golden::prepare;
+use crate::measure::Cost;
 use serde::Serialize;
 
 /// What the search may change.
@@ -22,6 +24,16 @@ pub struct Rejected {
     pub what: String,
     /// What it would have broken, or cost.
     pub why: String,
+    /// What it does on the rays of the search.
+    pub search: TrialFigures,
+    /// Its size, in bits.
+    pub bits: Cost,
+}
+
+impl Rejected {
+    fn new(t: &Trial, what: String, why: String) -> Self {
+        Self { what, why, search: t.into(), bits: t.cost }
+    }
 }
 
 /// What was found.
@@ -82,7 +94,7 @@ impl Search<'_> {
         } else {
             t.figure(self.budget)
         };
-        self.rejected.push(Rejected { what, why });
+        self.rejected.push(Rejected::new(t, what, why));
     }
 
     /// TILE_W from the longest travel; says whether wrapping is needed at all.
@@ -209,7 +221,7 @@ impl Search<'_> {
         // Of modes of the pyramid that are all too large, one says so for them.
         for t in first_of_each(&large) {
             let why = format!("{} block memories, {most} are allowed", t.cost.blocks);
-            self.rejected.push(Rejected { what: t.design.way(), why });
+            self.rejected.push(Rejected::new(&t, t.design.way(), why));
         }
         all.sort_by(|a, b| product(a).total_cmp(&product(b)));
         let Some(chosen) = all.first().cloned() else {
@@ -228,7 +240,7 @@ impl Search<'_> {
                 next.cost.bits(),
                 next.cost.blocks
             );
-            self.rejected.push(Rejected { what: next.design.way(), why });
+            self.rejected.push(Rejected::new(&next, next.design.way(), why));
         }
         let against =
             plain.map_or(String::new(), |p| format!("; without any {:.2} steps, {} bits", p.steps.mean, p.cost.bits()));

@@ -48,8 +48,14 @@ impl SpeedTask {
 /// What was measured of an engine; times in seconds.
 #[derive(Clone, Debug, Serialize)]
 pub struct EngineSpeed {
-    /// Its name, and how it ran.
+    /// Its name, and how it ran, for people: the three fields after it in words.
     pub engine: String,
+    /// `golden`, `interpreter`, `verilator` or `icarus`.
+    pub kind: &'static str,
+    /// Threads that trace rays.
+    pub threads: usize,
+    /// What compiled the harness; none where nothing is compiled.
+    pub compiler: Option<&'static str>,
     /// Rays a turn.
     pub rays: usize,
     /// `processor` time, but where several threads work `wall` time.
@@ -128,6 +134,9 @@ pub fn speeds(c: &Config, task: &SpeedTask, views: Vec<String>, turns: usize, te
         let ratio = base.and_then(|base| Turns::pairs((&base.turns, base.rays), (&e.turns, e.rays)));
         EngineSpeed {
             engine: e.name.clone(),
+            kind: e.kind,
+            threads: e.threads,
+            compiler: e.compiler,
             rays: e.rays,
             time: if e.wall { "wall" } else { "processor" },
             build_s: e.build_s,
@@ -154,6 +163,9 @@ pub fn speeds(c: &Config, task: &SpeedTask, views: Vec<String>, turns: usize, te
 /// An engine, and its times.
 struct Timed {
     name: String,
+    kind: &'static str,
+    threads: usize,
+    compiler: Option<&'static str>,
     rays: usize,
     build_s: f64,
     load_s: Option<f64>,
@@ -165,13 +177,20 @@ struct Timed {
 /// Builds all engines, then measures them in turns: each once, and again, so that what else the machine does meets all of them.
 fn measure(c: &Config, task: &SpeedTask, turns: usize, tell: &dyn Fn(&str)) -> Result<(Vec<Timed>, Vec<Error>)> {
     let (d, n) = (c.design(), task.rays.len());
-    let engine = |name: String, rays: usize, build_s: f64, wall: bool| Timed {
-        name,
-        rays,
+    // Where several threads work, wall time counts.
+    let engine = |kind: &'static str, threads: usize, compiler: Option<&'static str>, build_s: f64| Timed {
+        name: match compiler {
+            Some(compiler) => format!("{kind}, {compiler}"),
+            None => format!("{kind}, {threads} thread{}", if threads == 1 { "" } else { "s" }),
+        },
+        kind,
+        threads,
+        compiler,
+        rays: n,
         build_s,
         load_s: None,
         turns: Vec::new(),
-        wall,
+        wall: threads > 1,
     };
     let golden = prepare(&d)?;
     let start = Instant::now();
@@ -197,11 +216,11 @@ fn measure(c: &Config, task: &SpeedTask, turns: usize, tell: &dyn Fn(&str)) -> R
         }
     }
     let mut all = vec![
-        engine("golden, 1 thread".into(), n, 0.0, false),
-        engine("interpreter, 1 thread".into(), n, built, false),
-        engine(format!("interpreter, {threads} threads"), n, built, true),
+        engine("golden", 1, None, 0.0),
+        engine("interpreter", 1, None, built),
+        engine("interpreter", threads, None, built),
     ];
-    all.extend(harnesses.iter().map(|(cxx, h)| engine(format!("verilator, {cxx}"), n, h.build.as_secs_f64(), false)));
+    all.extend(harnesses.iter().map(|(cxx, h)| engine("verilator", 1, Some(*cxx), h.build.as_secs_f64())));
     for turn in 1..=turns {
         tell(&format!("turn {turn} of {turns}"));
         let start = ThreadTime::now();
@@ -229,7 +248,9 @@ fn measure(c: &Config, task: &SpeedTask, turns: usize, tell: &dyn Fn(&str)) -> R
         Ok(()) => {
             let traced = icarus.trace(c, &task.scene.pyramid, &task.rays[..few])?;
             let turns = vec![traced.run.as_secs_f64()];
-            all.push(Timed { turns, ..engine(icarus.name().into(), few, traced.build.as_secs_f64(), true) });
+            let own = engine("icarus", 1, None, traced.build.as_secs_f64());
+            // A program of its own, so wall time.
+            all.push(Timed { name: icarus.name().into(), rays: few, turns, wall: true, ..own });
         }
         Err(e) => left_out.push(e),
     }

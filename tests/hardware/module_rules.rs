@@ -272,7 +272,8 @@ fn every_declared_name_is_legal_and_its_own() {
             b.finish(&[]);
         })
     };
-    let rows: [(&str, &str, &dyn Fn(&Builder)); 8] = [
+    type Row<'a> = (&'a str, &'a str, &'a dyn Fn(&Builder));
+    let rows: [Row<'_>; 8] = [
         ("casez", "module name casez is not usable", &|b| through(b, &Expr::from(4), "x")),
         ("m", "parameter name endcase is not usable", &|b| through(b, &b.param("endcase", 4, "w"), "x")),
         ("m", "localparam name forever is not usable", &|b| through(b, &b.local("forever", Expr::from(4)), "x")),

@@ -23,7 +23,9 @@ fn a_smooth_and_a_spiky_scene_get_different_hardware() {
         assert!(found["fresh"]["uv_p99"].as_f64().unwrap() <= budget.parse().unwrap(), "{found}");
         assert_eq!(found["fresh"]["given_up"], 0);
         assert!(found["tried"].as_u64().unwrap() > 30);
-        assert!(!found["rejected"].as_array().unwrap().is_empty());
+        let rejected = found["rejected"].as_array().unwrap();
+        assert!(!rejected.is_empty());
+        assert!(rejected.iter().all(|r| r["search"]["uv_p99"].is_f64() && r["bits"].is_object()), "{rejected:?}");
         found
     };
     let number = |x: &serde_json::Value, keys: [&str; 2]| x[keys[0]][keys[1]].as_u64().unwrap();
