@@ -33,6 +33,7 @@ fn each_profile_traces_the_same_rays_on_each_datapath() {
                 "traverse.step_limit=500",
                 "view.width=64",
                 "view.height=48",
+                "view.stride=1",
             ];
             let few: Vec<&str> = few.into_iter().flat_map(|s| ["--set", s]).collect();
             let said = ok(dir.path(), &[&["build", "--out", "out", "--set", &kind][..], &few, &chosen].concat());

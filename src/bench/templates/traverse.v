@@ -214,12 +214,8 @@ module {{ prefix }}tb_traverse #(
 
   // What follows in the head of expected.hex, as no result says it: iterations of the longest ray
   // of the set, and of all its rays.
-  task automatic read_iterations;
-    integer c;
-    begin
-      c = $fscanf(exp_fd, "%h %h", longest, needed);
-      if (c != 2) exp_bits = 0;
-    end
+  task automatic read_iterations(output integer found);
+    found = $fscanf(exp_fd, "%h %h", longest, needed);
   endtask
 {%- endif %}
 
@@ -303,7 +299,10 @@ module {{ prefix }}tb_traverse #(
       read_head(stim_fd, stim_left, stim_bits);
       read_head(exp_fd, exp_left, exp_bits);
 {%- if not counted %}
-      if (exp_bits != 0) read_iterations;
+      if (exp_bits != 0) begin
+        read_iterations(k);
+        if (k != 2) exp_bits = 0;
+      end
 {%- endif %}
       if ((stim_left == 0 && exp_left == 0) || stim_bits == 0 || exp_bits == 0) begin
         $display("FAIL tb_traverse: no rays in %0s, nothing ran", dir);
@@ -404,6 +403,9 @@ module {{ prefix }}tb_traverse #(
   task automatic rewind_set;
     integer rows_in;
     integer rows_out;
+{%- if not counted %}
+    integer found;
+{%- endif %}
     begin
       $fclose(stim_fd);
       $fclose(exp_fd);
@@ -412,7 +414,8 @@ module {{ prefix }}tb_traverse #(
       read_head(stim_fd, rows_in, stim_bits);
       read_head(exp_fd, rows_out, exp_bits);
 {%- if not counted %}
-      read_iterations;
+      read_iterations(found);
+      if (found != 2) bad_exp <= 1'b1;
 {%- endif %}
       stim_left <= rows_in;
       exp_left <= rows_out;

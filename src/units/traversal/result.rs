@@ -90,6 +90,8 @@ impl<'b> Result<'_, 'b> {
         let is_given = |n: &&str| *n != "steps" || self.d.gives_steps();
         let carried = ["t", "wall", "limit", "steps", "crossings", "ups", "tag"].into_iter().filter(is_given);
         let carried = carried.filter_map(|n| Some((n, held.find(n)?))).collect::<Record<'b>>();
+        // Out of a slot memory it comes without its meaning.
+        let carried = carried.map(|_, v| if v.meaning().is_some() { v } else { v.doc("tag of the ray [bits]") });
         if self.d.mode.bilinear {
             computed = computed.and(self.refined(hit.enable(b)));
         }
@@ -114,7 +116,8 @@ impl<'b> Result<'_, 'b> {
             let place_early = place.named("block");
             let ins = [("in_data", place_early.bundle(b)), ("ce", ce)];
             let o = b.inst(&word_delay("fraction_delay", early), "u_hit_fraction", &[("W", place.width())], &ins);
-            place = place_early.unbundle(o["out_data"].rebase_stage(0));
+            let late = place_early.unbundle(o["out_data"].rebase_stage(0));
+            place = late.map(|n, v| v.doc(&format!("position in the texel along {} [1/2^FRAC_W texel]", &n[1..])));
         }
         let texel = [("i", u.get("texel")), ("j", v.get("texel"))];
         place.and(texel.into_iter().filter_map(|(n, v)| Some((n, v?))).collect::<Record<'b>>())
