@@ -60,7 +60,9 @@ impl Place {
     }
 
     fn command(&self, args: &[&str]) -> Command {
-        let mut c = Command::new(env!("CARGO_BIN_EXE_reliefrtl"));
+        // Under `nohup` the tests ignore SIGHUP, and so would the program: `env` takes that back, and becomes the program.
+        let mut c = Command::new("env");
+        c.args(["--default-signal=HUP", env!("CARGO_BIN_EXE_reliefrtl")]);
         c.args(args).current_dir(self.dir.path()).env("TMPDIR", self.tmp()).env("MARK", &self.mark);
         // What is kept built would be over before a signal meets it.
         c.env_remove("RELIEFRTL_BUILDS");
