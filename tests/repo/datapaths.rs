@@ -11,7 +11,7 @@ const ASKED: usize = 3;
 
 /// Properties that more files ask for, with their number, and what they are instead of a datapath's name.
 const PROMISES: &[(&str, usize, &str)] = &[
-    ("modes_agree", 5, "what a hit is judged by: whoever compares hits has to know it"),
+    ("modes_agree", 5, "what a hit is judged by: each comparison of hits has to know it"),
     ("reads.nudge_bits", 4, "a key of the configuration, which plan and page leave out where it is not read"),
 ];
 

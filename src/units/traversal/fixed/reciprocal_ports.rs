@@ -43,7 +43,7 @@ impl<'b> Ports<'b> {
         b.clock_enable();
         let a = b.input("a", &reach, LENGTH, "travel, its magnitude");
         let o_r = b.output("r", &w, integer("a number of RECIP_W bits"), "M / a without its power of two; 0 if a is");
-        let o_z = b.output("z", &shift_w, BITS, "that power: how far a distance is moved up before it meets r");
+        let o_z = b.output("z", &shift_w, BITS, "that power: how far a distance is moved up before its product with r");
         Self { w, h, reach, shift_w, a, o_r, o_z }
     }
 }
