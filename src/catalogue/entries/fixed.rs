@@ -1,6 +1,6 @@
 //! Units that the fixed-point datapath alone has.
 use super::super::datapath::FIXED;
-use super::super::ray_stimulus::{both_axes, one_axis, one_axis_in_node, whole_ray};
+use super::super::ray_stimulus::{both_axes, first_axis, one_axis, one_axis_in_node, whole_ray};
 use super::super::row::{Context, Row};
 use super::super::unit::Unit;
 use super::some_level;
@@ -11,8 +11,18 @@ use crate::golden::{Datapath, RayInput};
 use crate::proofs::{BIT_LEVEL, PROOF, Proof};
 
 /// The entries.
-pub const UNITS: &[&Unit] =
-    &[&RECIPROCAL, &PLANE_TIME, &HEIGHT_TEST, &PREDICTED_HIT, &NODE_CROSSING, &RAY_SETUP, &HIT_POSITION, &CHORD_END];
+pub const UNITS: &[&Unit] = &[
+    &RECIPROCAL,
+    &PLANE_TIME,
+    &HEIGHT_TEST,
+    &PREDICTED_HIT,
+    &NODE_CROSSING,
+    &AXIS_SLOPE,
+    &AXIS_ENDS,
+    &RAY_SETUP,
+    &HIT_POSITION,
+    &CHORD_END,
+];
 
 /// The narrowest words of the fixed-point datapath, and a map whose texels are their units.
 const NARROW: &[(&str, i64)] = &[("FRACTION_W", 8), ("RECIP_W", 8), ("LEVELS", 8), ("HEIGHT_W", 2), ("TILE_W", 1)];
@@ -114,6 +124,41 @@ static NODE_CROSSING: Unit = Unit {
         out["t_next"] = t.max(t_x.min(t_y));
     }),
     stimulus: Some(both_axes),
+    ..FIXED
+};
+
+/// A travel of F + T + 1 bits.
+fn travel(c: &Context<'_>, row: &Row<'_>) -> i64 {
+    let sign = 1 << reach(c);
+    (row["d"] & (sign - 1)) as i64 - (row["d"] & sign) as i64
+}
+
+pub(super) const AXIS_SLOPE: Unit = Unit {
+    name: "axis_slope",
+    model: Some(|c, row, out| {
+        let d = travel(c, row);
+        // The most negative word has no magnitude of its bits.
+        let magnitude = d.unsigned_abs() & mask(reach(c));
+        let a = golden(c).slope(row.get("p").unwrap_or(0), magnitude, d < 0);
+        out["s"] = a.s;
+        out["r"] = a.r;
+        out["z"] = u64::from(a.z);
+        out["neg"] = u64::from(a.neg);
+        // Only a trim asks for it.
+        out.set("farthest", c.index(a.le));
+    }),
+    stimulus: Some(first_axis),
+    ..FIXED
+};
+
+static AXIS_ENDS: Unit = Unit {
+    name: "axis_ends",
+    model: Some(|c, row, out| {
+        let [first, last] = golden(c).ends(row["p"], travel(c, row));
+        out["first"] = c.index(first);
+        out["last"] = c.index(last);
+    }),
+    stimulus: Some(first_axis),
     ..FIXED
 };
 

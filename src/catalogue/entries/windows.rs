@@ -13,6 +13,7 @@ use crate::proofs::{PROOF, Proof};
 /// The entries.
 pub const UNITS: &[&Unit] = &[
     &RECIPROCAL,
+    &AXIS_SLOPE,
     &RAY_SETUP,
     &HIT_POSITION,
     &CONSTANTS,
@@ -36,6 +37,7 @@ const OPERAND: u32 = 18;
 const FARTHEST: u64 = 78;
 
 static RECIPROCAL: Unit = Unit { datapath: WINDOWS.datapath, ..fixed::RECIPROCAL };
+static AXIS_SLOPE: Unit = Unit { datapath: WINDOWS.datapath, ..fixed::AXIS_SLOPE };
 static RAY_SETUP: Unit = Unit { datapath: WINDOWS.datapath, ..fixed::RAY_SETUP };
 static HIT_POSITION: Unit = Unit { datapath: WINDOWS.datapath, ..fixed::HIT_POSITION };
 

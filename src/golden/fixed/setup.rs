@@ -63,12 +63,20 @@ impl Fixed {
 
     fn axis(&self, p: u64, d: i64) -> FixedAxis {
         let p = p % (1 << self.fraction);
-        let a = d.unsigned_abs();
+        let [x, xa] = self.ends(p, d);
+        FixedAxis { x, xa, ..self.slope(p, d.unsigned_abs(), d < 0) }
+    }
+
+    /// What follows from a travel's magnitude and sign; the texels of the ray's ends are 0.
+    pub fn slope(&self, p: u64, a: u64, neg: bool) -> FixedAxis {
         let (r, z) = self.reciprocal(a);
-        let x = self.texel(i128::from(p));
-        let xa = self.texel(i128::from(p) + i128::from(d));
-        let le = self.ahead(p, d < 0, self.whole(a));
-        FixedAxis { p, a, neg: d < 0, r, z, s: self.per_code(a), x, xa, le }
+        let le = self.ahead(p, neg, self.whole(a));
+        FixedAxis { p, a, neg, r, z, s: self.per_code(a), le, ..FixedAxis::default() }
+    }
+
+    /// X and Xa: the texels of the entry point and of the point where the ray meets the bottom plane.
+    pub fn ends(&self, p: u64, d: i64) -> [i64; 2] {
+        [i128::from(p), i128::from(p) + i128::from(d)].map(|at| self.texel(at))
     }
 
     /// The texel at a coordinate.

@@ -40,7 +40,7 @@ fn all_units(sim: Simulator, formats: &[(u32, u32)], mode: ModeConfig, count: us
 #[test]
 fn every_unit_in_icarus() {
     if !skip() {
-        all_units(Simulator::Icarus, &FORMATS, ModeConfig::default(), 17);
+        all_units(Simulator::Icarus, &FORMATS, ModeConfig::default(), 19);
     }
 }
 
@@ -52,16 +52,16 @@ fn every_unit_of_a_trim_in_both_simulators() {
             Simulator::Icarus,
             &FORMATS[1..][..if share(2) == 1 { FORMATS.len() - 1 } else { 1 }],
             trimmed(Trim::Always),
-            22,
+            24,
         );
-        all_units(Simulator::Verilator, &FORMATS[..1], trimmed(Trim::Descent), 22);
+        all_units(Simulator::Verilator, &FORMATS[..1], trimmed(Trim::Descent), 24);
     }
 }
 
 #[test]
 fn every_unit_in_verilator() {
     if !skip() {
-        all_units(Simulator::Verilator, &FORMATS[..1], ModeConfig::default(), 17);
+        all_units(Simulator::Verilator, &FORMATS[..1], ModeConfig::default(), 19);
     }
 }
 

@@ -1,4 +1,6 @@
 //! The fixed-point datapath: parameters of integer planes, compared as unsigned integers (`docs/fixed.md`).
+mod axis_ends;
+mod axis_slope;
 mod chord_end;
 mod depth_limit;
 mod height_test;
@@ -13,6 +15,8 @@ mod reciprocal;
 mod reciprocal_ports;
 mod reciprocal_table;
 
+pub use axis_ends::axis_ends;
+pub use axis_slope::axis_slope;
 pub use chord_end::chord_end;
 pub use depth_limit::depth_limit;
 pub use height_test::height_test;
@@ -34,13 +38,16 @@ use super::plane_units::PlaneUnits;
 use super::search::PYRAMID;
 use params::{LENGTH, Params, TIME, reach_conditions, shift_width, time_width};
 use reliefrtl_config::{Design, Trim};
-use reliefrtl_ir::{Builder, Expr};
+use reliefrtl_ir::{Builder, Expr, Module};
+use std::sync::Arc;
 
 pub(in crate::traversal) static DATAPATH: Datapath = Datapath {
     search: &PYRAMID,
     arithmetic: |d| vec![reciprocal::reciprocal_core(d)],
     steps: |d| {
-        let mut list = vec![reciprocal(d), plane_time(d), height_test(d), predicted_hit(d), node_crossing(d)];
+        let mut list = axis_units(d);
+        list.extend(d.mode.start_level.then(|| axis_ends(d)));
+        list.extend([plane_time(d), height_test(d), predicted_hit(d), node_crossing(d)]);
         list.extend((d.mode.trim != Trim::None).then(|| chord_end(d)));
         list
     },
@@ -87,6 +94,11 @@ pub(in crate::traversal) static BLOCKS: Datapath = Datapath {
     },
     ..DATAPATH
 };
+
+/// What the setup of an axis is made of, whatever is searched, leaves first.
+pub(super) fn axis_units(d: &Design) -> Vec<Arc<Module>> {
+    vec![reciprocal(d), axis_slope(d)]
+}
 
 const UNITS: PlaneUnits = PlaneUnits {
     plane_time,

@@ -32,14 +32,14 @@ pub use window_texel::window_texel;
 pub use window_way::window_way;
 
 use super::datapath::Datapath;
-use super::fixed::{self, hit_position, ray_setup, reciprocal};
+use super::fixed::{self, axis_units, hit_position, ray_setup};
 
 pub(super) static DATAPATH: Datapath = Datapath {
     search: &search::WINDOWS,
     arithmetic: fixed::DATAPATH.arithmetic,
     steps: |d| {
-        vec![
-            reciprocal(d),
+        let mut list = axis_units(d);
+        list.extend([
             ray_setup(d),
             window_constants(d),
             window_texel(d),
@@ -53,7 +53,8 @@ pub(super) static DATAPATH: Datapath = Datapath {
             window_advance(d),
             window_way(d),
             window_index(d),
-        ]
+        ]);
+        list
     },
     declare: fixed::DATAPATH.declare,
     numbers: fixed::numbers,
