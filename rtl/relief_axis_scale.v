@@ -22,10 +22,10 @@ module relief_axis_scale #(
   output wire [EXP_W+MAN_W:0] p_texels,  // entry point, without its sign [float, texels]
   output wire [EXP_W+MAN_W:0] d_texels   // travel [float, texels]
 );
-  localparam integer FloatW = EXP_W + MAN_W + 1;
-  localparam integer OneExp = (1 << (EXP_W - 1)) - 1;
-  localparam integer FarExp = TILE_W + (1 << (EXP_W - 1)) - 1;
-  localparam integer Grow = LEVELS;
+  localparam integer FloatW = EXP_W + MAN_W + 1;  // bits of a float: sign, exponent, fraction
+  localparam integer OneExp = (1 << (EXP_W - 1)) - 1;           // exponent of 1
+  localparam integer FarExp = TILE_W + (1 << (EXP_W - 1)) - 1;  // exponent of 2^TILE_W
+  localparam integer Grow = LEVELS;  // what multiplies by 2^LEVELS, in the exponent
 
   // Parameter checks: an illegal value ends elaboration at a missing module that names the rule.
   generate

@@ -13,7 +13,7 @@ module relief_fp_add #(
   parameter integer EXP_W   = 7,   // exponent bits
   parameter integer MAN_W   = 16,  // fraction bits, the hidden one not counted
   parameter integer LATENCY = 3,   // clocks it was generated for; checked
-  parameter integer VARIANT = 32'h013a4c61  // digest of what it was generated for; checked
+  parameter integer VARIANT = 32'h294e5029  // digest of what it was generated for; checked
 ) (
   input  wire                 clk,     // rising edge
   input  wire                 ce,      // clock enable: registers hold while 0
@@ -21,12 +21,16 @@ module relief_fp_add #(
   input  wire [EXP_W+MAN_W:0] b,       // second operand [float]
   output wire [EXP_W+MAN_W:0] result   // a + b [float]
 );
-  localparam integer FloatW = EXP_W + MAN_W + 1;
+  localparam integer FloatW = EXP_W + MAN_W + 1;  // bits of a float: sign, exponent, fraction
+  // bits of a cancelling difference: a significand and a guard bit
   localparam integer NearW = MAN_W + 2;
+  // bits of a count of its leading zeros, and of the larger shift of an alignment
   localparam integer LzcW = $clog2(NearW + 1);
-  localparam integer AmountW = $clog2(MAN_W + 3);
-  localparam integer ShiftW = (EXP_W > (AmountW + 1)) ? EXP_W : (AmountW + 1);
+  // bits of an exponent difference, or of the larger shift of an alignment
+  localparam integer ShiftW = (EXP_W > (LzcW + 1)) ? EXP_W : (LzcW + 1);
+  // bits of an exponent, or of the leading zeros that lower it
   localparam integer ExpSumW = (EXP_W > LzcW) ? EXP_W : LzcW;
+  // bits of the shift that the second step takes
   localparam integer FineW = ($clog2(MAN_W + 3)) / 2;
 
   // Parameter checks: an illegal value ends elaboration at a missing module that names the rule.
@@ -37,8 +41,8 @@ module relief_fp_add #(
     if (MAN_W > 28) begin : gen_illegal_3 MAN_W_must_be_at_most_28 u_illegal (); end
     if (LATENCY != 3) begin : gen_other_latency
       relief_fp_add_has_LATENCY_3_not_the_one_asked_for u_illegal ();
-    end else if (VARIANT != 32'h013a4c61) begin : gen_other_variant
-      relief_fp_add_has_VARIANT_013a4c61_nearest_even_flush_ieee_not_the_one_asked_for u_illegal ();
+    end else if (VARIANT != 32'h294e5029) begin : gen_other_variant
+      relief_fp_add_has_VARIANT_294e5029_nearest_even_flush_ieee_not_the_one_asked_for u_illegal ();
     end
   endgenerate
 
@@ -111,29 +115,26 @@ module relief_fp_add #(
   // ---- stage 1: align -----------------------------------------------------------------
   // Guard, round and sticky bits below the significand suffice to round the result.
   // shift, in bits enough for its top bits to say that all is lost
-  wire [ShiftW-1:0]  s1_wide_shift = {{(ShiftW - EXP_W){1'b0}}, s1_shift};
-  // alignment shift, even [bits]
-  wire [AmountW-1:0] s1_amount = {s1_wide_shift[AmountW-1:1], 1'b0};
-  // the shift is 2^AmountW or more
-  wire               s1_beyond = |s1_wide_shift[ShiftW-1:AmountW];
-  wire [MAN_W+2:0]   s1_sig_small_ext = {s1_sig_small, 1'b0};  // with a guard bit
+  wire [ShiftW-1:0] s1_wide_shift = {{(ShiftW - EXP_W){1'b0}}, s1_shift};
+  wire [LzcW-1:0]   s1_amount = {s1_wide_shift[LzcW-1:1], 1'b0};  // alignment shift, even [bits]
+  wire              s1_beyond = |s1_wide_shift[ShiftW-1:LzcW];    // the shift is 2^LzcW or more
+  wire [MAN_W+2:0]  s1_sig_small_ext = {s1_sig_small, 1'b0};      // with a guard bit
   // a sticky bit is left of it at most
-  wire               s1_small_is_lost = s1_beyond | s1_small_is_zero;
+  wire              s1_small_is_lost = s1_beyond | s1_small_is_zero;
   // difference of significands whose exponents differ by at most 1, exact
-  wire [NearW-1:0]   s1_near = {1'b1, s1_large_frac, 1'b0} - s1_sig_small;
+  wire [NearW-1:0]  s1_near = {1'b1, s1_large_frac, 1'b0} - s1_sig_small;
   // the top large_exp places: a leading 1 there is a normal result
-  wire [NearW-1:0]   s1_normal_mask = ~({NearW{1'b1}} >> s1_large_exp);
+  wire [NearW-1:0]  s1_normal_mask = ~({NearW{1'b1}} >> s1_large_exp);
   // the exponent is the largest of a finite number
-  wire               s1_exp_is_largest = (&s1_large_exp[EXP_W-1:1]) & ~s1_large_exp[0];
+  wire              s1_exp_is_largest = (&s1_large_exp[EXP_W-1:1]) & ~s1_large_exp[0];
   // the exponent is that of the smallest normal number
-  wire               s1_exp_is_least = ~(|s1_large_exp[EXP_W-1:1]) & s1_large_exp[0];
+  wire              s1_exp_is_least = ~(|s1_large_exp[EXP_W-1:1]) & s1_large_exp[0];
   // the result is NaN
-  wire               s1_is_nan = s1_any_exp_max & (s1_inf_minus_inf | (|s1_large_frac));
+  wire              s1_is_nan = s1_any_exp_max & (s1_inf_minus_inf | (|s1_large_frac));
   // the smaller significand at the place of the larger one
-  wire [MAN_W+2:0]   s1_aligned = (s1_sig_small_ext >> s1_amount) &
-      {(MAN_W + 3){~s1_small_is_lost}};
+  wire [MAN_W+2:0]  s1_aligned = (s1_sig_small_ext >> s1_amount) & {(MAN_W + 3){~s1_small_is_lost}};
   // a 1 was shifted out
-  wire               s1_sticky =
+  wire              s1_sticky =
       (s1_beyond | (|(s1_sig_small_ext & ~({(MAN_W + 3){1'b1}} << s1_amount)))) & ~s1_small_is_zero;
 
   // ---- stage 1: add -------------------------------------------------------------------

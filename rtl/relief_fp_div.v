@@ -21,11 +21,12 @@ module relief_fp_div #(
   input  wire [EXP_W+MAN_W:0] b,       // divisor [float]
   output wire [EXP_W+MAN_W:0] result   // a / b [float]
 );
-  localparam integer FloatW = EXP_W + MAN_W + 1;
-  localparam integer ExpSumW = EXP_W + 2;
-  localparam integer SigW = MAN_W + 1;
+  localparam integer FloatW = EXP_W + MAN_W + 1;     // bits of a float: sign, exponent, fraction
+  localparam integer ExpSumW = EXP_W + 2;  // bits of an exponent difference, with its sign
+  localparam integer SigW = MAN_W + 1;  // bits of a significand, the hidden one included
+  // bits of a quotient: those of the result, and what its rounding needs
   localparam integer QuotW = SigW + 2;
-  localparam integer Bias = (1 << (EXP_W - 1)) - 1;
+  localparam integer Bias = (1 << (EXP_W - 1)) - 1;  // the exponent bias
 
   // Parameter checks: an illegal value ends elaboration at a missing module that names the rule.
   generate

@@ -22,8 +22,10 @@ module relief_fp_from_fixed #(
   input  wire [INT_W-1:0]     a,       // signed operand [fixed point]
   output wire [EXP_W+MAN_W:0] result   // a, rounded to nearest even [float]
 );
-  localparam integer FloatW = EXP_W + MAN_W + 1;
+  localparam integer FloatW = EXP_W + MAN_W + 1;  // bits of a float: sign, exponent, fraction
+  // bits of an exponent, with room for its sign
   localparam integer ExpSumW = ((EXP_W > ($clog2(INT_W + 1))) ? EXP_W : ($clog2(INT_W + 1))) + 2;
+  // exponent of an integer whose topmost bit is 1
   localparam integer TopExp = INT_W + (1 << (EXP_W - 1)) - FRAC_W - 2;
 
   // Parameter checks: an illegal value ends elaboration at a missing module that names the rule.

@@ -21,7 +21,7 @@ module relief_fp_lt #(
   input  wire [EXP_W+MAN_W:0] b,       // right side [float]
   output wire                 result   // a < b
 );
-  localparam integer FloatW = EXP_W + MAN_W + 1;
+  localparam integer FloatW = EXP_W + MAN_W + 1;  // bits of a float: sign, exponent, fraction
 
   // Parameter checks: an illegal value ends elaboration at a missing module that names the rule.
   generate

@@ -21,9 +21,9 @@ module relief_fp_mul #(
   input  wire [EXP_W+MAN_W:0] b,       // second factor [float]
   output wire [EXP_W+MAN_W:0] result   // a * b [float]
 );
-  localparam integer FloatW = EXP_W + MAN_W + 1;
-  localparam integer ExpSumW = EXP_W + 2;
-  localparam integer SigW = MAN_W + 1;
+  localparam integer FloatW = EXP_W + MAN_W + 1;  // bits of a float: sign, exponent, fraction
+  localparam integer ExpSumW = EXP_W + 2;         // bits of an exponent sum, with room for its sign
+  localparam integer SigW = MAN_W + 1;            // bits of a significand, the hidden one included
 
   // Parameter checks: an illegal value ends elaboration at a missing module that names the rule.
   generate

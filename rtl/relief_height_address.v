@@ -13,8 +13,8 @@ module relief_height_address #(
   input  wire [LEVELS-1:0]           j,        // v of a texel in the node [texels]
   output wire [2*LEVELS:0]           address   // level 0 first, the root last [words]
 );
-  localparam integer LevelW = $clog2(LEVELS + 1);
-  localparam integer Root = LEVELS;
+  localparam integer LevelW = $clog2(LEVELS + 1);  // bits of a level
+  localparam integer Root = LEVELS;                // the root's level
 
   // Parameter checks: an illegal value ends elaboration at a missing module that names the rule.
   generate

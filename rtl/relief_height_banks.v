@@ -34,7 +34,9 @@ module relief_height_banks #(
     end
   endgenerate
 
+  // address bits inside a bank
   localparam integer WordW = (BANK_W < ADDR_W) ? BANK_W : (ADDR_W - 1);
+  // banks, the last one not always full
   localparam integer BankCount = (DEPTH + (1 << WordW) - 1) >> WordW;
 
   genvar g;
@@ -57,7 +59,7 @@ module relief_height_banks #(
       // Every bank is read. The bank select is decoded beside the read, one-hot, so that the output
       // multiplexer after the registers is one AND-OR.
       for (g = 0; g < BankCount; g = g + 1) begin : gen_bank
-        localparam integer Index = g;
+        localparam integer Index = g;  // number of the bank
         // Reading the address that is being written is don't-care: no bypass logic.
         (* no_rw_check *)
         reg  [DATA_W-1:0] mem [0:(1<<WordW)-1];

@@ -38,7 +38,7 @@ module relief_level_decision #(
   // parameter of the next iteration, or of the hit [float, height codes]
   output wire [EXP_W+MAN_W:0]        t_out
 );
-  localparam integer LevelW = $clog2(LEVELS + 1);
+  localparam integer LevelW = $clog2(LEVELS + 1);  // bits of a level
 
   // Parameter checks: an illegal value ends elaboration at a missing module that names the rule.
   generate

@@ -19,8 +19,8 @@ module relief_level_up #(
   input  wire [IDX_W-1:0]            y_hit,  // predicted hit [texels]
   output wire                        up      // one level up; never at the root
 );
-  localparam integer LevelW = $clog2(LEVELS + 1);
-  localparam integer Root = LEVELS;
+  localparam integer LevelW = $clog2(LEVELS + 1);  // bits of a level
+  localparam integer Root = LEVELS;                // the root's level
 
   // Parameter checks: an illegal value ends elaboration at a missing module that names the rule.
   generate

@@ -9,7 +9,7 @@ module relief_lzc #(
   input  wire [W-1:0]           bits,   // the word [bits]
   output wire [$clog2(W+1)-1:0] count   // zeros above the topmost 1 [bits]
 );
-  localparam integer CountW = $clog2(W + 1);
+  localparam integer CountW = $clog2(W + 1);  // bits of a count of zeros, 0 to W
 
   // Parameter checks: an illegal value ends elaboration at a missing module that names the rule.
   generate
@@ -18,7 +18,7 @@ module relief_lzc #(
   endgenerate
 
   // Padded with ones below the last bit, so that the count of an all-zero word is W.
-  localparam integer PadW = 1 << CountW;
+  localparam integer PadW = 1 << CountW;  // W, with zeros below up to a power of two
   wire [PadW-1:0] padded = {bits, {(PadW - W){1'b1}}};
 
   // Binary tree. Level s covers groups of 2 << s bits: whether a group is all zeros, and else its
@@ -27,7 +27,7 @@ module relief_lzc #(
   genvar s, g;
   generate
     for (s = 0; s < CountW; s = s + 1) begin : gen_level
-      localparam integer Groups = PadW >> (s + 1);
+      localparam integer Groups = PadW >> (s + 1);  // groups of 2^(s+1) bits
       wire [Groups-1:0]         empty;
       wire [Groups*(s+1)-1:0]   lzc;
       for (g = 0; g < Groups; g = g + 1) begin : gen_group
@@ -35,11 +35,11 @@ module relief_lzc #(
           assign empty[g] = ~(padded[2*g+1] | padded[2*g]);
           assign lzc[g]   = ~padded[2*g+1];
         end else begin : gen_later
-          wire         upper_empty = gen_level[s-1].empty[2*g+1];
-          wire [s-1:0] upper_lzc = gen_level[s-1].lzc[(2*g+1)*s+:s];
-          wire [s-1:0] lower_lzc = gen_level[s-1].lzc[2*g*s+:s];
-          assign empty[g]             = upper_empty & gen_level[s-1].empty[2*g];
-          assign lzc[g*(s+1)+:(s+1)] = {upper_empty, upper_empty ? lower_lzc : upper_lzc};
+          wire         high_empty = gen_level[s-1].empty[2*g+1];
+          wire [s-1:0] high_lzc = gen_level[s-1].lzc[(2*g+1)*s+:s];
+          wire [s-1:0] low_lzc = gen_level[s-1].lzc[2*g*s+:s];
+          assign empty[g]             = high_empty & gen_level[s-1].empty[2*g];
+          assign lzc[g*(s+1)+:(s+1)] = {high_empty, high_empty ? low_lzc : high_lzc};
         end
       end
     end

@@ -30,7 +30,7 @@ module relief_multi_level_down #(
   // predicted hit, kept between low and high [texels]
   output wire [IDX_W-1:0]            y_down
 );
-  localparam integer LevelW = $clog2(LEVELS + 1);
+  localparam integer LevelW = $clog2(LEVELS + 1);  // bits of a level
 
   // Parameter checks: an illegal value ends elaboration at a missing module that names the rule.
   generate

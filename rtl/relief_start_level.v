@@ -16,8 +16,8 @@ module relief_start_level #(
   // 0: both in one texel; LEVELS: the root (also across tiles) [levels]
   output wire [$clog2(LEVELS+1)-1:0] level
 );
-  localparam integer LevelW = $clog2(LEVELS + 1);
-  localparam integer Root = LEVELS;
+  localparam integer LevelW = $clog2(LEVELS + 1);  // bits of a level
+  localparam integer Root = LEVELS;                // the root's level
 
   // Parameter checks: an illegal value ends elaboration at a missing module that names the rule.
   generate

@@ -20,7 +20,7 @@ module relief_traverse #(
   parameter integer FRAC_W     = 12,     // fraction bits of the hit position
   parameter integer TAG_W      = 8,      // bits of a ray's tag
   parameter integer STEP_LIMIT = 65535,  // iterations after which a ray is given up
-  parameter integer VARIANT    = 32'h0c6ec1b3,  // digest of what it was generated for; checked
+  parameter integer VARIANT    = 32'h3b71a3f0,  // digest of what it was generated for; checked
   // file for $readmemh with the words of the pyramid, level 0 first; "": none
   parameter MEM_INIT = ""
 ) (
@@ -64,10 +64,11 @@ module relief_traverse #(
   // transfer
   output wire                 idle
 );
-  localparam integer FloatW = EXP_W + MAN_W + 1;
-  localparam integer LevelW = $clog2(LEVELS + 1);
-  localparam integer IdxW = LEVELS + TILE_W + 2;
-  localparam integer StepsBeforeLast = STEP_LIMIT - 1;
+  localparam integer FloatW = EXP_W + MAN_W + 1;   // bits of a float: sign, exponent, fraction
+  localparam integer LevelW = $clog2(LEVELS + 1);  // bits of a level
+  localparam integer IdxW = LEVELS + TILE_W + 2;   // bits of a signed, unwrapped texel coordinate
+  // steps before the last one that a ray may take
+  localparam integer StepLimitLess1 = STEP_LIMIT - 1;
 
   // Parameter checks: an illegal value ends elaboration at a missing module that names the rule.
   generate
@@ -101,8 +102,8 @@ module relief_traverse #(
     if (FRAC_W + LEVELS + MAN_W + TILE_W + 2 > 60) begin : gen_illegal_19
       FRAC_W_plus_LEVELS_plus_MAN_W_plus_TILE_W_plus_2_must_be_at_most_60 u_illegal ();
     end
-    if (VARIANT != 32'h0c6ec1b3) begin : gen_other_variant
-      relief_traverse_has_VARIANT_0c6ec1b3_watertight_selective_not_the_one_asked_for u_illegal ();
+    if (VARIANT != 32'h3b71a3f0) begin : gen_other_variant
+      relief_traverse_has_VARIANT_3b71a3f0_watertight_selective_not_the_one_asked_for u_illegal ();
     end
   endgenerate
 
@@ -138,8 +139,8 @@ module relief_traverse #(
   reg              s0_loop_crossed_q;    // a node boundary was crossed already
   reg              s0_in_transfer_q;     // input transfer in the previous clock
   reg              s0_out_transfer_q;    // output transfer in the previous clock
-  reg [6:0]        s0_in_flight;         // rays in flight, counted one clock late [rays]
-  reg              s0_any_in_flight;     // rays are in flight
+  reg [6:0]        s0_in_flight_q;       // rays in flight, counted one clock late [rays]
+  reg              s0_any_in_flight_q;   // rays are in flight
 
   // ---- nets that are driven further below ---------------------------------------------
   wire hit_valid;    // the buffer after the hit pipeline holds a word
@@ -173,7 +174,7 @@ module relief_traverse #(
   wire [IdxW-1:0]   set_first_y;  // y coordinate of the texel of the entry point [texels]
   relief_ray_setup #(
     .EXP_W(EXP_W), .MAN_W(MAN_W), .LEVELS(LEVELS), .HEIGHT_W(HEIGHT_W), .TILE_W(TILE_W),
-    .LATENCY(21), .VARIANT(32'h0217077b)
+    .LATENCY(21), .VARIANT(32'h39c47949)
   ) u_setup (
     .clk(clk), .ce(setup_ready), .u(in_u), .v(in_v), .du(in_du), .dv(in_dv),
     .ok(set_ok), .level(set_level), .p_x(set_p_x), .pb_x(set_pb_x), .d_x(set_d_x), .r_x(set_r_x),
@@ -230,16 +231,16 @@ module relief_traverse #(
   wire       s0_in_transfer = in_valid & setup_ready;
   wire       out_transfer = hit_valid & out_ready;
   wire       s0_in_flight_down = s0_out_transfer_q & ~s0_in_transfer_q;
-  wire [6:0] s0_in_flight_next = s0_in_flight +
+  wire [6:0] s0_in_flight_next = s0_in_flight_q +
       {{6{s0_in_flight_down}}, s0_in_transfer_q ^ s0_out_transfer_q};
   wire       s0_any_in_flight_next = |s0_in_flight_next;
-  wire       s0_is_idle = ~(s0_any_in_flight | s0_in_transfer_q);
+  wire       s0_is_idle = ~(s0_any_in_flight_q | s0_in_transfer_q);
 
   // ---- stage 0: result ----------------------------------------------------------------
   // The ray that retires, from the loop registers.
   wire [FRAC_W-1:0] hit_fu;  // position inside the texel [1/2^FRAC_W texel]
   relief_hit_position #(
-    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .FRAC_W(FRAC_W), .LATENCY(7), .VARIANT(32'h58a64870)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .FRAC_W(FRAC_W), .LATENCY(7), .VARIANT(32'h2a9130b2)
   ) u_hit_u (
     .clk(clk), .ce(hit_ready), .p(s0_loop_p_x_q), .d(s0_loop_d_x_q), .t(s0_loop_t_q),
     .x(s0_loop_x_q),
@@ -247,7 +248,7 @@ module relief_traverse #(
   );
   wire [FRAC_W-1:0] hit_fv;  // position inside the texel [1/2^FRAC_W texel]
   relief_hit_position #(
-    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .FRAC_W(FRAC_W), .LATENCY(7), .VARIANT(32'h58a64870)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .FRAC_W(FRAC_W), .LATENCY(7), .VARIANT(32'h2a9130b2)
   ) u_hit_v (
     .clk(clk), .ce(hit_ready), .p(s0_loop_p_y_q), .d(s0_loop_d_y_q), .t(s0_loop_t_q),
     .x(s0_loop_y_q),
@@ -471,7 +472,7 @@ module relief_traverse #(
   // one whose hit is unknown (x).
   wire        s2_moves = ~s2_done;
   wire [15:0] s2_steps_next = s2_steps + {15'd0, s2_moves};
-  wire        s2_last_step = s2_steps == StepsBeforeLast[15:0];
+  wire        s2_last_step = s2_steps == StepLimitLess1[15:0];
 
   // ---- stage 3: registers -------------------------------------------------------------
   reg [IdxW-1:0]   s3_x_plane;
@@ -511,14 +512,14 @@ module relief_traverse #(
   // ---- stage 3: plane parameters ------------------------------------------------------
   wire [FloatW-1:0] s11_t_x;  // infinity if never [float, height codes]
   relief_plane_time #(
-    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .LATENCY(8), .VARIANT(32'h348ef61b)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .LATENCY(8), .VARIANT(32'h29588866)
   ) u_time_x (
     .clk(clk), .ce(1'b1), .plane(s3_x_plane), .p(s3_p_x), .r(s3_r_x), .never(s3_never_x),
     .t(s11_t_x)
   );
   wire [FloatW-1:0] s11_t_y;  // infinity if never [float, height codes]
   relief_plane_time #(
-    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .LATENCY(8), .VARIANT(32'h348ef61b)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .LATENCY(8), .VARIANT(32'h29588866)
   ) u_time_y (
     .clk(clk), .ce(1'b1), .plane(s3_y_plane), .p(s3_p_y), .r(s3_r_y), .never(s3_never_y),
     .t(s11_t_y)
@@ -550,7 +551,7 @@ module relief_traverse #(
   // the ray is below the node's height already: a hit would be on a wall
   wire              s10_below;
   relief_height_test #(
-    .EXP_W(EXP_W), .MAN_W(MAN_W), .HEIGHT_W(HEIGHT_W), .LATENCY(4), .VARIANT(32'h4c16b98b)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .HEIGHT_W(HEIGHT_W), .LATENCY(4), .VARIANT(32'h16a2e6ca)
   ) u_height_test (
     .clk(clk), .ce(1'b1), .height(s6_height), .t(s6_t),
     .m(s10_m), .below(s10_below)
@@ -593,14 +594,14 @@ module relief_traverse #(
   // ---- stage 10: predicted hit --------------------------------------------------------
   wire [IdxW-1:0] s17_x_hit;  // signed coordinate [texels]
   relief_predicted_hit #(
-    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .LATENCY(7), .VARIANT(32'h4eb9b1c4)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .LATENCY(7), .VARIANT(32'h2e32196a)
   ) u_predict_x (
     .clk(clk), .ce(1'b1), .p_back(s10_pb_x), .d(s10_d_x), .m(s10_m),
     .e(s17_x_hit)
   );
   wire [IdxW-1:0] s17_y_hit;  // signed coordinate [texels]
   relief_predicted_hit #(
-    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .LATENCY(7), .VARIANT(32'h4eb9b1c4)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .IDX_W(IdxW), .LATENCY(7), .VARIANT(32'h2e32196a)
   ) u_predict_y (
     .clk(clk), .ce(1'b1), .p_back(s10_pb_y), .d(s10_d_y), .m(s10_m),
     .e(s17_y_hit)
@@ -620,7 +621,7 @@ module relief_traverse #(
   // parameter after a crossing: that of the exit plane, at least t [float, height codes]
   wire [FloatW-1:0] s13_t_next;
   relief_node_crossing #(
-    .EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(2), .VARIANT(32'h1a8ee4db)
+    .EXP_W(EXP_W), .MAN_W(MAN_W), .LATENCY(2), .VARIANT(32'h243bf875)
   ) u_crossing (
     .clk(clk), .ce(1'b1), .t(s11_t), .m(s11_m), .t_x(s11_t_x), .t_y(s11_t_y),
     .is_inside(s13_is_inside), .x_first(s13_x_first), .t_next(s13_t_next)
@@ -850,17 +851,17 @@ module relief_traverse #(
   end
   always @(posedge clk) begin
     if (rst) begin
-      s0_loop_valid_q   <= 1'b0;
-      s0_in_transfer_q  <= 1'b0;
-      s0_out_transfer_q <= 1'b0;
-      s0_in_flight      <= 7'd0;
-      s0_any_in_flight  <= 1'b0;
+      s0_loop_valid_q    <= 1'b0;
+      s0_in_transfer_q   <= 1'b0;
+      s0_out_transfer_q  <= 1'b0;
+      s0_in_flight_q     <= 7'd0;
+      s0_any_in_flight_q <= 1'b0;
     end else begin
-      s0_loop_valid_q   <= s18_valid;
-      s0_in_transfer_q  <= s0_in_transfer;
-      s0_out_transfer_q <= out_transfer;
-      s0_in_flight      <= s0_in_flight_next;
-      s0_any_in_flight  <= s0_any_in_flight_next;
+      s0_loop_valid_q    <= s18_valid;
+      s0_in_transfer_q   <= s0_in_transfer;
+      s0_out_transfer_q  <= out_transfer;
+      s0_in_flight_q     <= s0_in_flight_next;
+      s0_any_in_flight_q <= s0_any_in_flight_next;
     end
   end
   // In simulation an unknown bit (x) counts as 1, so that no x reaches a handshake.

@@ -3,10 +3,10 @@
 // for event-driven simulators.
 `default_nettype none
 module relief_tb_axis_slope_top #(
-  parameter integer EXP_W = 7,
-  parameter integer MAN_W = 16,
-  parameter integer LEVELS = 8,
-  parameter integer HEIGHT_W = 8
+  parameter integer EXP_W    = 7,   // exponent bits
+  parameter integer MAN_W    = 16,  // fraction bits, the hidden one not counted
+  parameter integer LEVELS   = 8,   // the map has 2^LEVELS x 2^LEVELS texels
+  parameter integer HEIGHT_W = 8    // bits of a height code
 );
   reg        clk;
   wire       done;

@@ -5,14 +5,14 @@
 // 5 nothing ran, 6 a result never came, 7 an unexpected result.
 `default_nettype none
 module relief_tb_div_rows #(
-  parameter integer W = 17,
-  parameter integer ROWS = 19
+  parameter integer W    = 17,  // bits of the divisor
+  parameter integer ROWS = 19   // quotient bits
 ) (
   input  wire       clk,
   output reg        done,
   output reg  [7:0] exit_code
 );
-  localparam integer Latency = 0;
+  localparam integer Latency = 0;  // clocks from operands to results
   // Bits of a row, as the files announce them.
   localparam integer InW =
     W + 1 +  // rem_in

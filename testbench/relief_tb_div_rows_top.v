@@ -3,8 +3,8 @@
 // for event-driven simulators.
 `default_nettype none
 module relief_tb_div_rows_top #(
-  parameter integer W = 17,
-  parameter integer ROWS = 19
+  parameter integer W    = 17,  // bits of the divisor
+  parameter integer ROWS = 19   // quotient bits
 );
   reg        clk;
   wire       done;

@@ -5,14 +5,14 @@
 // 5 nothing ran, 6 a result never came, 7 an unexpected result.
 `default_nettype none
 module relief_tb_fp_add #(
-  parameter integer EXP_W = 7,
-  parameter integer MAN_W = 16
+  parameter integer EXP_W = 7,  // exponent bits
+  parameter integer MAN_W = 16  // fraction bits, the hidden one not counted
 ) (
   input  wire       clk,
   output reg        done,
   output reg  [7:0] exit_code
 );
-  localparam integer Latency = 3;
+  localparam integer Latency = 3;  // clocks from operands to results
   // Bits of a row, as the files announce them.
   localparam integer InW =
     EXP_W + MAN_W + 1 +  // a
@@ -44,7 +44,7 @@ module relief_tb_fp_add #(
     .EXP_W(EXP_W),
     .MAN_W(MAN_W),
     .LATENCY(3),
-    .VARIANT(32'h013a4c61)
+    .VARIANT(32'h294e5029)
   ) dut (
     .clk(clk),
     .ce(ce),

@@ -5,14 +5,14 @@
 // 5 nothing ran, 6 a result never came, 7 an unexpected result.
 `default_nettype none
 module relief_tb_fp_div #(
-  parameter integer EXP_W = 7,
-  parameter integer MAN_W = 16
+  parameter integer EXP_W = 7,  // exponent bits
+  parameter integer MAN_W = 16  // fraction bits, the hidden one not counted
 ) (
   input  wire       clk,
   output reg        done,
   output reg  [7:0] exit_code
 );
-  localparam integer Latency = 20;
+  localparam integer Latency = 20;  // clocks from operands to results
   // Bits of a row, as the files announce them.
   localparam integer InW =
     EXP_W + MAN_W + 1 +  // a

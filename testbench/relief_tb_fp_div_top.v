@@ -3,8 +3,8 @@
 // for event-driven simulators.
 `default_nettype none
 module relief_tb_fp_div_top #(
-  parameter integer EXP_W = 7,
-  parameter integer MAN_W = 16
+  parameter integer EXP_W = 7,  // exponent bits
+  parameter integer MAN_W = 16  // fraction bits, the hidden one not counted
 );
   reg        clk;
   wire       done;

@@ -5,15 +5,15 @@
 // 5 nothing ran, 6 a result never came, 7 an unexpected result.
 `default_nettype none
 module relief_tb_fp_from_int #(
-  parameter integer EXP_W = 7,
-  parameter integer MAN_W = 16,
-  parameter integer INT_W = 14
+  parameter integer EXP_W = 7,   // exponent bits
+  parameter integer MAN_W = 16,  // fraction bits, the hidden one not counted
+  parameter integer INT_W = 14   // bits of the signed operand
 ) (
   input  wire       clk,
   output reg        done,
   output reg  [7:0] exit_code
 );
-  localparam integer Latency = 2;
+  localparam integer Latency = 2;  // clocks from operands to results
   // Bits of a row, as the files announce them.
   localparam integer InW =
     INT_W;  // a

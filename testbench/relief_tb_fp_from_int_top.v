@@ -3,9 +3,9 @@
 // for event-driven simulators.
 `default_nettype none
 module relief_tb_fp_from_int_top #(
-  parameter integer EXP_W = 7,
-  parameter integer MAN_W = 16,
-  parameter integer INT_W = 14
+  parameter integer EXP_W = 7,   // exponent bits
+  parameter integer MAN_W = 16,  // fraction bits, the hidden one not counted
+  parameter integer INT_W = 14   // bits of the signed operand
 );
   reg        clk;
   wire       done;

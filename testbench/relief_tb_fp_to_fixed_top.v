@@ -3,10 +3,10 @@
 // for event-driven simulators.
 `default_nettype none
 module relief_tb_fp_to_fixed_top #(
-  parameter integer EXP_W = 7,
-  parameter integer MAN_W = 16,
-  parameter integer INT_W = 26,
-  parameter integer FRAC_W = 12
+  parameter integer EXP_W  = 7,   // exponent bits
+  parameter integer MAN_W  = 16,  // fraction bits, the hidden one not counted
+  parameter integer INT_W  = 26,  // bits of the signed result
+  parameter integer FRAC_W = 12   // of these, fraction bits
 );
   reg        clk;
   wire       done;

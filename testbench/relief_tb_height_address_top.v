@@ -3,7 +3,7 @@
 // for event-driven simulators.
 `default_nettype none
 module relief_tb_height_address_top #(
-  parameter integer LEVELS = 8
+  parameter integer LEVELS = 8  // the map has 2^LEVELS x 2^LEVELS texels
 );
   reg        clk;
   wire       done;

@@ -3,9 +3,9 @@
 // for event-driven simulators.
 `default_nettype none
 module relief_tb_height_test_top #(
-  parameter integer EXP_W = 7,
-  parameter integer MAN_W = 16,
-  parameter integer HEIGHT_W = 8
+  parameter integer EXP_W    = 7,   // exponent bits
+  parameter integer MAN_W    = 16,  // fraction bits, the hidden one not counted
+  parameter integer HEIGHT_W = 8    // bits of a height code
 );
   reg        clk;
   wire       done;

@@ -3,10 +3,10 @@
 // for event-driven simulators.
 `default_nettype none
 module relief_tb_hit_position_top #(
-  parameter integer EXP_W = 7,
-  parameter integer MAN_W = 16,
-  parameter integer IDX_W = 14,
-  parameter integer FRAC_W = 12
+  parameter integer EXP_W  = 7,   // exponent bits
+  parameter integer MAN_W  = 16,  // fraction bits, the hidden one not counted
+  parameter integer IDX_W  = 14,  // bits of a signed, unwrapped texel coordinate
+  parameter integer FRAC_W = 12   // fraction bits of the position
 );
   reg        clk;
   wire       done;

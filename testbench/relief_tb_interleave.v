@@ -5,13 +5,13 @@
 // 5 nothing ran, 6 a result never came, 7 an unexpected result.
 `default_nettype none
 module relief_tb_interleave #(
-  parameter integer W = 9
+  parameter integer W = 9  // bits of each word
 ) (
   input  wire       clk,
   output reg        done,
   output reg  [7:0] exit_code
 );
-  localparam integer Latency = 0;
+  localparam integer Latency = 0;  // clocks from operands to results
   // Bits of a row, as the files announce them.
   localparam integer InW =
     W +  // a

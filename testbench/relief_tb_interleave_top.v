@@ -3,7 +3,7 @@
 // for event-driven simulators.
 `default_nettype none
 module relief_tb_interleave_top #(
-  parameter integer W = 9
+  parameter integer W = 9  // bits of each word
 );
   reg        clk;
   wire       done;

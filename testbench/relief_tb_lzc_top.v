@@ -3,7 +3,7 @@
 // for event-driven simulators.
 `default_nettype none
 module relief_tb_lzc_top #(
-  parameter integer W = 8
+  parameter integer W = 8  // bits of the word
 );
   reg        clk;
   wire       done;

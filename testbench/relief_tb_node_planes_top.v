@@ -3,8 +3,8 @@
 // for event-driven simulators.
 `default_nettype none
 module relief_tb_node_planes_top #(
-  parameter integer LEVELS = 8,
-  parameter integer IDX_W = 14
+  parameter integer LEVELS = 8,  // the map has 2^LEVELS x 2^LEVELS texels
+  parameter integer IDX_W  = 14  // bits of a signed, unwrapped texel coordinate
 );
   reg        clk;
   wire       done;

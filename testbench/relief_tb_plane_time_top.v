@@ -3,9 +3,9 @@
 // for event-driven simulators.
 `default_nettype none
 module relief_tb_plane_time_top #(
-  parameter integer EXP_W = 7,
-  parameter integer MAN_W = 16,
-  parameter integer IDX_W = 14
+  parameter integer EXP_W = 7,   // exponent bits
+  parameter integer MAN_W = 16,  // fraction bits, the hidden one not counted
+  parameter integer IDX_W = 14   // bits of a signed, unwrapped texel coordinate
 );
   reg        clk;
   wire       done;

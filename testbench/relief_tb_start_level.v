@@ -5,14 +5,14 @@
 // 5 nothing ran, 6 a result never came, 7 an unexpected result.
 `default_nettype none
 module relief_tb_start_level #(
-  parameter integer LEVELS = 8,
-  parameter integer IDX_W = 14
+  parameter integer LEVELS = 8,  // the map has 2^LEVELS x 2^LEVELS texels
+  parameter integer IDX_W  = 14  // bits of a signed, unwrapped texel coordinate
 ) (
   input  wire       clk,
   output reg        done,
   output reg  [7:0] exit_code
 );
-  localparam integer Latency = 0;
+  localparam integer Latency = 0;  // clocks from operands to results
   // Bits of a row, as the files announce them.
   localparam integer InW =
     IDX_W +  // x

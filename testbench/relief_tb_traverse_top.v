@@ -3,14 +3,14 @@
 // for event-driven simulators.
 `default_nettype none
 module relief_tb_traverse_top #(
-  parameter integer EXP_W = 7,
-  parameter integer MAN_W = 16,
-  parameter integer LEVELS = 8,
-  parameter integer HEIGHT_W = 8,
-  parameter integer TILE_W = 4,
-  parameter integer FRAC_W = 12,
-  parameter integer TAG_W = 8,
-  parameter integer STEP_LIMIT = 65535,
+  parameter integer EXP_W      = 7,      // exponent bits
+  parameter integer MAN_W      = 16,     // fraction bits, the hidden one not counted
+  parameter integer LEVELS     = 8,      // the map has 2^LEVELS x 2^LEVELS texels
+  parameter integer HEIGHT_W   = 8,      // bits of a height code
+  parameter integer TILE_W     = 4,      // a ray travels less than 2^TILE_W tiles along each axis
+  parameter integer FRAC_W     = 12,     // fraction bits of the hit position
+  parameter integer TAG_W      = 8,      // bits of a ray's tag
+  parameter integer STEP_LIMIT = 65535,  // iterations after which a ray is given up
   parameter MEM_INIT = ""
 );
   reg        clk;

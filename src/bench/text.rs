@@ -33,7 +33,8 @@ struct Size {
 #[derive(Serialize)]
 struct Param {
     name: String,
-    default: i64,
+    /// The line that declares it, as in the module under test.
+    declared: String,
 }
 
 #[derive(Serialize)]
@@ -134,7 +135,17 @@ fn terms(m: &Module) -> Vec<Term> {
 }
 
 fn params(m: &Module) -> Vec<Param> {
-    m.params.iter().map(|p| Param { name: p.name.clone(), default: p.default }).collect()
+    let name_w = m.params.iter().map(|p| p.name.len()).max().unwrap_or(0);
+    let value = |k: usize| {
+        let is_last = k + 1 == m.params.len() && m.files.is_empty();
+        format!("{}{}", m.params[k].default, if is_last { "" } else { "," })
+    };
+    let value_w = (0..m.params.len()).map(|k| value(k).len()).max().unwrap_or(0);
+    let declared = |(k, p): (usize, &crate::ir::Param)| Param {
+        name: p.name.clone(),
+        declared: format!("parameter integer {:name_w$} = {:value_w$}  // {}", p.name, value(k), p.doc),
+    };
+    m.params.iter().enumerate().map(declared).collect()
 }
 
 fn files_of(m: &Module) -> Vec<&str> {

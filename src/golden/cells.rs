@@ -185,11 +185,11 @@ pub(super) fn iterate<const RECORD: bool, P: PlaneArithmetic>(
 /// The level after a crossing out of the block of level `k` + 1, whose cells were read at level `r`.
 fn across(d: &Design, k: u32, r: u32, c: &Crossing) -> u32 {
     // The plane bounds the block; whether it bounds the block's parent too is a level further up.
-    let leaves_parent = (c.plane >> (k + 1)) % 2 == 0;
+    let exits_parent = (c.plane >> (k + 1)) % 2 == 0;
     if r < k {
         // Of a trimmed block, the plane does not count: it bounds larger ones besides.
         return trim_return(d.mode.level_up, k, &Crossing { plane: 0, ..*c });
     }
-    let at_parent = Crossing { plane: if leaves_parent { 0 } else { 1 << c.level }, ..*c };
+    let at_parent = Crossing { plane: if exits_parent { 0 } else { 1 << c.level }, ..*c };
     level_after(&d.mode, d.top_level(), k, &at_parent)
 }

@@ -38,14 +38,14 @@ pub struct Crossing {
 /// Whether a crossing goes one level up, wherever the root is.
 pub fn level_up(rule: LevelUp, c: &Crossing) -> bool {
     // The planes of the parent's border are those of even index, in node units.
-    let leaves_parent = (c.plane >> c.level) % 2 == 0;
+    let exits_parent = (c.plane >> c.level) % 2 == 0;
     match rule {
         LevelUp::None => false,
-        LevelUp::Tevs => leaves_parent,
+        LevelUp::Tevs => exits_parent,
         LevelUp::Selective => {
             let dx = (c.e_x >> c.level) - (c.x >> c.level);
             let dy = (c.e_y >> c.level) - (c.y >> c.level);
-            dx.abs().max(dy.abs()) != 1 && leaves_parent
+            dx.abs().max(dy.abs()) != 1 && exits_parent
         }
         LevelUp::Coherent => c.previous,
         LevelUp::Always => true,

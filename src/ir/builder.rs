@@ -99,8 +99,8 @@ impl Builder {
         self.st.borrow_mut().m.files.push(FileParam { name: name.into(), doc: doc.into() });
     }
     /// Names a derived constant; printed as a `localparam`.
-    pub fn local(&self, name: &str, value: Expr) -> Expr {
-        self.st.borrow_mut().m.locals.push((name.into(), value.clone()));
+    pub fn local(&self, name: &str, value: Expr, doc: &str) -> Expr {
+        self.st.borrow_mut().m.locals.push(Local { name: name.into(), value: value.clone(), doc: doc.into() });
         Expr::local(name, value)
     }
     /// Requires `lhs <= rhs` of the parameters, each condition once; elaboration fails otherwise. Of two lower bounds the greater one stays.

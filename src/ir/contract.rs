@@ -53,7 +53,7 @@ impl Module {
             self.choices.iter().for_each(|c| line(format_args!("choice {c:?}\n")));
             self.params.iter().for_each(|p| line(format_args!("param {}\n", p.name)));
             self.files.iter().for_each(|f| line(format_args!("file {}\n", f.name)));
-            self.locals.iter().for_each(|l| line(format_args!("local {l:?}\n")));
+            self.locals.iter().for_each(|l| line(format_args!("local {:?}\n", (&l.name, &l.value))));
             self.checks.iter().for_each(|c| line(format_args!("check {c:?}\n")));
             self.ports
                 .iter()

@@ -213,6 +213,17 @@ pub struct FileParam {
     pub doc: String,
 }
 
+/// A named derived constant, printed as a `localparam`.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Local {
+    /// Name as printed.
+    pub name: String,
+    /// Its value.
+    pub value: Expr,
+    /// Meaning, one line.
+    pub doc: String,
+}
+
 /// A condition on parameters, `lhs <= rhs`; elaboration fails where it does not hold.
 #[derive(Clone, Debug)]
 pub struct Check {
@@ -318,7 +329,7 @@ pub struct Module {
     /// Conditions on the parameters.
     pub checks: Vec<Check>,
     /// Named derived constants, in order of dependence.
-    pub locals: Vec<(String, Expr)>,
+    pub locals: Vec<Local>,
     /// Ports in printed order (clock, enable and reset included).
     pub ports: Vec<Port>,
     /// Graph.

@@ -60,7 +60,7 @@ fn declared(m: &Module, bad: &mut Vec<String>) {
         .filter_map(|i| printed.net(NodeId(i)))
         .collect();
     let params = m.params.iter().map(|p| ("parameter", &p.name));
-    let locals = m.locals.iter().map(|l| ("localparam", &l.0));
+    let locals = m.locals.iter().map(|l| ("localparam", &l.name));
     let insts = m.insts.iter().map(|i| ("instance", &i.name));
     let files = m.files.iter().map(|f| ("parameter", &f.name));
     for (what, name) in params.chain(files).chain(locals).chain(nets.iter().map(|n| ("net", n))).chain(insts) {

@@ -9,7 +9,7 @@ pub fn lzc_module(width: u32) -> Arc<Module> {
     let w = b.param("W", width, "bits of the word");
     b.require(1, &w);
     b.require(&w, 64);
-    let count_w = b.local("CountW", (&w + 1).clog2());
+    let count_w = b.local("CountW", (&w + 1).clog2(), "bits of a count of zeros, 0 to W");
     b.input("bits", &w, BITS, "the word");
     b.output("count", &count_w, BITS, "zeros above the topmost 1");
     b.finish_primitive(Prim::Lzc)

@@ -5,7 +5,7 @@ use super::layout::COLUMNS;
 const LONGEST: usize = 24;
 
 /// What stands before a comment.
-const COMMENT: &str = "  // ";
+pub(super) const COMMENT: &str = "  // ";
 
 /// What is aligned in a line: its kind, what stands before the column, and what from there on.
 #[derive(PartialEq, Clone, Copy)]
@@ -58,8 +58,11 @@ pub fn aligned(text: &str) -> String {
 }
 
 /// Lines of a run with their comments below each other; what has no room for its comment has it on a line before.
-fn commented(lines: &[String]) -> String {
-    let split = |l: &str| l.split_once(COMMENT).map(|(code, text)| (code.to_string(), text.to_string()));
+pub(super) fn commented(lines: &[String]) -> String {
+    let one_line = |l: &&str| !l.contains('\n');
+    let split = |l: &str| {
+        Some(l).filter(one_line)?.split_once(COMMENT).map(|(code, text)| (code.to_string(), text.to_string()))
+    };
     let fits = |code: &str, text: &str, column: usize| code.len().max(column) + COMMENT.len() + text.len() <= COLUMNS;
     let alone = lines.iter().filter_map(|l| split(l)).filter(|(code, text)| fits(code, text, 0));
     let column = alone.map(|(code, _)| code.len()).max().unwrap_or(0);
@@ -73,7 +76,7 @@ fn commented(lines: &[String]) -> String {
 }
 
 /// A comment on lines of its own.
-fn above(text: &str) -> String {
+pub(super) fn above(text: &str) -> String {
     let (mut out, mut line) = (String::new(), "  //".to_owned());
     for word in text.split(' ') {
         if line.len() + 1 + word.len() > COLUMNS {

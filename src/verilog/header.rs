@@ -1,9 +1,10 @@
 //! Everything that stands before a module's body: banner, parameters, ports, derived constants, conditions.
+use super::align::{COMMENT, above, commented};
 use super::expr::konst_name;
 use super::layout::{COLUMNS, bare, filled, is_wide, range, wide, wrap};
 use super::printer::{Printer, has_word};
 use super::style::SPDX;
-use reliefrtl_ir::{Dir, Op, Port};
+use reliefrtl_ir::{Dir, Local, Op, Port};
 
 impl Printer<'_> {
     /// What the module is, how long it takes, what was chosen.
@@ -116,16 +117,15 @@ impl Printer<'_> {
         let m = self.m;
         let mut text = body.to_string();
         let mut used = vec![false; m.locals.len()];
-        for (i, (name, e)) in m.locals.iter().enumerate().rev() {
+        for (i, Local { name, value: e, .. }) in m.locals.iter().enumerate().rev() {
             let konsts = m.nodes.iter().filter_map(|n| if let Op::Konst(k) = &n.op { Some(k) } else { None });
             used[i] = has_word(&text, name) || konsts.into_iter().any(|k| has_word(&k.to_string(), name));
             if used[i] {
                 text += &format!(" {e} ");
             }
         }
-        for (_, (name, e)) in m.locals.iter().enumerate().filter(|(i, _)| used[*i]) {
-            self.out += &wrap(&format!("  localparam integer {name} = {};", bare(&e.to_string())));
-        }
+        let local = |(_, l): (usize, &Local)| constant("integer", &l.name, &l.value.to_string(), Some(&l.doc));
+        let mut lines: Vec<String> = m.locals.iter().enumerate().filter(|(i, _)| used[*i]).map(local).collect();
         let mut seen = Vec::new();
         for n in &m.nodes {
             let Op::Konst(e) = &n.op else { continue };
@@ -133,17 +133,13 @@ impl Printer<'_> {
             if seen.contains(&name) {
                 continue;
             }
-            if let Some(doc) = &n.doc {
-                self.comment("  ", "", doc);
-            }
             // An integer has 32 bits, and a part-select beyond them is undefined.
-            if is_wide(e) || n.width.as_const().is_some_and(|w| w > 32) {
-                self.out += &wrap(&format!("  localparam [63:0] {name} = {};", bare(&wide(e))));
-            } else {
-                self.out += &wrap(&format!("  localparam integer {name} = {};", bare(&e.to_string())));
-            }
+            let is_wide = is_wide(e) || n.width.as_const().is_some_and(|w| w > 32);
+            let (kind, value) = if is_wide { ("[63:0]", wide(e)) } else { ("integer", e.to_string()) };
+            lines.push(constant(kind, &name, &value, n.doc.as_deref()));
             seen.push(name);
         }
+        self.out += &commented(&lines);
     }
 
     /// What parameters may be.
@@ -198,5 +194,16 @@ impl Printer<'_> {
             self.out += "    end\n";
         }
         self.out += "  endgenerate\n";
+    }
+}
+
+/// A derived constant, without the end of its last line; its meaning after it, or above one that takes lines.
+fn constant(kind: &str, name: &str, value: &str, doc: Option<&str>) -> String {
+    let code = wrap(&format!("  localparam {kind} {name} = {};", bare(value)));
+    let code = code.trim_end();
+    match doc {
+        None => code.to_owned(),
+        Some(doc) if code.contains('\n') => format!("{}{code}", above(doc)),
+        Some(doc) => format!("{code}{COMMENT}{doc}"),
     }
 }

@@ -44,7 +44,7 @@ fn constants() -> String {
 
 const LZC: &str = r#"
   // Padded with ones below the last bit, so that the count of an all-zero word is W.
-  localparam integer PadW = 1 << CountW;
+  localparam integer PadW = 1 << CountW;  // W, with zeros below up to a power of two
   wire [PadW-1:0] padded = {bits, {(PadW - W){1'b1}}};
 
   // Binary tree. Level s covers groups of 2 << s bits: whether a group is all zeros, and else its
@@ -53,7 +53,7 @@ const LZC: &str = r#"
   genvar s, g;
   generate
     for (s = 0; s < CountW; s = s + 1) begin : gen_level
-      localparam integer Groups = PadW >> (s + 1);
+      localparam integer Groups = PadW >> (s + 1);  // groups of 2^(s+1) bits
       wire [Groups-1:0]         empty;
       wire [Groups*(s+1)-1:0]   lzc;
       for (g = 0; g < Groups; g = g + 1) begin : gen_group
@@ -61,11 +61,11 @@ const LZC: &str = r#"
           assign empty[g] = ~(padded[2*g+1] | padded[2*g]);
           assign lzc[g]   = ~padded[2*g+1];
         end else begin : gen_later
-          wire         upper_empty = gen_level[s-1].empty[2*g+1];
-          wire [s-1:0] upper_lzc = gen_level[s-1].lzc[(2*g+1)*s+:s];
-          wire [s-1:0] lower_lzc = gen_level[s-1].lzc[2*g*s+:s];
-          assign empty[g]             = upper_empty & gen_level[s-1].empty[2*g];
-          assign lzc[g*(s+1)+:(s+1)] = {upper_empty, upper_empty ? lower_lzc : upper_lzc};
+          wire         high_empty = gen_level[s-1].empty[2*g+1];
+          wire [s-1:0] high_lzc = gen_level[s-1].lzc[(2*g+1)*s+:s];
+          wire [s-1:0] low_lzc = gen_level[s-1].lzc[2*g*s+:s];
+          assign empty[g]             = high_empty & gen_level[s-1].empty[2*g];
+          assign lzc[g*(s+1)+:(s+1)] = {high_empty, high_empty ? low_lzc : high_lzc};
         end
       end
     end
@@ -116,10 +116,10 @@ const SQRT_ROWS: &str = r#"
   genvar r;
   generate
     for (r = 0; r < ROWS; r = r + 1) begin : gen_row
-      localparam integer Place = W - 1 - FIRST - r;
+      localparam integer BitIndex = W - 1 - FIRST - r;  // bit that this row decides
       wire [W:0]   here;
       wire [W-1:0] root;
-      wire [W-1:0] mark = {{(W - 1) {1'b0}}, 1'b1} << Place;
+      wire [W-1:0] mark = {{(W - 1) {1'b0}}, 1'b1} << BitIndex;
       wire [W+1:0] trial = {1'b0, root, 1'b0} | {2'b00, mark};
       wire [W+2:0] diff = {1'b0, here, 1'b0} - {1'b0, trial};
       wire         fits = ~diff[W+2];
@@ -164,9 +164,11 @@ const PRELOAD: &str = r#"
 "#;
 
 const DELAY_LINE: &str = r#"
+  // words of the memory; the last clock is its output register
   localparam integer Words = CLOCKS - 1;
+  // bits of an address
   localparam integer IndexW = (Words > 8) ? 4 : ((Words > 4) ? 3 : ((Words > 2) ? 2 : 1));
-  localparam integer Last = Words - 1;
+  localparam integer Last = Words - 1;  // the last address
 
   // Circular buffer with read before write: a word is read one round after it was written. An index
   // beyond the last one wraps to 0, so any initial value is legal.
@@ -191,7 +193,9 @@ const DELAY_LINE: &str = r#"
 "#;
 
 const BANKS: &str = r#"
+  // address bits inside a bank
   localparam integer WordW = (BANK_W < ADDR_W) ? BANK_W : (ADDR_W - 1);
+  // banks, the last one not always full
   localparam integer BankCount = (DEPTH + (1 << WordW) - 1) >> WordW;
 
   genvar g;
@@ -214,7 +218,7 @@ const BANKS: &str = r#"
       // Every bank is read. The bank select is decoded beside the read, one-hot, so that the output
       // multiplexer after the registers is one AND-OR.
       for (g = 0; g < BankCount; g = g + 1) begin : gen_bank
-        localparam integer Index = g;
+        localparam integer Index = g;  // number of the bank
         // Reading the address that is being written is don't-care: no bypass logic.
         (* no_rw_check *)
         reg  [DATA_W-1:0] mem [0:(1<<WordW)-1];

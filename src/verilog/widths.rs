@@ -1,5 +1,5 @@
 //! Widths by the names that they have in a module's text.
-use reliefrtl_ir::{Atom, Expr, Func, Module};
+use reliefrtl_ir::{Atom, Expr, Func, Local, Module};
 
 /// A width by the `localparam` of `m` that has the same value everywhere, where there is one; else with the larger or smaller of two values by
 /// the `localparam` that has it.
@@ -8,8 +8,8 @@ pub(super) fn named(m: &Module, w: &Expr) -> Expr {
     let flat = w.expanded();
     // A number and a parameter alone say more than a name for them.
     let plain = matches!(flat.parts(), ([], _) | ([(Atom::Param(_), 1)], 0));
-    let same = m.locals.iter().find(|(_, e)| !plain && !has_name(w) && e.expanded() == flat);
-    same.map_or_else(|| with_bounds_named(m, w), |(name, e)| Expr::local(name, e.clone()))
+    let same = m.locals.iter().find(|l| !plain && !has_name(w) && l.value.expanded() == flat);
+    same.map_or_else(|| with_bounds_named(m, w), |l| Expr::local(&l.name, l.value.clone()))
 }
 
 /// `w` with each bound (the larger or the smaller of two values) that a `localparam` of `m` has, but for a constant, by its name: written out, it takes a line
@@ -19,8 +19,8 @@ pub(super) fn with_bounds_named(m: &Module, w: &Expr) -> Expr {
     w.with_atoms(&|a| {
         let Atom::Call(f, args) = a else { return None };
         let flat = Atom::Call(*f, args.iter().map(Expr::expanded).collect());
-        m.locals.iter().filter(|_| is_bound(a)).find_map(|(name, e)| match e.expanded().parts() {
-            ([(bound, 1)], konst) if *bound == flat => Some(Expr::local(name, e.clone()) - konst),
+        m.locals.iter().filter(|_| is_bound(a)).find_map(|l| match l.value.expanded().parts() {
+            ([(bound, 1)], konst) if *bound == flat => Some(Expr::local(&l.name, l.value.clone()) - konst),
             _ => None,
         })
     })
@@ -30,7 +30,7 @@ pub(super) fn with_bounds_named(m: &Module, w: &Expr) -> Expr {
 pub(super) fn by_parts(m: &Module, w: &Expr) -> Expr {
     let whole = named(m, w);
     let mut rest = whole.clone();
-    for (name, e) in &m.locals {
+    for Local { name, value: e, .. } in &m.locals {
         let (flat, part) = (rest.expanded(), e.expanded());
         let (terms, konst) = part.parts();
         let of = |a: &Atom| flat.parts().0.iter().find(|t| t.0 == *a).map_or(0, |t| t.1);
@@ -54,8 +54,8 @@ mod tests {
     fn a_sum_is_said_by_the_constants_of_the_module() {
         let b = Builder::new("m", file!(), "widths");
         let (exp, levels) = (b.param("EXP_W", 7, "bits"), b.param("LEVELS", 8, "bits"));
-        b.local("FloatW", &exp + 17);
-        b.local("LevelW", (&levels + 1).clog2());
+        b.local("FloatW", &exp + 17, "bits of a float: sign, exponent, fraction");
+        b.local("LevelW", (&levels + 1).clog2(), "bits of a level");
         let bundle = exp.clone() * 3 + (&levels + 1).clog2() + &levels + 54;
         let m = b.finish(&[]);
         assert_eq!(by_parts(&m, &bundle).to_string(), "LEVELS + 3 * FloatW + LevelW + 3");

@@ -98,12 +98,12 @@ proptest! {
         let plane = if neg { x & !mask } else { (x | mask) + 1 };
         let c = Crossing { level, plane, x, y, e_x: x + (ex << level), e_y: y + (ey << level), previous };
         let beyond = if neg { plane - 1 } else { plane };
-        let leaves_parent = beyond >> (level + 1) != x >> (level + 1);
+        let exits_parent = beyond >> (level + 1) != x >> (level + 1);
         prop_assert!(!level_up(LevelUp::None, &c) && level_up(LevelUp::Always, &c));
-        prop_assert_eq!(level_up(LevelUp::Tevs, &c), leaves_parent);
+        prop_assert_eq!(level_up(LevelUp::Tevs, &c), exits_parent);
         prop_assert_eq!(level_up(LevelUp::Coherent, &c), previous);
         let neighbour = ex.abs().max(ey.abs()) == 1;
-        prop_assert_eq!(level_up(LevelUp::Selective, &c), leaves_parent && !neighbour);
+        prop_assert_eq!(level_up(LevelUp::Selective, &c), exits_parent && !neighbour);
     }
 
     #[test]

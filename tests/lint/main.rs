@@ -6,6 +6,7 @@ mod benches;
 mod configs;
 mod elaboration;
 mod linters;
+mod names;
 mod parse;
 mod style;
 mod text;
@@ -21,6 +22,6 @@ mod simulators;
 
 /// Fails with the first problems of a long list, all of them counted.
 pub fn no_problems(problems: &[String]) {
-    let shown: Vec<&str> = problems.iter().take(12).map(String::as_str).collect();
+    let shown: Vec<&str> = problems.iter().take(25).map(String::as_str).collect();
     assert!(problems.is_empty(), "{} problems, among them\n{}", problems.len(), shown.join("\n"));
 }

@@ -16,6 +16,11 @@ fn problems_of(text: &str) -> Vec<(usize, String)> {
         if line.len() > 100 {
             say("longer than 100 columns");
         }
+        let above =
+            i.checked_sub(1).and_then(|k| text.lines().nth(k)).is_some_and(|l| l.trim_start().starts_with("//"));
+        if words.contains(&"localparam") && comment.is_none() && !above {
+            say("a derived constant without its meaning");
+        }
         if line.ends_with(' ') || line.contains('\t') || !line.is_ascii() {
             say("a trailing blank, a tab or a character outside ASCII");
         }
@@ -141,6 +146,7 @@ fn the_rules_find_what_they_are_for() {
         "  `include \"x.vh\"",
         "  (* keep *) wire y;",
         "  wire y; ",
+        "  localparam integer TimeW = 8;",
     ];
     for line in bad {
         assert!(!problems_of(line).is_empty(), "{line}");
@@ -150,6 +156,10 @@ fn the_rules_find_what_they_are_for() {
     assert!(!problems_of("  // verilator lint_off UNUSED\n  wire unused_0 = y;\n").is_empty());
     assert_eq!(
         problems_of("  // verilator lint_off UNUSED\n  wire unused_0 = y;\n  // verilator lint_on UNUSED\n"),
+        []
+    );
+    assert_eq!(
+        problems_of("  // bits\n  localparam integer TimeW =\n    8;\n  localparam integer IdxW = 9;  // bits\n"),
         []
     );
     assert!(has_date("2031-04-05 ") && has_date("at 10:11:12 ") && !has_date("addr[2047:1024] 20480"));

@@ -74,7 +74,7 @@ fn plain() -> Vec<String> {
 /// A change of one token in an emitted module.
 const SPOILED: [(&str, &str, &str, &str); 9] = [
     ("start_level", "start_level", "(x ^ x_end) | (y", "(x ^ x_end) & (y"),
-    ("lzc", "lzc", "upper_empty ? lower_lzc", "!upper_empty ? lower_lzc"),
+    ("lzc", "lzc", "high_empty ? low_lzc", "!high_empty ? low_lzc"),
     ("multi_level_down", "progress", "is_above ? x_high", "is_above ? x_hit"),
     ("node_planes", "node_planes", "x | ~keep", "x ^ ~keep"),
     ("level_decision", "level_decision", "x_first ? y_at : y_beyond", "x_first ? y_beyond : y_at"),

@@ -3,7 +3,7 @@
 `default_nettype none
 module {{ prefix }}tb_{{ unit }}_top{% if params %} #(
 {%- for p in params %}
-  parameter integer {{ p.name }} = {{ p.default }}{% if files or not loop.last %},{% endif %}
+  {{ p.declared }}
 {%- endfor %}
 {%- for f in files %}
   parameter {{ f }} = ""{% if not loop.last %},{% endif %}

@@ -18,9 +18,10 @@
 `default_nettype none
 module {{ prefix }}tb_traverse #(
 {%- for p in params %}
-  parameter integer {{ p.name }} = {{ p.default }}{% if files or not loop.last %},{% endif %}
+  {{ p.declared }}
 {%- endfor %}
 {%- for f in files %}
+  // file for $readmemh with the first words of the memory; "": none
   parameter {{ f }} = ""{% if not loop.last %},{% endif %}
 {%- endfor %}
 ) (
@@ -31,8 +32,8 @@ module {{ prefix }}tb_traverse #(
   localparam integer WarmUp = {{ warm_up }};  // clocks until the pipeline can be full
   localparam integer Flood = 200;             // clocks of the flood
   localparam integer Resets = 12;             // resets while rays are on their way
-  localparam integer TagBits = (TAG_W < 8) ? TAG_W : 8;
-  localparam integer Tags = 1 << TagBits;
+  localparam integer TagBits = (TAG_W < 8) ? TAG_W : 8;  // bits of a tag that the bench counts
+  localparam integer Tags = 1 << TagBits;     // rays under way, at most
   // Bits of a row, as stated in the head of each file{% if not sizes %}, and words of the pyramid{% endif %}.
   localparam integer InW =
 {%- for p in inputs %}
@@ -55,14 +56,14 @@ module {{ prefix }}tb_traverse #(
   integer exp_fd;         // expected.hex
   integer res_fd;         // results, 0: none
   integer stim_bits;      // bits of a row, as the head of the file states them
-  integer exp_bits;
+  integer exp_bits;       // the same of expected.hex
   integer patience;       // clocks without a result until a ray is lost, 0: by the longest ray
-  integer k;
+  integer k;              // index of a loop
   reg     gaps;           // in_valid falls at random
   reg     stalls;         // out_ready falls at random
   reg     again;          // the set runs once more
-  reg     told;           // the utilization has been printed
-  integer resets_left;
+  reg     reported;       // the utilization has been printed
+  integer resets_left;    // resets to come
   integer until_reset;    // clocks
 
   // What is left to send and to expect, and what was observed.
@@ -281,7 +282,7 @@ module {{ prefix }}tb_traverse #(
     again = $test$plusargs("again") != 0;
     resets_left = ($test$plusargs("reset") != 0) ? Resets : 0;
     until_reset = 100;
-    told = 1'b0;
+    reported = 1'b0;
     if ($value$plusargs("patience=%d", patience) == 0) patience = 0;
     if ($value$plusargs("vectors=%s", dir) == 0) dir = "golden/traverse";
     mem_fd = $fopen($sformatf("%0s/memory.hex{% if sizes %}.0{% endif %}", dir), "r");
@@ -587,12 +588,12 @@ module {{ prefix }}tb_traverse #(
                  checked);
         finish(8'd1);
       end else begin
-        if (!told) begin
+        if (!reported) begin
           $display("slots busy: %0d of %0d %0s; %0d clocks from first ray to last hit", busy,
                    loaded, (gaps || stalls) ? "with gaps and stalls" : "under full load",
                    last_out - first_in + 1);
         end
-        told <= 1'b1;
+        reported <= 1'b1;
         if (again) begin
           start_again;
         end else begin

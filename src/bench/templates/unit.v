@@ -5,14 +5,14 @@
 `default_nettype none
 module {{ prefix }}tb_{{ unit }}{% if params %} #(
 {%- for p in params %}
-  parameter integer {{ p.name }} = {{ p.default }}{% if not loop.last %},{% endif %}
+  {{ p.declared }}
 {%- endfor %}
 ){% endif %} (
   input  wire       clk,
   output reg        done,
   output reg  [7:0] exit_code
 );
-  localparam integer Latency = {{ latency }};
+  localparam integer Latency = {{ latency }};  // clocks from operands to results
   // Bits of a row, as the files announce them.
   localparam integer InW =
 {%- for p in inputs %}

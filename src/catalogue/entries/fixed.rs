@@ -206,7 +206,7 @@ pub(super) const HIT_POSITION: Unit = Unit {
 
 static CHORD_END: Unit = Unit {
     name: "chord_end",
-    model: Some(|c, row, out| out["reach"] = c.index(golden(c).chord_end(&axis(row), row["t"]))),
+    model: Some(|c, row, out| out["bound"] = c.index(golden(c).chord_end(&axis(row), row["t"]))),
     // A travel per height code is less than 4/3 of a travel: two height bits make the least M.
     legal: Some(|c, row| row["s"] = row["s"].min(mask(reach(c)) * 4 / 3)),
     stimulus: Some(one_axis),

@@ -140,7 +140,7 @@ static LEVEL_CHOICE: Unit = Unit {
     name: "level_choice",
     model: Some(|c, row, out| {
         let level = row["level"];
-        let crosses = row.is_set("leaves") && !row.is_set("first");
+        let crosses = row.is_set("exits") && !row.is_set("first");
         let hit = !crosses && level == 0;
         out["hit"] = u64::from(hit);
         out["crosses"] = u64::from(crosses);

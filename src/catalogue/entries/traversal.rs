@@ -229,8 +229,8 @@ static CHORD_TRIM: Unit = Unit {
             if end < low { low } else { end.min(high) }
         };
         let x_first = row.is_set("x_first");
-        let x_end = end(["x_low", "x_high", "x_neg", "x_reach", "x_last"], x_first);
-        let y_end = end(["y_low", "y_high", "y_neg", "y_reach", "y_last"], !x_first);
+        let x_end = end(["x_low", "x_high", "x_neg", "x_bound", "x_last"], x_first);
+        let y_end = end(["y_low", "y_high", "y_neg", "y_bound", "y_last"], !x_first);
         let (x, y) = (c.signed(row["x_at"]), c.signed(row["y_at"]));
         let tight = u64::from(start_level(c.design.traverse.levels, c.idx_w, x, y, x_end, y_end));
         // Of a block, its cells' level.

@@ -199,7 +199,7 @@ static CHORD_END: Unit = Unit {
             gf::Value::Infinite(_) | gf::Value::Nan => last,
             _ => gf::to_int(f, gf::add(f, row["p_ahead"], gf::mul(f, row["d"], t)), c.idx_w),
         };
-        out["reach"] = c.index(reach);
+        out["bound"] = c.index(reach);
     }),
     stimulus: Some(one_axis),
     ..WATERTIGHT

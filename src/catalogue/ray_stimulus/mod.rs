@@ -125,7 +125,7 @@ pub fn both_axes(s: &RaySample, port: &str) -> Option<u64> {
         "at" => a.at,
         "hit" => a.hit,
         "neg" => a.neg,
-        "reach" => a.reach,
+        "bound" => a.reach,
         "last" => a.last,
         _ => return None,
     })

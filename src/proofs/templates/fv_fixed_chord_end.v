@@ -17,7 +17,7 @@ module {{ prefix }}fv_fixed_chord_end (input wire clk);
   wire signed [F+T+3:0] from = s_u;
   wire signed [F+T+3:0] at = $signed(p_plane) <<< (F - N);
   wire signed [F+T+3:0] away = s_du[F+T] ? from - at : at - from;
-  wire passed = p_neg ? $signed(c_reach) < $signed(p_plane) : $signed(c_reach) >= $signed(p_plane);
+  wire passed = p_neg ? $signed(c_bound) < $signed(p_plane) : $signed(c_bound) >= $signed(p_plane);
   wire ended = p_neg ? $signed(s_le_x) < $signed(p_plane) : $signed(s_le_x) >= $signed(p_plane);
   reg [7:0] clocks;
   initial clocks = 0;

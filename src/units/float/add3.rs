@@ -60,8 +60,8 @@ pub fn fp_add3(format: FloatFormat, latency: u32) -> Arc<Module> {
     // The sum and its carry-in take 2 * MAN_W + 9 bits.
     b.require(&f.man, 27);
     let e_w = exponent_width(&b, &f);
-    let p = b.local("SigW", &f.man + 1);
-    let sum_w = b.local("SumW", p.clone() * 2 + 6);
+    let p = b.local("SigW", &f.man + 1, "bits of a significand, the hidden one included");
+    let sum_w = b.local("SumW", p.clone() * 2 + 6, "bits of an aligned sum of three significands");
     b.clock();
     b.clock_enable();
     let ins = ["a", "b", "c"].map(|n| b.input(n, &f.width, FLOAT, "term"));
@@ -92,10 +92,15 @@ pub fn fp_add3(format: FloatFormat, latency: u32) -> Arc<Module> {
     b.section("cancel", "");
     let gone = x.cancels(y).named("x_y_cancel");
     let first = pick(gone, z, x).named("first");
-    let d_w = b.local("DistanceW", f.exp.larger((&p + 4).clog2()));
+    let d_w = b.local("DistanceW", f.exp.larger((&p + 4).clog2()), "bits of a difference of exponents");
     let y_down = (x.weight - y.weight).named("y_down");
     let z_down = (x.weight - z.weight).named("z_down");
-    let far = b.konst(&p + 2, &d_w).named("max_shift").lt(y_down.zext(&d_w)).named("y_loses");
+    let far = b
+        .konst(&p + 2, &d_w)
+        .named("max_shift")
+        .doc("the largest shift of a term that is not lost")
+        .lt(y_down.zext(&d_w))
+        .named("y_loses");
     let y_is_lost = (gone | (far & y.cancels(z))).named("y_is_lost");
     let z_is_lost = (gone | far).named("z_is_lost");
     let y_minus = (y.sign ^ first.sign).named("y_minus");

@@ -34,9 +34,9 @@ fn by_rows(format: FloatFormat, latency: u32) -> Arc<Module> {
     let b = Builder::new(crate::float::names::DIV, file!(), "quotient of two floating-point numbers, rounded once");
     b.choice("divider", "rows");
     let f = FormatParams::declare(&b, format);
-    let e_w = b.local("ExpSumW", &f.exp + 2);
-    let p = b.local("SigW", &f.man + 1);
-    let rows = b.local("QuotW", &p + 2);
+    let e_w = b.local("ExpSumW", &f.exp + 2, "bits of an exponent difference, with its sign");
+    let p = b.local("SigW", &f.man + 1, "bits of a significand, the hidden one included");
+    let rows = b.local("QuotW", &p + 2, "bits of a quotient: those of the result, and what its rounding needs");
     b.clock();
     b.clock_enable();
     let a_in = b.input("a", &f.width, FLOAT, "dividend");

@@ -50,8 +50,8 @@ pub fn by_table(format: FloatFormat, latency: u32) -> Arc<Module> {
     b.choice("divider", "table");
     let f = FormatParams::declare(&b, format);
     b.require(&f.man, Design::TABLE_MAN);
-    let e_w = b.local("ExpSumW", &f.exp + 2);
-    let p = b.local("SigW", &f.man + 1);
+    let e_w = b.local("ExpSumW", &f.exp + 2, "bits of an exponent difference, with its sign");
+    let p = b.local("SigW", &f.man + 1, "bits of a significand, the hidden one included");
     b.clock();
     b.clock_enable();
     let a_in = b.input("a", &f.width, FLOAT, "dividend");
@@ -79,7 +79,7 @@ pub fn by_table(format: FloatFormat, latency: u32) -> Arc<Module> {
     let num = less.mux(dividend, b.cat(&[b.zeros(1), dividend.slice(1, 17)])).named("num");
     let low_bits = num.slice(Expr::from(16) - &f.man, 2).named("num_low");
     let exp = (x.exp - less.zext(&e_w)).named("norm_exp");
-    let lower = (exp - b.lit(1, &e_w)).named("lower_exp");
+    let lower = (exp - b.lit(1, &e_w)).named("exp_minus_1");
 
     b.section("line", "");
     b.section("fall", "");
@@ -116,7 +116,7 @@ pub fn by_table(format: FloatFormat, latency: u32) -> Arc<Module> {
     let (n0, n1, b0, b1) = (low_bits.bit(0), low_bits.bit(1), back.bit(&f.man + 1), back.bit(&f.man + 2));
     let up = (n1 ^ b1 ^ (n0 & !b0)).named("round_up");
     // An estimate just below 1: one more is the result, and carries to the exponent that is there.
-    let at = quot.msb().mux(exp, lower).named("cut_exp");
+    let at = quot.msb().mux(exp, lower).named("quot_exp");
     let low = b.cat(&[at.slice(0, &f.exp), quot.slice(0, &f.man)]).named("low");
     let high = (low + b.lit(1, low.width())).named("high");
     let Classes { nan, inf, zero } = x.classes;
@@ -129,8 +129,8 @@ pub fn by_table(format: FloatFormat, latency: u32) -> Arc<Module> {
     let keep_high = (!(none | (at_zero & !high.bit(&f.man)))).named("keep_high");
 
     b.section("select", "");
-    let (take_low, take_high) = ((keep_low & !up).named("take_low"), (keep_high & up).named("take_high"));
-    let body = |lo: &Expr, w: &Expr| low.slice(lo, w) & take_low.rep(w) | high.slice(lo, w) & take_high.rep(w);
+    let (sel_low, sel_high) = ((keep_low & !up).named("sel_low"), (keep_high & up).named("sel_high"));
+    let body = |lo: &Expr, w: &Expr| low.slice(lo, w) & sel_low.rep(w) | high.slice(lo, w) & sel_high.rep(w);
     let frac = body(&Expr::from(0), &f.man) | b.cat(&[nan, b.zeros(&f.man - 1)]);
     let value = b.cat(&[(x.sign & !nan).named("sign"), body(&f.man, &f.exp) | inf.rep(&f.exp), frac]).named("value");
     b.drive(out, value);

@@ -24,7 +24,7 @@ impl FormatParams {
         b.require(&exp, 11);
         b.require(2, &man);
         b.require(&man, 28);
-        let width = b.local("FloatW", &exp + &man + 1);
+        let width = b.local("FloatW", &exp + &man + 1, "bits of a float: sign, exponent, fraction");
         b.note(note(f));
         b.choice("rounding", f.rounding.word());
         b.choice("subnormals", f.subnormals.word());

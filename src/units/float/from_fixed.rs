@@ -43,7 +43,11 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32, fas
         }
     };
     let lz_w = (&int + 1).clog2();
-    let e_w = b.local("ExpSumW", f.exp.larger(&lz_w) + if fast { 2 } else { 3 });
+    let e_w = b.local(
+        "ExpSumW",
+        f.exp.larger(&lz_w) + if fast { 2 } else { 3 },
+        "bits of an exponent, with room for its sign",
+    );
     b.clock();
     b.clock_enable();
     let unit = integer(if frac_w.is_some() { "fixed point" } else { "integer" });
@@ -69,7 +73,10 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32, fas
     b.section("normalize", "Zeros below make room for guard and sticky bits whatever INT_W is.");
     let norm = b.cat(&[mag.shift_left(lz), b.zeros(&f.man + 3)]).named("norm");
     let is_zero = (!norm.msb()).named("is_zero");
-    let top = b.konst(f.bias() + &int - 1 - &frac, &e_w).named("top_exp");
+    let top = b
+        .konst(f.bias() + &int - 1 - &frac, &e_w)
+        .named("top_exp")
+        .doc("exponent of an integer whose topmost bit is 1");
     let exp = (top - lz.zext(&e_w)).named("norm_exp");
 
     if !fast {

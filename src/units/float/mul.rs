@@ -27,8 +27,8 @@ pub fn fp_mul(format: FloatFormat, latency: u32) -> Arc<Module> {
     }
     let b = Builder::new(crate::float::names::MUL, file!(), "product of two floating-point numbers, rounded once");
     let f = FormatParams::declare(&b, format);
-    let e_w = b.local("ExpSumW", &f.exp + 2);
-    let p = b.local("SigW", &f.man + 1);
+    let e_w = b.local("ExpSumW", &f.exp + 2, "bits of an exponent sum, with room for its sign");
+    let p = b.local("SigW", &f.man + 1, "bits of a significand, the hidden one included");
     b.clock();
     b.clock_enable();
     let a_in = b.input("a", &f.width, FLOAT, "first factor");

@@ -22,7 +22,7 @@ impl<'b> Quotient<'b> {
     pub fn of(b: &'b Builder, f: &FormatParams, a: Sig<'b>, by: Sig<'b>, e_w: &Expr) -> Self {
         let (fa, fb) = (Fields::of(f, a, "a"), Fields::of(f, by, "b"));
         let sign = (fa.sign ^ fb.sign).named("quot_sign");
-        let bias = b.konst(f.bias(), e_w).named("bias");
+        let bias = b.konst(f.bias(), e_w).named("bias").doc("the exponent bias");
         let exp = (fa.exp.zext(e_w) - fb.exp.zext(e_w) + bias).named("quot_exp");
         let inf = ((fa.is_inf | fb.is_zero) & !fb.is_inf & !fa.is_zero).named("is_inf");
         let zero = ((fa.is_zero | fb.is_inf) & !fa.is_inf & !fb.is_zero).named("is_zero");

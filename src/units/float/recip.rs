@@ -20,8 +20,8 @@ pub fn fp_recip(format: FloatFormat, latency: u32) -> Arc<Module> {
     let b = Builder::new("fp_recip", file!(), "reciprocal of a floating-point number, rounded once");
     let f = FormatParams::declare(&b, format);
     let e_w = exponent_width(&b, &f);
-    let p = b.local("SigW", &f.man + 1);
-    let rows = b.local("QuotW", &p + 1);
+    let p = b.local("SigW", &f.man + 1, "bits of a significand, the hidden one included");
+    let rows = b.local("QuotW", &p + 1, "bits of a quotient: those of the result, and what its rounding needs");
     b.clock();
     b.clock_enable();
     let a_in = b.input("a", &f.width, FLOAT, "operand");
@@ -37,7 +37,10 @@ pub fn fp_recip(format: FloatFormat, latency: u32) -> Arc<Module> {
     let (sign, inf, zero, nan) = (a.sign, Some(a.zero()), a.inf(), a.nan());
     let div = sig.named("divisor");
     let more = div.slice(0, &f.man).any().named("no_power");
-    let top = b.konst(f.bias() * 2, &e_w).named("top_exp");
+    let top = b
+        .konst(f.bias() * 2, &e_w)
+        .named("top_exp")
+        .doc("exponent of a reciprocal before it is normalized: twice the bias");
     let exp = (top - exp - more.zext(&e_w)).named("recip_exp");
     let mut rem = b.cat(&[b.lit(1, 1), b.zeros(&p)]);
     let mut quot: Option<Sig<'_>> = None;

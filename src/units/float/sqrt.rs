@@ -20,7 +20,7 @@ pub fn fp_sqrt(format: FloatFormat, latency: u32) -> Arc<Module> {
     let b = Builder::new("fp_sqrt", file!(), "square root of a floating-point number, rounded once");
     let f = FormatParams::declare(&b, format);
     let e_w = exponent_width(&b, &f);
-    let p = b.local("SigW", &f.man + 1);
+    let p = b.local("SigW", &f.man + 1, "bits of a significand, the hidden one included");
     b.clock();
     b.clock_enable();
     let a_in = b.input("a", &f.width, FLOAT, "radicand");
@@ -46,7 +46,7 @@ pub fn fp_sqrt(format: FloatFormat, latency: u32) -> Arc<Module> {
         None => (None, (zero | bad).named("give_zero")),
     };
     let inf = a.inf();
-    let twice = (exp + b.konst(f.bias(), &e_w).named("bias")).named("exp_sum");
+    let twice = (exp + b.konst(f.bias(), &e_w).named("bias").doc("the exponent bias")).named("exp_sum");
     let half = if normal {
         b.unused(twice.bit(0));
         b.unused(twice.slice(&f.exp + 1, &e_w - 1 - &f.exp));

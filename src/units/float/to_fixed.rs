@@ -39,8 +39,12 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32) -> 
         }
     };
     // The shift runs from INT_W + bias + MAN_W down to INT_W - bias - ..., so two bits above the longest of its terms.
-    let r_w = b.local("RightW", f.exp.larger((&int + &f.man + 1).clog2()) + 3);
-    let x_w = b.local("WideW", &f.man + 1 + &int);
+    let r_w = b.local(
+        "RightW",
+        f.exp.larger((&int + &f.man + 1).clog2()) + 3,
+        "bits of a shift to the right, with room for its sign",
+    );
+    let x_w = b.local("WideW", &f.man + 1 + &int, "bits of an integer with a significand below it");
     b.clock();
     b.clock_enable();
     let a = b.input("a", &f.width, FLOAT, "operand");
@@ -51,16 +55,23 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32) -> 
     b.section("distance", "The significand starts above INT_W zeros and moves right by what the exponent lacks.");
     let fa = Read::of(&b, &f, a);
     let sig = fa.sig;
-    let full = b.konst(f.bias() + &int + &f.man - &frac, &r_w).named("full");
+    let full = b
+        .konst(f.bias() + &int + &f.man - &frac, &r_w)
+        .named("full")
+        .doc("biased exponent of a number that need not be moved");
     let right = (full - fa.weight.zext(&r_w)).named("right");
-    let least = b.konst(&f.man + 2, &r_w).named("least");
+    let least = b.konst(&f.man + 2, &r_w).named("least").doc("least shift of a number that fits");
     let far_out = right.slt(least);
     let big = match frac_w {
         None => far_out,
         // Where the range ends at or below the least normal number, a zero is as far out as that; and so is a subnormal number, which
         // lacks the top bit.
         Some(_) if f.format.is_gradual() => {
-            let farther_out = right.slt(b.konst(&f.man + 1, &r_w).named("least_half"));
+            let farther_out = right.slt(
+                b.konst(&f.man + 1, &r_w)
+                    .named("least_half")
+                    .doc("least shift of a number that may fit: one less, of the most negative integer"),
+            );
             (far_out & sig.msb()) | (farther_out & sig.bit(&f.man - 1))
         }
         Some(_) => far_out & sig.msb(),
@@ -71,7 +82,7 @@ fn build(format: FloatFormat, int_w: u32, frac_w: Option<u32>, latency: u32) -> 
     b.section("shift", "By multiples of four first; what each step shifts out is lost.");
     let x = b.cat(&[sig, b.zeros(&int)]).named("unshifted");
     let coarse = b.cat(&[right.slice(2, &r_w - 2), b.zeros(2)]).named("coarse");
-    let near = x.shift_right(coarse).named("near_place");
+    let near = x.shift_right(coarse).named("coarse_shifted");
     let fine = right.slice(0, 2).named("fine");
     let lost_coarse = (x & !b.ones(&x_w).shift_left(coarse)).any().named("lost_coarse");
 

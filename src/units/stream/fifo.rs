@@ -19,7 +19,7 @@ pub fn fifo() -> Arc<Module> {
     b.require(4, &depth);
     b.require(&depth, 4096);
     b.require(depth.clog2().pow2(), &depth);
-    let ptr_w = b.local("PtrW", depth.clog2());
+    let ptr_w = b.local("PtrW", depth.clog2(), "bits of a slot address");
     b.clock();
     b.reset();
     let in_valid = b.input("in_valid", 1, BIT, "input valid");

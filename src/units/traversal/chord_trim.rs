@@ -32,8 +32,8 @@ pub fn chord_trim(d: &Design) -> Arc<Module> {
             low: of("low", &idx, TEXELS, "least texel of the node that the ray has not passed"),
             high: of("high", &idx, TEXELS, "greatest texel of the node that the ray has not passed"),
             neg: of("neg", &Expr::from(1), BIT, "the ray runs toward smaller coordinates"),
-            reach: of(
-                "reach",
+            bound: of(
+                "bound",
                 &idx,
                 TEXELS,
                 "texel of the ray, or one ahead of it, where it leaves by the other axis' plane",
@@ -65,7 +65,7 @@ struct Axis<'b> {
     low: Sig<'b>,
     high: Sig<'b>,
     neg: Sig<'b>,
-    reach: Sig<'b>,
+    bound: Sig<'b>,
     last: Sig<'b>,
 }
 
@@ -73,10 +73,10 @@ impl<'b> Axis<'b> {
     /// The chord's far end; `exits`: the ray leaves by this axis' plane, so that only its own end keeps it from the texel before the plane.
     fn far(&self, exits: Sig<'b>) -> Sig<'b> {
         let n = |what: &str| format!("{}_{what}", self.name);
-        let less = self.reach.slt(self.last).named(&n("reach_less"));
+        let less = self.bound.slt(self.last).named(&n("bound_is_less"));
         let whole = (exits | !(less ^ self.neg)).named(&n("whole"));
-        let end = whole.mux(self.last, self.reach).named(&n("end"));
-        let before = end.slt(self.low).named(&n("before"));
+        let end = whole.mux(self.last, self.bound).named(&n("end"));
+        let before = end.slt(self.low).named(&n("end_lt_low"));
         let beyond = self.high.slt(end).named(&n("beyond"));
         before.mux(self.low, beyond.mux(self.high, end)).named(&n("far"))
     }

@@ -33,7 +33,7 @@ pub(super) fn climb<'b>(
                     let leaves = match d.mode.trim {
                         Trim::None => even(),
                         Trim::Descent | Trim::Always => {
-                            (even() | read.lt(ray.get("level")).named("is_trimmed")).named("leaves_parent")
+                            (even() | read.lt(ray.get("level")).named("is_trimmed")).named("exits_parent")
                         }
                     };
                     ins.push(("even", leaves));

@@ -15,9 +15,9 @@ pub fn finest_level(d: &Design) -> Arc<Module> {
     let start = b.input("start", &level_w, LEVELS, "the first level without that choice");
     let o_finest = b.output("finest", &level_w, LEVELS, "the finest level");
     let o_level = b.output("level", &level_w, LEVELS, "the first level");
-    let root = b.konst(&levels, &level_w).named("root");
+    let root = b.konst(&levels, &level_w).named("root").doc("the root's level");
     // The sign of a difference: a comparison would be constant where LEVELS fills its word.
-    let room = (root.zext(&level_w + 1) - asked.zext(&level_w + 1)).named("room");
+    let room = (root.zext(&level_w + 1) - asked.zext(&level_w + 1)).named("levels_above");
     b.unused(room.slice(0, &level_w));
     let finest = room.msb().mux(root, asked).named("finest_legal");
     let level = start.lt(finest).mux(finest, start).named("first_level");

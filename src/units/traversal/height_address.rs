@@ -18,7 +18,7 @@ pub fn height_address(t: &TraverseConfig) -> Arc<Module> {
     let j = b.input("j", &levels, TEXELS, "v of a texel in the node");
     let out = b.output("address", levels.clone() * 2 + 1, WORDS, "level 0 first, the root last");
 
-    let root = b.konst(&levels, &level_w).named("root");
+    let root = b.konst(&levels, &level_w).named("root").doc("the root's level");
     let bits = (root - level).named("index_bits");
     let base = b.cat(&[b.ones(&levels).shift_left(bits), b.zeros(1)]).named("base");
     let even = (b.cat(&[b.zeros(1), i.shift_right(level)]) | base).named("even");

@@ -39,7 +39,7 @@ fn build(d: &Design, cuts: [bool; 2]) -> Option<Arc<Module>> {
         b.clock_enable();
     }
     let level = b.input("level", &level_w, LEVELS, "level of the crossed node");
-    let below_root = level.eq(b.konst(&levels, &level_w).named("root"));
+    let below_root = level.eq(b.konst(&levels, &level_w).named("root").doc("the root's level"));
     let below_root = (!below_root).named("below_root");
     let go = match rule {
         LevelUp::None => unreachable!("returned above"),

@@ -58,8 +58,8 @@ impl Sizes {
         b.require(&tag, 32);
         b.require(1, &step_limit);
         b.require(&step_limit, 65535);
-        let level_w = b.local("LevelW", (&levels + 1).clog2());
-        let idx = b.local("IdxW", &levels + &tile + 2);
+        let level_w = b.local("LevelW", (&levels + 1).clog2(), "bits of a level");
+        let idx = b.local("IdxW", &levels + &tile + 2, "bits of a signed, unwrapped texel coordinate");
         if let Some(f) = &numbers.float {
             b.require(&levels + &tile + 2 + &frac + &f.man, 60);
         }

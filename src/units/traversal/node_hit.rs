@@ -23,7 +23,7 @@ pub fn node_hit(t: &TraverseConfig) -> Arc<Module> {
     let keep = b.ones(&idx).shift_left(lod).named("keep");
     let low = b.cat(&[(x & keep).named("first"), b.zeros(&frac)]).named("low");
     let high = b.cat(&[(x | !keep).named("last"), b.ones(&frac)]).named("high");
-    let before = at.slt(low).named("is_before");
+    let before = at.slt(low).named("at_lt_low");
     let beyond = high.slt(at).named("is_beyond");
     let kept = before.mux(low, beyond.mux(high, at)).named("kept");
     b.unused(kept);

@@ -17,7 +17,7 @@ impl LevelParams {
         let levels = b.param("LEVELS", t.levels, "the map has 2^LEVELS x 2^LEVELS texels");
         b.require(2, &levels);
         b.require(&levels, 12);
-        let level_w = b.local("LevelW", (&levels + 1).clog2());
+        let level_w = b.local("LevelW", (&levels + 1).clog2(), "bits of a level");
         Self { levels, level_w }
     }
 }

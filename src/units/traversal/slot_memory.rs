@@ -45,7 +45,7 @@ impl<'b> SlotMemory<'b> {
     /// The same in stage 1: the words of a ray that enters pass by the memory.
     pub fn read_early(&self, name: &str, words: &Record<'b>) -> Record<'b> {
         let enters = self.accept.named("accept").reg();
-        let held = words.unbundle(self.memory(name, words, self.slot)).named(&format!("{name}_held"));
+        let held = words.unbundle(self.memory(name, words, self.slot)).named(&format!("{name}_read"));
         let new = words.named(&format!("{name}_new"));
         new.map(|field, v| enters.mux(v.reg(), held[field]).named(&format!("{name}_{field}")))
     }

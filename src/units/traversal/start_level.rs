@@ -24,7 +24,7 @@ pub fn start_level(t: &TraverseConfig) -> Arc<Module> {
     let other_tile = differ.slice(levels.clone(), &idx - &levels).any().named("other_tile");
     let inside = differ.slice(0, levels.clone()).named("low_part");
     let count = lzc(&b, "u_lzc", inside, "lz_count");
-    let root = b.konst(&levels, &level_w).named("root");
+    let root = b.konst(&levels, &level_w).named("root").doc("the root's level");
     let level = other_tile.mux(root, root - count).named("start");
     b.drive(out, level);
     b.finish(&bindings())

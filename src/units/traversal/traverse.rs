@@ -243,8 +243,8 @@ fn idle<'b>(b: &'b Builder, in_transfer: Sig<'b>, out_transfer: Sig<'b>, most: u
     let width = u32::BITS - most.leading_zeros();
     let entered = b.loop_reg("in_transfer_q", 1, true).doc("input transfer in the previous clock");
     let left = b.loop_reg("out_transfer_q", 1, true).doc("output transfer in the previous clock");
-    let inside = b.loop_reg("in_flight", width, true).doc("rays in flight, counted one clock late [rays]");
-    let any = b.loop_reg("any_in_flight", 1, true).doc("rays are in flight");
+    let inside = b.loop_reg("in_flight_q", width, true).doc("rays in flight, counted one clock late [rays]");
+    let any = b.loop_reg("any_in_flight_q", 1, true).doc("rays are in flight");
     let down = (left & !entered).named("in_flight_down");
     let change = b.cat(&[down.rep(width - 1), entered ^ left]);
     let next = (inside + change).named("in_flight_next");

@@ -21,25 +21,25 @@ pub(super) fn trim<'b>(
         "chord",
         "Where the ray is when it leaves by the other axis' plane; which of the two it is, is known meanwhile.",
     );
-    let reach = |axis: &str, t: Sig<'b>| {
+    let bound = |axis: &str, t: Sig<'b>| {
         let ins = [ray.constants(axis, units.chord_inputs), vec![("t", t)]].concat();
-        b.inst(&(units.chord_end)(d), &format!("u_reach_{axis}"), &idx, &ins)
+        b.inst(&(units.chord_end)(d), &format!("u_chord_end_{axis}"), &idx, &ins)
             .only()
-            .named(&format!("{axis}_reach"))
+            .named(&format!("{axis}_bound"))
             .id()
     };
-    let reaches = [b.sig(reach("x", times[1])), b.sig(reach("y", times[0]))];
-    let y_first = (units.leaves_y)(b, d, times).named("leaves_y");
+    let ends = [b.sig(bound("x", times[1])), b.sig(bound("y", times[0]))];
+    let y_first = (units.leaves_y)(b, d, times).named("exits_y");
 
     b.section("trim", "The smallest node that holds this texel and the chord's end.");
-    let mut ins = vec![("level", ray.get("level")), ("x_first", (!y_first).named("leaves_x"))];
+    let mut ins = vec![("level", ray.get("level")), ("x_first", (!y_first).named("exits_x"))];
     ins.extend(ray.find("descended").map(|v| ("descended", v)));
     ins.extend(ray.find("lod").map(|v| ("lod", v)));
     let [[x_low, x_high], [y_low, y_high]] = bounds;
     ins.extend([("x_at", ray.get("x")), ("x_low", x_low), ("x_high", x_high), ("x_neg", ray.get("neg_x"))]);
-    ins.extend([("x_reach", reaches[0]), ("x_last", ray.get("le_x"))]);
+    ins.extend([("x_bound", ends[0]), ("x_last", ray.get("le_x"))]);
     ins.extend([("y_at", ray.get("y")), ("y_low", y_low), ("y_high", y_high), ("y_neg", ray.get("neg_y"))]);
-    ins.extend([("y_reach", reaches[1]), ("y_last", ray.get("le_y"))]);
+    ins.extend([("y_bound", ends[1]), ("y_last", ray.get("le_y"))]);
     let o = b.inst(&chord_trim(d), "u_trim", &idx, &ins);
     b.unused(o["x_chord"].named("x_chord"));
     b.unused(o["y_chord"].named("y_chord"));

@@ -23,7 +23,7 @@ pub fn trim_return(d: &Design) -> Arc<Module> {
     let grown = b.output("grown", 1, BIT, "one level above the untrimmed one");
 
     let trimmed = read.lt(level).named("is_trimmed");
-    let grows = (up & !trimmed).named("grows");
+    let grows = (up & !trimmed).named("ascends");
     let risen = (level + grows.zext(&level_w)).named("risen");
     let across = match d.mode.level_up {
         LevelUp::Selective => (trimmed & !up).named("stays").mux(read, risen).named("across"),

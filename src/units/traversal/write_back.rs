@@ -94,8 +94,9 @@ fn write_back<'b>(
     let stays = waits.map_or(ray.get("done"), |missed| (ray.get("done") | missed).named("stays"));
     let moves = (!stays).named("moves");
     let steps = (ray.get("steps") + moves.zext(16)).named("steps_next");
-    let steps_before = b.konst(&s.step_limit - 1, 16).named("steps_before_last");
-    let last_step = ray.get("steps").eq(steps_before).named("last_step");
+    let last =
+        b.konst(&s.step_limit - 1, 16).named("step_limit_less_1").doc("steps before the last one that a ray may take");
+    let last_step = ray.get("steps").eq(last).named("last_step");
     let ends_now = hit | last_step;
     let ends_now = waits.map_or(ends_now, |_| ends_now & moves).named("ends_now");
     let given_up = (ends_now & !hit & moves).named("given_up");

@@ -17,17 +17,17 @@ pub(super) fn align<'b>(
         let lost = (small & below(amount)).any();
         return (keep(small.shift_right(amount)), lost);
     }
-    let fine_w = b.local("AlignFineW", amount.width().div(2) + 1);
+    let fine_w = b.local("AlignFineW", amount.width().div(2) + 1, "bits of the shift that the second step takes");
     let coarse = b
         .cat(&[amount.slice(&fine_w, amount.width() - &fine_w), b.zeros(&fine_w)])
         .named("coarse")
         .doc("top bits of the shift");
-    let near_place = keep(small.shift_right(coarse)).named("near_place").doc("shifted by them");
+    let coarse_shifted = keep(small.shift_right(coarse)).named("coarse_shifted").doc("shifted by them");
     let lost_coarse = (small & below(coarse)).any().named("lost_coarse").doc("a 1 was shifted out by them");
     let fine = amount.slice(0, &fine_w).named("fine").doc("the rest of the shift");
     b.section("fine shift", "");
-    let lost = lost_coarse | (near_place & below(fine)).any();
-    (near_place.shift_right(fine), lost)
+    let lost = lost_coarse | (coarse_shifted & below(fine)).any();
+    (coarse_shifted.shift_right(fine), lost)
 }
 
 /// Leading zeros of the upper bits and of the rest.
@@ -39,14 +39,15 @@ pub(super) struct Halves<'b> {
 
 impl<'b> Halves<'b> {
     pub(super) fn of(b: &'b Builder, word: Sig<'b>, count_w: &Expr) -> Self {
-        let bits = b.local("UpperW", (count_w - 2).pow2());
-        let rest_w = b.local("RestW", word.width() - &bits);
+        let bits = b.local("UpperW", (count_w - 2).pow2(), "bits of the upper part, a power of two");
+        let rest_w = b.local("RestW", word.width() - &bits, "bits of the lower part");
         let upper = lzc(b, "u_lzc_upper", word.slice(&rest_w, &bits), "lzc_upper");
         Self { upper, rest: lzc(b, "u_lzc_rest", word.slice(0, &rest_w), "lzc_rest"), bits }
     }
     /// Of the whole word, `count_w` bits.
     pub(super) fn count(&self, b: &'b Builder, count_w: &Expr) -> Sig<'b> {
-        let rest = b.konst(&self.bits, count_w).named("upper_bits") + self.rest.zext(count_w);
+        let rest = b.konst(&self.bits, count_w).named("upper_bits").doc("leading zeros of an upper part of zeros")
+            + self.rest.zext(count_w);
         self.upper.msb().mux(rest, self.upper.zext(count_w)).named("lz_count")
     }
 }

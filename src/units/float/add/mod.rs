@@ -48,8 +48,7 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
         "sum of two floating-point numbers, rounded once; flip b's sign to subtract",
     );
     let f = FormatParams::declare(&b, format);
-    let Widths { near: near_w, count: count_w, amount: amount_w, shift: shift_w, exp_sum: e_w } =
-        Widths::declare(&b, &f);
+    let Widths { near: near_w, count: count_w, shift: shift_w, exp_sum: e_w } = Widths::declare(&b, &f);
     b.clock();
     b.clock_enable();
     let a_in = b.input("a", &f.width, FLOAT, "first operand");
@@ -68,14 +67,13 @@ pub fn fp_add(format: FloatFormat, latency: u32) -> Arc<Module> {
         .cat(&[
             wide.named("wide_shift")
                 .doc("shift, in bits enough for its top bits to say that all is lost")
-                .slice(1, &amount_w - 1),
+                .slice(1, &count_w - 1),
             b.zeros(1),
         ])
         .named("amount")
         .doc("alignment shift, even [bits]");
     b.unused(wide.bit(0));
-    let beyond =
-        wide.slice(&amount_w, &shift_w - &amount_w).any().named("beyond").doc("the shift is 2^AmountW or more");
+    let beyond = wide.slice(&count_w, &shift_w - &count_w).any().named("beyond").doc("the shift is 2^LzcW or more");
     let small = b.cat(&[o.sig_small, b.zeros(1)]).named("sig_small_ext").doc("with a guard bit");
     let small_is_lost = (beyond | o.small_zero).named("small_is_lost").doc("a sticky bit is left of it at most");
     let near = (b.cat(&[o.one, large_frac, b.zeros(1)]) - o.sig_small)
@@ -167,7 +165,7 @@ fn near_value<'b>(
 /// The near difference, shifted by the top bits of its leading-zero count, which arrive first; and the rest of the count.
 fn coarse<'b>(b: &'b Builder, near: Sig<'b>, count: Sig<'b>) -> (Sig<'b>, Sig<'b>) {
     let count_w = count.width();
-    let fine_w = b.local("FineW", count_w.clone().div(2));
+    let fine_w = b.local("FineW", count_w.clone().div(2), "bits of the shift that the second step takes");
     let coarse = b.cat(&[count.slice(&fine_w, &count_w - &fine_w), b.zeros(&fine_w)]);
     let near_coarse = near.shift_left(coarse).named("near_coarse").doc("near, shifted by the top bits of the count");
     (near_coarse, count.slice(0, &fine_w).named("lzc_fine").doc("the rest of the count [bits]"))
@@ -177,18 +175,25 @@ fn coarse<'b>(b: &'b Builder, near: Sig<'b>, count: Sig<'b>) -> (Sig<'b>, Sig<'b
 struct Widths {
     near: Expr,
     count: Expr,
-    amount: Expr,
     shift: Expr,
     exp_sum: Expr,
 }
 
 impl Widths {
     fn declare(b: &Builder, f: &FormatParams) -> Self {
-        let near = b.local("NearW", &f.man + 2);
-        let count = b.local("LzcW", (&near + 1).clog2());
-        let amount = b.local("AmountW", (&f.man + 3).clog2());
-        let shift = b.local("ShiftW", f.exp.larger(&amount + 1));
-        let exp_sum = b.local("ExpSumW", f.exp.larger(&count));
-        Self { near, count, amount, shift, exp_sum }
+        let near = b.local("NearW", &f.man + 2, "bits of a cancelling difference: a significand and a guard bit");
+        let count = b.local(
+            "LzcW",
+            (&near + 1).clog2(),
+            "bits of a count of its leading zeros, and of the larger shift of an alignment",
+        );
+        let shift = b.local(
+            "ShiftW",
+            f.exp.larger(&count + 1),
+            "bits of an exponent difference, or of the larger shift of an alignment",
+        );
+        let exp_sum =
+            b.local("ExpSumW", f.exp.larger(&count), "bits of an exponent, or of the leading zeros that lower it");
+        Self { near, count, shift, exp_sum }
     }
 }

@@ -17,8 +17,8 @@ pub fn fp_div(format: FloatFormat, latency: u32) -> Arc<Module> {
     b.choice("divider", "rows");
     let f = FormatParams::declare(&b, format);
     let e_w = exponent_width(&b, &f);
-    let p = b.local("SigW", &f.man + 1);
-    let rows = b.local("QuotW", &p + 2);
+    let p = b.local("SigW", &f.man + 1, "bits of a significand, the hidden one included");
+    let rows = b.local("QuotW", &p + 2, "bits of a quotient: those of the result, and what its rounding needs");
     b.clock();
     b.clock_enable();
     let a_in = b.input("a", &f.width, FLOAT, "dividend");
@@ -31,7 +31,7 @@ pub fn fp_div(format: FloatFormat, latency: u32) -> Arc<Module> {
     let (fa, fb) = (Operand::of(&b, &f, a_in, "a"), Operand::of(&b, &f, b_in, "b"));
     let ((ea, sa), (eb, sb)) = (fa.normalized(&e_w), fb.normalized(&e_w));
     let sign = (fa.sign ^ fb.sign).named("quot_sign");
-    let bias = b.konst(f.bias(), &e_w).named("bias");
+    let bias = b.konst(f.bias(), &e_w).named("bias").doc("the exponent bias");
     let exp0 = (ea - eb + bias).named("quot_exp");
     let (a_zero, b_zero, a_inf, b_inf) = (fa.zero(), fb.zero(), fa.inf(), fb.inf());
     let both = a_inf.zip(b_inf).map(|(x, y)| x & y);

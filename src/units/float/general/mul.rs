@@ -30,7 +30,7 @@ pub fn fp_mul(format: FloatFormat, latency: u32) -> Arc<Module> {
 
     b.section("multiply", "");
     let prod = sa.product(sb).named("prod");
-    let bias = b.konst(f.bias(), &e_w).named("bias");
+    let bias = b.konst(f.bias(), &e_w).named("bias").doc("the exponent bias");
     let sum = (ea + eb - bias).named("exp_sum");
 
     b.section("normalize", "A product of two numbers in [1, 2) lies in [1, 4).");

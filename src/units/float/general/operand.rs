@@ -18,7 +18,7 @@ pub struct Operand<'b> {
 
 /// Declares the width of a signed exponent that holds any sum, difference or normalized exponent.
 pub fn exponent_width(b: &Builder, f: &FormatParams) -> Expr {
-    b.local("ExpSumW", f.exp.larger((&f.man + 2).clog2()) + 3)
+    b.local("ExpSumW", f.exp.larger((&f.man + 2).clog2()) + 3, "bits of an exponent sum, with room for its sign")
 }
 
 impl<'b> Operand<'b> {

@@ -151,7 +151,7 @@ fn denormalize<'b>(b: &'b Builder, f: &FormatParams, x: Exact<'b>) -> Exact<'b> 
     let lost = (wide & !b.ones(wide.width()).shift_left(down)).any().named("lost");
     let moved = wide.shift_right(down).named("moved");
     let moved = b.cat(&[moved.slice(1, &f.man + 2), moved.bit(0) | lost]);
-    let at = tiny.mux(moved, wide).named("at_place");
+    let at = tiny.mux(moved, wide).named("positioned");
     let exp = (x.exp & (!tiny).rep(&e_w)).named("at_exp");
     let (guard, sticky) = (at.bit(1).named("at_guard"), at.bit(0).named("at_sticky"));
     Exact { exp, sig: at.slice(2, &f.man + 1).named("at_sig"), guard, sticky, ..x }

@@ -88,7 +88,7 @@ pub fn bilinear_hit(d: &Design) -> Arc<Module> {
 
     b.section("position", "");
     for (k, axis) in axes.iter().enumerate() {
-        let at = place(["u_place_x", "u_place_y"][k], axis, refined);
+        let at = place(["u_position_x", "u_position_y"][k], axis, refined);
         b.drive(places[k], b.sig(at[0]));
         b.drive(fractions[k], b.sig(at[1]));
     }

@@ -32,18 +32,19 @@ pub fn bilinear_window(d: &Design) -> Arc<Module> {
     let y_faster = b.inst(&lt, "u_faster", &[], &[("a", y), ("b", x)]).only().named("y_is_faster");
     let texel = y_faster.mux(y, x).named("texel");
     // 2^-1: the bias less one in the exponent field.
-    let one_half = b.cat(&[b.zeros(1), b.konst(f.bias() - 1, &f.exp).named("half_exp"), b.zeros(&f.man)]);
+    let one_half =
+        b.cat(&[b.zeros(1), b.konst(f.bias() - 1, &f.exp).named("half_exp").doc("exponent of 1/2"), b.zeros(&f.man)]);
     let mul = fp_mul(d.format, d.latency.mul);
     let half = b.inst(&mul, "u_half", &[], &[("a", texel), ("b", one_half)]).only().named("half");
 
     b.section("ends", "");
     let minus = negated(&b, half, "minus_half");
-    let before = b.inst(&add, "u_before", &[], &[("a", t), ("b", minus)]).only().named("t_before");
+    let before = b.inst(&add, "u_less", &[], &[("a", t), ("b", minus)]).only().named("t_less_window");
     let after = b.inst(&add, "u_after", &[], &[("a", t), ("b", half)]).only().named("t_after");
 
     b.section("clamp", "The planes of full height and of none.");
-    let m_exp = b.konst(f.bias() + &h - 1, &f.exp).named("m_exp");
-    let m_frac = b.konst(f.man.pow2() - (&f.man - &h + 1).pow2(), &f.man).named("m_frac");
+    let m_exp = b.konst(f.bias() + &h - 1, &f.exp).named("m_exp").doc("exponent of M");
+    let m_frac = b.konst(f.man.pow2() - (&f.man - &h + 1).pow2(), &f.man).named("m_frac").doc("fraction of M");
     let bottom = b.cat(&[b.zeros(1), m_exp, m_frac]);
     let zero = b.zeros(&f.width);
     let is_above = b.inst(&lt, "u_top", &[], &[("a", zero), ("b", before)]).only().named("is_inside_top");

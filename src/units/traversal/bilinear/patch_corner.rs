@@ -22,7 +22,10 @@ pub fn patch_corner(t: &TraverseConfig) -> Arc<Module> {
     let o_texel = b.output("corner", &levels, TEXELS, "texel whose centre is the last one not beyond the place");
     let o_weight = b.output("weight", &frac, integer("1/2^FRAC_W texel"), "distance from that centre");
     let wide = &levels + &frac;
-    let half = b.lit(1, &wide).shift_left(b.konst(&frac - 1, 5).named("half_bit")).named("half");
+    let half = b
+        .lit(1, &wide)
+        .shift_left(b.konst(&frac - 1, 5).named("half_bit").doc("place of the bit that is half a texel"))
+        .named("half");
     let at = (b.cat(&[texel, fraction]) - half).named("from_centre");
     b.drive(o_texel, at.slice(frac.clone(), &levels));
     b.drive(o_weight, at.slice(0, &frac));

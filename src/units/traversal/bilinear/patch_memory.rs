@@ -52,7 +52,7 @@ pub fn patch_memory(t: &TraverseConfig) -> Arc<Module> {
     for (k, bank) in ["00", "10", "01", "11"].into_iter().enumerate() {
         let address = addresses[format!("address_{bank}").as_str()].named(&format!("address_{k}"));
         let held =
-            b.loop_reg(&format!("held_{k}"), word.clone(), false).doc("address read in the clock before [words]");
+            b.loop_reg(&format!("read_addr_{k}"), word.clone(), false).doc("address read in the clock before [words]");
         loops.push((held, address));
         let (column, row) = (load_addr.bit(0), load_addr.bit(1));
         let mine = if k % 2 == 1 { column } else { !column } & if k / 2 == 1 { row } else { !row };

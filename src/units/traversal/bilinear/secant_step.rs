@@ -44,7 +44,7 @@ pub fn secant_step(d: &Design) -> Arc<Module> {
     let span = b.inst(&add, "u_span", &[], &[("a", end), ("b", minus_begin)]).only().named("span");
     let mul = fp_mul(d.format, d.latency.mul);
     let way = b.inst(&mul, "u_way", &[], &[("a", part), ("b", span)]).only().named("way");
-    let met = b.inst(&add, "u_met", &[], &[("a", begin), ("b", way)]).only().named("met");
+    let met = b.inst(&add, "u_met", &[], &[("a", begin), ("b", way)]).only().named("t_secant");
 
     b.section("clamp", "Rounding does not lead out of the window.");
     let inside = b.inst(&lt, "u_inside", &[], &[("a", met), ("b", end)]).only().named("is_inside");

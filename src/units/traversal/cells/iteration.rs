@@ -101,7 +101,7 @@ pub fn block_iteration<'b>(
     let down = ["x_down", "y_down"].map(|n| down[n].named(n));
 
     // The cells of the root's block are the coarsest.
-    let top = b.konst(&s.levels - 1, &s.level_w).named("top_level");
+    let top = b.konst(&s.levels - 1, &s.level_w).named("top_level").doc("the level below the root");
     let below_top = (!read.eq(top)).named("is_below_top");
     let even = || (x_first.mux(px["even"], py["even"]) & below_top).named("even");
     let (across, grown) = climb(b, s, d, ray, read, &even, [starts, predicted]);

@@ -36,8 +36,8 @@ fn loads<'b>(b: &'b Builder, s: &Sizes, _: &Design) -> Vec<Load<'b>> {
         "load",
         "Siblings are neighbours in the pyramid: each goes into a memory of its own, at their block's address.",
     );
-    let root = b.konst(block_words(&s.levels) * 4, &whole).named("root_address");
-    let keeps = (en & !addr.eq(root)).named("load_keeps");
+    let root = b.konst(block_words(&s.levels) * 4, &whole).named("root_address").doc("address of the root's word");
+    let keeps = (en & !addr.eq(root)).named("load_is_inner");
     let word = addr.slice(2, block_address(&s.levels)).named("load_block");
     let (odd_column, odd_row) = (addr.bit(0), addr.bit(1));
     let mine = |k: usize| {

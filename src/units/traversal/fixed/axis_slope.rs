@@ -91,11 +91,9 @@ impl Farthest {
         );
         let wide = reach + 2;
         let tall = a.zext(wide.clone()).named("magnitude_wide").doc("the magnitude, with room for the sum");
-        let part = |by: Expr, net: &str, doc: &str| {
-            tall.shift_right(b.konst(by.smaller(reach), 6).named(net).doc(&format!("{doc} [bits]")))
-        };
-        let recip = part(&self.w - 1, "recip_part", "below what the reciprocal may be too small by");
-        let time = part(&self.f + 1, "time_part", "below what a parameter's rounding takes");
+        let part = |by: Expr, net: &str, doc: &str| tall.shift_right(b.konst(by.smaller(reach), 6).named(net).doc(doc));
+        let recip = part(&self.w - 1, "recip_part", "the reciprocal is too small by one part in 2^this at most");
+        let time = part(&self.f + 1, "time_part", "the rounding of a parameter takes one part in 2^this at most");
         let whole = (tall + recip + time + a.any().zext(&wide)).named("farthest_travel");
         let whole = whole.doc("more than the ray travels [2^-FRACTION_W tiles]");
         let flip = neg.rep(wide.clone()).named("mirror").doc("ones where the ray runs toward smaller coordinates");

@@ -23,21 +23,24 @@ pub fn chord_end(d: &Design) -> Arc<Module> {
     let n = of.levels(&f);
     let (tile, reach) = of.reach(&f);
     let idx = of.index(&n, &tile);
-    let time = b.local("TimeW", time_width(&f));
+    let time = b.local("TimeW", time_width(&f), "bits of a ray parameter");
     b.clock();
     b.clock_enable();
     let p = b.input("p", &f, LENGTH, "entry point");
     let s = b.input("s", &reach + 1, integer("2^-(FRACTION_W+HEIGHT_W) tiles"), "travel per height code");
     let neg = b.input("neg", 1, BIT, "the ray runs toward smaller coordinates");
     let t = b.input("t", &time, TIME, "parameter of the other axis' exit plane");
-    let out = b.output("reach", &idx, TEXELS, "signed coordinate");
+    let out = b.output("bound", &idx, TEXELS, "signed coordinate");
     b.plan(d.latency.mul + d.latency.add.min(1), &[("larger", 3), ("way", 10), ("position", 4)]);
     b.section("larger", "By more than one part in 2^RECIP_W, and by more than all that is rounded down.");
     let more = (s + b.lit(SLACK, &reach + 1)).named("s_more");
     let wide = &time + 1;
     let tall = t.zext(wide.clone()).named("t_tall");
     // At most as far as the word goes, where nothing is left.
-    let part = b.konst((&w - 1).smaller(&time), 6).named("recip_part");
+    let part = b
+        .konst((&w - 1).smaller(&time), 6)
+        .named("recip_part")
+        .doc("the reciprocal is too small by one part in 2^this at most");
     let late = (tall + tall.shift_right(part) + b.lit(ROUNDINGS, &wide)).named("late");
     b.section("way", "");
     let way = way(&b, more, late, &time, &(&reach + 1));

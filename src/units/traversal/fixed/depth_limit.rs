@@ -11,7 +11,7 @@ pub fn depth_limit(d: &Design) -> Arc<Module> {
     let of = Params { b: &b, d };
     let f = of.fraction();
     let h = of.height(&f);
-    let time = b.local("TimeW", time_width(&f));
+    let time = b.local("TimeW", time_width(&f), "bits of a ray parameter");
     let registered = d.latency.has(Register::Parameter);
     if registered {
         b.clock();

@@ -12,7 +12,7 @@ pub fn height_test(d: &Design) -> Arc<Module> {
     let of = Params { b: &b, d };
     let f = of.fraction();
     let h = of.height(&f);
-    let time = b.local("TimeW", time_width(&f));
+    let time = b.local("TimeW", time_width(&f), "bits of a ray parameter");
     b.clock();
     b.clock_enable();
     let height = b.input("height", &h, CODES, "largest height in the node");
@@ -23,7 +23,7 @@ pub fn height_test(d: &Design) -> Arc<Module> {
     b.section("depth", "The complement of a code is its distance from the top plane, and a parameter as it stands.");
     let t_v = b.cat(&[!height, b.zeros(&f - &h + GUARD)]).named("t_v");
     b.at_least(d.latency.compare);
-    b.drive(out, t.lt(t_v).mux(t_v, t).named("reach"));
+    b.drive(out, t.lt(t_v).mux(t_v, t).named("max_parameter"));
     b.drive(below, t_v.lt(t).named("is_below"));
     b.finish(&bindings())
 }

@@ -13,13 +13,13 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
     let of = Params { b: &b, d };
     let f = of.fraction();
     let n = of.levels(&f);
-    let level_w = d.mode.lod.then(|| b.local("LevelW", (&n + 1).clog2()));
+    let level_w = d.mode.lod.then(|| b.local("LevelW", (&n + 1).clog2(), "bits of a level"));
     let (tile, reach) = of.reach(&f);
     let frac = b.param("FRAC_W", d.traverse.frac_bits, "fraction bits of the position");
     b.require(1, &frac);
     b.require(&frac, 16);
     let idx = of.index(&n, &tile);
-    let time = b.local("TimeW", time_width(&f));
+    let time = b.local("TimeW", time_width(&f), "bits of a ray parameter");
     b.clock();
     b.clock_enable();
     let p = b.input("p", &f, LENGTH, "entry point");
@@ -71,8 +71,16 @@ pub fn hit_position(d: &Design) -> Arc<Module> {
 fn way<'b>(b: &'b Builder, s: Sig<'b>, t: Sig<'b>, time: &Expr, reach: &Expr) -> Sig<'b> {
     b.section("products", "Each half of one by each half of the other.");
     let (s_w, t_w) = (reach + 1, time.clone());
-    let s_low = b.local("TravelLowW", Expr::from(18).smaller(&s_w - 1).smaller(time));
-    let t_low = b.local("TimeLowW", Expr::from(18).smaller(&t_w - 1));
+    let s_low = b.local(
+        "TravelLowW",
+        Expr::from(18).smaller(&s_w - 1).smaller(time),
+        "bits of the lower part of a travel: one operand of a multiplier",
+    );
+    let t_low = b.local(
+        "TimeLowW",
+        Expr::from(18).smaller(&t_w - 1),
+        "bits of the lower part of a parameter: one operand of a multiplier",
+    );
     let (s_high, t_high) = (&s_w - &s_low, &t_w - &t_low);
     let halves = |v: Sig<'b>, low: &Expr, high: &Expr| [v.slice(0, low), v.slice(low, high)];
     let (s, t) = (halves(s, &s_low, &s_high), halves(t, &t_low, &t_high));

@@ -10,7 +10,7 @@ pub fn node_crossing(d: &Design) -> Arc<Module> {
     let b =
         Builder::new("node_crossing", file!(), "node crossing test: hit inside the node, or exit plane and parameter");
     let f = Params { b: &b, d }.fraction();
-    let time = b.local("TimeW", time_width(&f));
+    let time = b.local("TimeW", time_width(&f), "bits of a ray parameter");
     b.clock();
     b.clock_enable();
     let t = b.input("t", &time, TIME, "parameter so far");
@@ -23,8 +23,8 @@ pub fn node_crossing(d: &Design) -> Arc<Module> {
 
     b.section("compare", "All five comparisons at once; the selects follow.");
     let in_both = (m.lt(t_x) & m.lt(t_y)).named("in_both");
-    let y_less = t_y.lt(t_x).named("y_before_x");
-    let (grow_x, grow_y) = (t.lt(t_x).named("t_before_x"), t.lt(t_y).named("t_before_y"));
+    let y_less = t_y.lt(t_x).named("y_lt_x");
+    let (grow_x, grow_y) = (t.lt(t_x).named("t_lt_x"), t.lt(t_y).named("t_lt_y"));
     let exit = y_less.mux(t_y, t_x).named("t_exit");
     let next = y_less.mux(grow_y, grow_x).named("t_advances").mux(exit, t).named("t_after");
     b.at_least(d.latency.compare);

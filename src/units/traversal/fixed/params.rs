@@ -66,14 +66,14 @@ impl Params<'_> {
         let t = self.d.traverse.tile_bits;
         let tile = self.b.param("TILE_W", t, "a ray travels less than 2^TILE_W tiles along each axis");
         reach_conditions(self.b, fraction, &tile);
-        let reach = self.b.local("ReachW", fraction + &tile);
+        let reach = self.b.local("ReachW", fraction + &tile, "bits of a travel's magnitude");
         (tile, reach)
     }
 
     /// Bits of a signed, unwrapped texel coordinate.
     pub fn index(&self, levels: &Expr, tile: &Expr) -> Expr {
         self.b.require(levels + tile + 2, 24);
-        self.b.local("IdxW", levels + tile + 2)
+        self.b.local("IdxW", levels + tile + 2, "bits of a signed, unwrapped texel coordinate")
     }
 }
 

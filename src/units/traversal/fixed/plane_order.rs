@@ -10,7 +10,7 @@ use std::sync::Arc;
 pub fn plane_order(d: &Design) -> Arc<Module> {
     let b = Builder::new("plane_order", file!(), "order of a ray's parameter and those of a block's four planes");
     let f = Params { b: &b, d }.fraction();
-    let time = b.local("TimeW", time_width(&f));
+    let time = b.local("TimeW", time_width(&f), "bits of a ray parameter");
     b.clock();
     b.clock_enable();
     let parameter = |name: &'static str, doc: &str| (name, b.input(name, &time, TIME, doc));
@@ -26,7 +26,7 @@ pub fn plane_order(d: &Design) -> Arc<Module> {
     b.section("compare", "");
     b.at_least(d.latency.compare);
     for ((_, first, second), out) in ORDER.into_iter().zip(outs) {
-        let less = of(first).lt(of(second)).named(&format!("{first}_before_{second}"));
+        let less = of(first).lt(of(second)).named(&format!("{first}_lt_{second}"));
         b.drive(out, less);
     }
     b.finish(&bindings())

@@ -17,9 +17,9 @@ pub fn plane_time(d: &Design) -> Arc<Module> {
     let (tile, reach) = of.reach(&f);
     b.require(&reach + &w, 63);
     let idx = of.index(&n, &tile);
-    let shift_w = b.local("ShiftW", shift_width(&reach));
-    let dist_w = b.local("DistW", &reach + 1);
-    let time = b.local("TimeW", time_width(&f));
+    let shift_w = b.local("ShiftW", shift_width(&reach), "bits of a shift");
+    let dist_w = b.local("DistW", &reach + 1, "bits of the distance of a plane");
+    let time = b.local("TimeW", time_width(&f), "bits of a ray parameter");
     b.clock();
     b.clock_enable();
     let plane = b.input("plane", &idx, TEXELS, "coordinate of the plane, signed; not passed yet");
@@ -52,7 +52,7 @@ pub fn plane_time(d: &Design) -> Arc<Module> {
     b.unused(prod.slice(0, below.clone()));
     let t = prod.slice(below, &time + 1).named("product");
     let beyond = (far | t.msb()).named("is_beyond");
-    let met = (t.slice(0, &time) | beyond.rep(time.clone())).named("when_met");
+    let met = (t.slice(0, &time) | beyond.rep(time.clone())).named("plane_parameter");
     b.drive(out, met);
     b.finish(&bindings())
 }

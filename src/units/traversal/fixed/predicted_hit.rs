@@ -17,7 +17,7 @@ pub fn predicted_hit(d: &Design) -> Arc<Module> {
     let n = of.levels(&f);
     let (tile, reach) = of.reach(&f);
     let idx = of.index(&n, &tile);
-    let time = b.local("TimeW", time_width(&f));
+    let time = b.local("TimeW", time_width(&f), "bits of a ray parameter");
     b.clock();
     b.clock_enable();
     let p = b.input("p", &f, LENGTH, "entry point");
@@ -29,7 +29,10 @@ pub fn predicted_hit(d: &Design) -> Arc<Module> {
     b.section("way", "");
     // A bit more, so that the shift never is as wide as its word and still can leave nothing.
     let tall = b.cat(&[b.zeros(1), m]).named("m_tall");
-    let recip_bits = b.konst(w.smaller(&time), 6).named("recip_bits");
+    let recip_bits = b
+        .konst(w.smaller(&time), 6)
+        .named("recip_bits")
+        .doc("the reciprocal is too large by one part in 2^this at most");
     let less = (tall - tall.shift_right(recip_bits)).named("m_less");
     b.unused(less.msb());
     let early = less.slice(0, &time).named("early");

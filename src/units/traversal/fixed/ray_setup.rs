@@ -42,7 +42,7 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     of.height(&f);
     let (tile, reach) = of.reach(&f);
     let idx = of.index(&n, &tile);
-    let level_w = b.local("LevelW", (&n + 1).clog2());
+    let level_w = b.local("LevelW", (&n + 1).clog2(), "bits of a level");
     b.clock();
     b.clock_enable();
     let u = b.input("u", &f, LENGTH, "entry point at the top plane");
@@ -74,7 +74,7 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
                 let unit = start_level(&d.traverse);
                 b.inst(&unit, "u_start_level", &[("IDX_W", s.idx.clone())], &ins).only().named("start")
             }
-            _ => b.konst(&s.n, &level_w).named("root"),
+            _ => b.konst(&s.n, &level_w).named("root").doc("the root's level"),
         };
         let mut level = if d.fetch.blocks() { cells_level(level) } else { level };
         if let Some((lod, o_lod)) = lod.zip(o_lod) {

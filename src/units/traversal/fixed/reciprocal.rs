@@ -33,7 +33,9 @@ fn by_rows(d: &Design) -> Arc<Module> {
     let latency = d.latency.div;
     let b = builder(file!(), Divider::Rows);
     let mut rows = Expr::from(0);
-    let Ports { w, h, reach, shift_w, a, o_r, o_z } = Ports::declare(&b, d, |w| rows = b.local("QuotW", w + 2));
+    let Ports { w, h, reach, shift_w, a, o_r, o_z } = Ports::declare(&b, d, |w| {
+        rows = b.local("QuotW", w + 2, "bits of a quotient: those of the result, and what its rounding needs")
+    });
     let chunks = chunks(d);
     let titles: Vec<String> = (0..chunks).map(|c| format!("rows {c}")).collect();
     let mut plan: Vec<(&str, u32)> = vec![("leading zeros", 3), ("normalize", 3)];

@@ -37,7 +37,7 @@ impl<'b> Ports<'b> {
         let w = of.recip();
         let h = of.height(&f);
         let (_, reach) = of.reach(&f);
-        let shift_w = b.local("ShiftW", shift_width(&reach));
+        let shift_w = b.local("ShiftW", shift_width(&reach), "bits of a shift");
         locals(&w);
         b.clock();
         b.clock_enable();

@@ -116,11 +116,11 @@ pub(super) fn by_table(d: &Design) -> Arc<Module> {
     let b = builder(file!(), Divider::Table);
     let (mut lead, mut gap) = (Expr::from(0), Expr::from(0));
     let Ports { w, h, reach, shift_w, a, o_r, o_z } = Ports::declare(&b, d, |w| {
-        lead = b.local("LeadW", (w - 1).smaller(OPERAND));
-        gap = b.local("GapW", w - &lead);
+        lead = b.local("LeadW", (w - 1).smaller(OPERAND), "bits of a quotient that its first estimate gives");
+        gap = b.local("GapW", w - &lead, "bits of a quotient below its first estimate");
     });
     let before = plan(&b, latency);
-    let rem_w = b.local("RemW", &reach + 2);
+    let rem_w = b.local("RemW", &reach + 2, "bits of a remainder, with its sign");
 
     b.section("leading zeros", "A travel of 0 has no topmost 1.");
     let tall = b.cat(&[b.zeros(1), a]).named("a_tall");

@@ -27,7 +27,7 @@ pub fn boundary_time(d: &Design) -> Arc<Module> {
     b.require(2, &idx);
     b.require(&idx + &nudge + &f.man, 60);
     let div = fp_div(d.format, &d.latency);
-    let wide = b.local("FixedW", &idx + &nudge + 1);
+    let wide = b.local("FixedW", &idx + &nudge + 1, "bits of a position: texel, then fraction");
     b.clock();
     b.clock_enable();
     let plane = b.input("plane", &idx, TEXELS, "coordinate of the plane, signed");
@@ -37,9 +37,9 @@ pub fn boundary_time(d: &Design) -> Arc<Module> {
     let out = b.output("t", &f.width, float("height range"), "infinity if the ray does not move along this axis");
 
     b.section("nudge", "In fixed point: a plane has no fraction bits, so the nudge is its last one.");
-    let by = b.konst(&nudge, 5).named("nudge_bits");
+    let by = b.konst(&nudge, 5).named("nudge_bits").doc("fraction bits of a position, the last of which is the nudge");
     let at = plane.sext(&wide).shift_left(by).named("plane_fixed");
-    let step = b.konst(nudge.smaller(1), 1).named("has_nudge").zext(&wide);
+    let step = b.konst(nudge.smaller(1), 1).named("has_nudge").doc("1 if there is a nudge at all").zext(&wide);
     let target = neg.mux(at - step, at + step).named("target").reg();
 
     b.section("distance", "");
@@ -52,7 +52,7 @@ pub fn boundary_time(d: &Design) -> Arc<Module> {
     let dist = b.inst(&add, "u_sub", &[], &[("a", at), ("b", minus_p)]).only().named("distance");
 
     b.section("parameter", "");
-    let t = b.inst(&div, "u_div", &[], &[("a", dist), ("b", dir)]).only().named("when_met");
+    let t = b.inst(&div, "u_div", &[], &[("a", dist), ("b", dir)]).only().named("plane_parameter");
     b.drive(out, t);
     let at = |n: i64, e: i64, m: i64| Binding::from([("NUDGE_W".into(), n), ("EXP_W".into(), e), ("MAN_W".into(), m)]);
     b.finish(&[at(0, 7, 16), at(1, 5, 10), at(13, 8, 23), at(16, 7, 16)])

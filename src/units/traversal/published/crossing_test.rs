@@ -36,13 +36,13 @@ pub fn crossing_test(d: &Design) -> Arc<Module> {
         })
         .map(|id| b.sig(id))
         .collect();
-    let one_exp = b.konst(f.bias(), &f.exp).named("one_exp");
+    let one_exp = b.konst(f.bias(), &f.exp).named("one_exp").doc("exponent of 1");
     let one = b.cat(&[b.zeros(1), one_exp, b.zeros(&f.man)]);
     let past = b.inst(&lt, "u_end", &[], &[("a", one), ("b", t_exit)]).only().named("past_end");
     let grows = b.inst(&lt, "u_t_exit", &[], &[("a", t), ("b", t_exit)]).only().named("t_advances");
 
     b.section("select", "A plane beyond the end of the ray is never crossed.");
-    b.drive(crosses, ((beyond[0] | beyond[1]) & !past).named("leaves_node"));
+    b.drive(crosses, ((beyond[0] | beyond[1]) & !past).named("exits_node"));
     b.drive(t_next, grows.mux(t_exit, t).named("t_after"));
     b.finish(&bindings())
 }

@@ -81,7 +81,7 @@ pub(super) fn iteration<'b>(
     ins.extend([("y_hit", hit[1]), ("y_edge", edges[1]), ("y_neg", neg[1])]);
     ins.extend([("t", ray.get("t")), ("t_exit", t_exit)]);
     let o = b.inst(&crossing_test(d), "u_crossing", &[], &ins);
-    let (leaves, t_next) = (o["crosses"].named("leaves_node"), o["t_next"].named("t_next"));
+    let (leaves, t_next) = (o["crosses"].named("exits_node"), o["t_next"].named("t_next"));
     let mut ins = vec![("level", ray.get("level"))];
     ins.extend(ray.find("crossed").map(|c| ("crossed", c)));
     let level_down = b.inst(&descent_level(t, &d.mode), "u_down", &[], &ins).only().named("level_down");
@@ -94,7 +94,7 @@ pub(super) fn iteration<'b>(
     let up = climbs(b, s, d, ray, &even, &near);
 
     b.section("level decision", "");
-    let mut ins = vec![("leaves", leaves), ("up", up), ("level", ray.get("level")), ("level_down", level_down)];
+    let mut ins = vec![("exits", leaves), ("up", up), ("level", ray.get("level")), ("level_down", level_down)];
     ins.extend(first.map(|f| ("first", f)));
     ins.extend([("m", m), ("t_next", t_next)]);
     ins.extend([("x_hit", hit[0]), ("x_cross", cross[0]), ("y_hit", hit[1]), ("y_cross", cross[1])]);
@@ -196,7 +196,8 @@ fn write_back<'b>(
         }
     };
     let steps = (ray.get("steps") + moves.zext(16)).named("steps_next");
-    let last_step = steps.eq(b.konst(&s.step_limit, 16).named("step_limit")).named("last_step");
+    let last_step =
+        steps.eq(b.konst(&s.step_limit, 16).named("step_limit").doc("iterations of a ray, at most")).named("last_step");
     // One that ends without a hit is given up: also in a simulation that does not know whether it is a hit.
     let ends_now = ((hit | last_step) & moves).named("ends_now");
     let given_up = (ends_now & !hit).named("given_up");

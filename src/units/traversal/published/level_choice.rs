@@ -12,7 +12,7 @@ pub fn level_choice(d: &Design) -> Arc<Module> {
     let b = Builder::new("level_choice", file!(), "hit, descend or cross: the next level, position and parameter");
     let f = FormatParams::declare(&b, d.format);
     let LevelParams { level_w, .. } = LevelParams::declare(&b, &d.traverse);
-    let crossing = b.input("leaves", 1, BIT, "the predicted hit is in another node");
+    let crossing = b.input("exits", 1, BIT, "the predicted hit is in another node");
     let first = d.mode.start_level.then(|| b.input("first", 1, BIT, "mode 1: the hit position is the ray's end"));
     let up = b.input("up", 1, BIT, "a crossing goes one level up");
     let level = b.input("level", &level_w, LEVELS, "level of this node");

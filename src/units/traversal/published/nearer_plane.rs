@@ -16,7 +16,7 @@ pub fn nearer_plane(d: &Design, parity: bool) -> Arc<Module> {
     let out = b.output("t_exit", &f.width, float("height range"), "the smaller of the two");
     let x_first = parity.then(|| b.output("x_first", 1, BIT, "the u plane comes first, or both at once"));
     let lt = fp_lt(d.format, d.latency.compare);
-    let y_less = b.inst(&lt, "u_ty_tx", &[], &[("a", t_y), ("b", t_x)]).only().named("y_before_x");
+    let y_less = b.inst(&lt, "u_ty_tx", &[], &[("a", t_y), ("b", t_x)]).only().named("y_lt_x");
     b.drive(out, y_less.mux(t_y, t_x).named("nearer"));
     if let Some(port) = x_first {
         b.drive(port, !y_less);

@@ -20,7 +20,7 @@ pub fn ray_scale(d: &Design) -> Arc<Module> {
     let height = b.param("HEIGHT_W", t.height_bits, "bits of a height code");
     let tile = b.param("TILE_W", t.tile_bits, "a ray travels less than 2^TILE_W tiles along each axis");
     float_sizes(&b, &f, &levels, &height, &tile);
-    let idx = b.local("IdxW", &levels + &tile + 2);
+    let idx = b.local("IdxW", &levels + &tile + 2, "bits of a signed, unwrapped texel coordinate");
     b.clock();
     b.clock_enable();
     let u = b.input("u", &f.width, float("tiles"), "entry point at the top plane, 0 <= u < 1");
@@ -43,11 +43,11 @@ pub fn ray_scale(d: &Design) -> Arc<Module> {
         let n = |what: &str| format!("{axis}_{what}");
         b.section(&n("scale"), "Times 2^LEVELS: the exponent grows; zeros become +0.");
         let (fp, fd) = (Fields::of(&f, p, &n("p_in")), Fields::of(&f, dir, &n("d_in")));
-        let one = b.konst(f.bias(), &f.exp).named("one_exp");
-        let far = b.konst(f.bias() + &tile, &f.exp).named("far_exp");
+        let one = b.konst(f.bias(), &f.exp).named("one_exp").doc("exponent of 1");
+        let far = b.konst(f.bias() + &tile, &f.exp).named("far_exp").doc("exponent of 2^TILE_W");
         oks.push(((fp.is_zero | (!fp.sign & fp.exp.lt(one))) & fd.exp.lt(far)).named(&n("ok")).id());
         b.unused(b.cat(&[fp.is_inf, fp.is_nan, fd.is_inf, fd.is_nan]));
-        let grow = b.konst(&levels, &f.exp).named("grow");
+        let grow = b.konst(&levels, &f.exp).named("grow").doc("what multiplies by 2^LEVELS, in the exponent");
         let scaled = |x: &Fields<'_>, sign: Sig<'_>, net: &str| {
             let keep = (!x.is_zero).rep(&f.exp + &f.man + 1);
             (b.cat(&[sign, x.exp + grow, x.frac]) & keep).named(&n(net)).id()
@@ -65,7 +65,7 @@ pub fn ray_scale(d: &Design) -> Arc<Module> {
     let ok = ok.at(l);
     b.drive(o_ok, ok);
     let gate = |v: Sig<'_>| (v.at(l) & ok.rep(v.width())).id();
-    b.drive(o_level, b.sig(gate(b.konst(&levels, &level_w).named("root"))));
+    b.drive(o_level, b.sig(gate(b.konst(&levels, &level_w).named("root").doc("the root's level"))));
     for (values, outs) in values.into_iter().zip(outs) {
         for (v, out) in values.into_iter().zip(outs) {
             b.drive(out, b.sig(gate(b.sig(v))));

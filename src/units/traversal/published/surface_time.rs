@@ -29,26 +29,26 @@ pub fn surface_time(d: &Design) -> Arc<Module> {
     let codes = b.inst(&from, "u_from_int", &[("INT_W", &h + 1)], &[("a", depth)]).only().named("depth_float");
 
     b.section("scale", "Times 1 / M, M = 2^HEIGHT_W - 1: the ray parameter runs from 0 to 1.");
-    let exp = b.konst(f.bias() - &h, &f.exp).named("recip_exp");
+    let exp = b.konst(f.bias() - &h, &f.exp).named("recip_exp").doc("exponent of 1 / M");
     let sig = ((&h + &f.man + 1).pow2() + h.pow2() - 1).div(h.pow2() * 2 - 2);
-    let frac = b.konst(sig, &f.man).named("recip_frac");
+    let frac = b.konst(sig, &f.man).named("recip_frac").doc("fraction of 1 / M");
     let recip = b.cat(&[b.zeros(1), exp, frac]);
     let mul = fp_mul(d.format, d.latency.mul);
     let t_v = b.inst(&mul, "u_scale", &[], &[("a", codes), ("b", recip)]).only().named("t_v");
 
     b.section("compare", "");
     let lt = fp_lt(d.format, d.latency.compare);
-    let before = b.inst(&lt, "u_before", &[], &[("a", t), ("b", t_v)]).only().named("is_before");
+    let before = b.inst(&lt, "u_lt", &[], &[("a", t), ("b", t_v)]).only().named("t_lt_t_v");
     let after = b.inst(&lt, "u_below", &[], &[("a", t_v), ("b", t)]).only().named("is_below");
     let reach = before.mux(t_v, t);
     let m = match first {
         None => reach,
         Some(first) => {
-            let one_exp = b.konst(f.bias(), &f.exp).named("one_exp");
+            let one_exp = b.konst(f.bias(), &f.exp).named("one_exp").doc("exponent of 1");
             first.mux(b.cat(&[b.zeros(1), one_exp, b.zeros(&f.man)]), reach)
         }
     };
-    b.drive(out, m.named("reach"));
+    b.drive(out, m.named("max_parameter"));
     b.drive(below, after);
     let at = |e: i64, m: i64| Binding::from([("EXP_W".into(), e), ("MAN_W".into(), m)]);
     b.finish(&[at(7, 16), at(5, 10), at(8, 23)])

@@ -23,7 +23,7 @@ pub fn axis_slope(d: &Design) -> Arc<Module> {
         b.require(&levels + &tile + 1, f.bias());
         // What underflows must stay below the bias of a chord's end.
         b.require(&f.man + 4, f.bias());
-        b.local("IdxW", &levels + &tile + 2)
+        b.local("IdxW", &levels + &tile + 2, "bits of a signed, unwrapped texel coordinate")
     });
     b.require(2, &height);
     b.require(&height, 16);
@@ -134,8 +134,9 @@ fn bias_exponent<'b>(b: &'b Builder, d: &Design, f: &FormatParams, levels: &Expr
         .doc("exponent of 2^(LEVELS + 2), four times the side of the map");
     let error_exp = step((dn_exp.zext(&wide) + b.lit(5, &wide)).named("error_exp").doc("exponent of 2^5 dn"));
     let top = step(least.lt(error_exp).mux(error_exp, least).named("bias_top").doc("the larger of the two exponents"));
-    let exp =
-        (top - b.konst(&f.man + 1, &wide).named("sig_w")).named("bias_exp").doc("exponent of the bias, never negative");
+    let exp = (top - b.konst(&f.man + 1, &wide).named("sig_w").doc("bits of a significand"))
+        .named("bias_exp")
+        .doc("exponent of the bias, never negative");
     b.unused(exp.msb());
     exp.slice(0, f.exp.clone())
 }

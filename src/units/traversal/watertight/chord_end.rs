@@ -24,7 +24,7 @@ pub fn chord_end(d: &Design) -> Arc<Module> {
     let dir = b.input("d", &f.width, float("texels per height code"), "direction");
     let neg = b.input("neg", 1, BIT, "the ray runs toward smaller coordinates");
     let t = b.input("t", &f.width, float("height codes"), "parameter of the other axis' exit plane");
-    let out = b.output("reach", &idx, TEXELS, "signed coordinate; the farthest one if t is infinite");
+    let out = b.output("bound", &idx, TEXELS, "signed coordinate; the farthest one if t is infinite");
     b.section(
         "displacement",
         "The position is rounded down to its texel; the bias keeps it from falling short of the ray.",
@@ -42,6 +42,6 @@ pub fn chord_end(d: &Design) -> Arc<Module> {
     let never = t.slice(f.man.clone(), f.exp.clone()).all().named("is_never");
     let neg = neg.beside(texel);
     let farthest = b.cat(&[neg, (!neg).rep(&idx - 1)]).named("farthest");
-    b.drive(out, never.mux(farthest, texel).named("texel_reached"));
+    b.drive(out, never.mux(farthest, texel).named("texel_bound"));
     b.finish(&bindings())
 }

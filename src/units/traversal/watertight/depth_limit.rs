@@ -13,7 +13,7 @@ pub fn depth_limit(d: &Design) -> Arc<Module> {
     b.require(2, &h);
     b.require(&h, 16);
     // A difference of exponents, signed, and HEIGHT_W beside it.
-    let diff_w = b.local("DiffW", &f.exp + 6);
+    let diff_w = b.local("DiffW", &f.exp + 6, "bits of a difference of exponents");
     b.clock();
     b.clock_enable();
     let t = b.input("t", &f.width, float("height codes"), "parameter of the plane");
@@ -23,9 +23,12 @@ pub fn depth_limit(d: &Design) -> Arc<Module> {
     b.section("class", "Of a number below 1 no bit is left, and from 2^HEIGHT_W on nothing is asked.");
     let t = Fields::of(&f, t, "t");
     let none = (t.sign | t.is_zero | t.is_nan).named("is_none");
-    let above = (t.exp.zext(&diff_w) - b.konst(f.bias(), &diff_w).named("bias")).named("exp_above_bias");
+    let above = (t.exp.zext(&diff_w) - b.konst(f.bias(), &diff_w).named("bias").doc("the exponent bias"))
+        .named("exp_above_bias");
     let small = above.msb().named("is_below_one");
-    let large = (t.is_inf | !(small | above.lt(b.konst(&h, &diff_w).named("height_bits")))).named("is_beyond_all");
+    let large = (t.is_inf
+        | !(small | above.lt(b.konst(&h, &diff_w).named("height_bits").doc("bits of a height code"))))
+    .named("is_beyond_all");
     let by = above.slice(0, 5).named("shift_by");
     b.unused(above);
 

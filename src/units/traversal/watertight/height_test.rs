@@ -28,9 +28,9 @@ pub fn height_test(d: &Design) -> Arc<Module> {
 
     b.section("compare", "");
     let lt = fp_lt(d.format, d.latency.compare);
-    let before = b.inst(&lt, "u_before", &[], &[("a", t), ("b", t_v)]).only().named("is_before");
+    let before = b.inst(&lt, "u_lt", &[], &[("a", t), ("b", t_v)]).only().named("t_lt_t_v");
     let after = b.inst(&lt, "u_below", &[], &[("a", t_v), ("b", t)]).only().named("is_below");
-    let m = before.mux(t_v, t).named("reach");
+    let m = before.mux(t_v, t).named("max_parameter");
     b.drive(out, m.reg_if(d.latency.has(Register::Parameter)));
     b.drive(below, after);
     b.finish(&bindings())

@@ -28,11 +28,11 @@ pub fn node_crossing(d: &Design) -> Arc<Module> {
     let lt = fp_lt(d.format, d.latency.compare);
 
     b.section("compare", "All five comparisons at once; the selects follow.");
-    let in_x = b.inst(&lt, "u_m_tx", &[], &[("a", m), ("b", t_x)]).only().named("m_before_x");
-    let in_y = b.inst(&lt, "u_m_ty", &[], &[("a", m), ("b", t_y)]).only().named("m_before_y");
-    let y_less = b.inst(&lt, "u_ty_tx", &[], &[("a", t_y), ("b", t_x)]).only().named("y_before_x");
-    let grow_x = b.inst(&lt, "u_t_tx", &[], &[("a", t), ("b", t_x)]).only().named("t_before_x");
-    let grow_y = b.inst(&lt, "u_t_ty", &[], &[("a", t), ("b", t_y)]).only().named("t_before_y");
+    let in_x = b.inst(&lt, "u_m_tx", &[], &[("a", m), ("b", t_x)]).only().named("m_lt_x");
+    let in_y = b.inst(&lt, "u_m_ty", &[], &[("a", m), ("b", t_y)]).only().named("m_lt_y");
+    let y_less = b.inst(&lt, "u_ty_tx", &[], &[("a", t_y), ("b", t_x)]).only().named("y_lt_x");
+    let grow_x = b.inst(&lt, "u_t_tx", &[], &[("a", t), ("b", t_x)]).only().named("t_lt_x");
+    let grow_y = b.inst(&lt, "u_t_ty", &[], &[("a", t), ("b", t_y)]).only().named("t_lt_y");
 
     b.section("select", "");
     let exit = y_less.mux(t_y, t_x).named("t_exit");

@@ -25,7 +25,7 @@ pub fn plane_order(d: &Design) -> Arc<Module> {
     let lt = fp_lt(d.format, d.latency.compare);
     for ((name, first, second), out) in ORDER.into_iter().zip(outs) {
         let less = b.inst(&lt, &format!("u_{name}"), &[], &[("a", of(first)), ("b", of(second))]).only();
-        b.drive(out, less.named(&format!("{first}_before_{second}")));
+        b.drive(out, less.named(&format!("{first}_lt_{second}")));
     }
     b.finish(&bindings())
 }

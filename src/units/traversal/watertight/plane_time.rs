@@ -42,7 +42,7 @@ pub fn plane_time(d: &Design) -> Arc<Module> {
         .named("product")
         .doc("distance * r [float, height codes]");
     let inf = b.cat(&[b.zeros(1), b.ones(&f.exp), b.zeros(&f.man)]);
-    let t = never.mux(inf, t).named("when_met");
+    let t = never.mux(inf, t).named("plane_parameter");
     b.drive(out, t.reg_if(d.latency.has(Register::Parameter)));
     b.finish(&bindings())
 }

@@ -35,7 +35,7 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
     let height = b.param("HEIGHT_W", t.height_bits, "bits of a height code");
     let tile = b.param("TILE_W", t.tile_bits, "a ray travels less than 2^TILE_W tiles along each axis");
     ray_conditions(&b, d, &f, &levels.levels, &height, &tile);
-    let idx = b.local("IdxW", &levels.levels + &tile + 2);
+    let idx = b.local("IdxW", &levels.levels + &tile + 2, "bits of a signed, unwrapped texel coordinate");
     b.clock();
     b.clock_enable();
     let u = b.input("u", &f.width, float("tiles"), "entry point at the top plane, 0 <= u < 1");
@@ -56,7 +56,7 @@ pub fn ray_setup(d: &Design) -> Arc<Module> {
             let start = b.inst(&start_level(t), "u_start_level", &[("IDX_W", idx)], &ins).only().named("start");
             start.reg_if(d.latency.has(Register::StartLevel))
         }
-        _ => b.konst(&levels.levels, &levels.level_w).named("root"),
+        _ => b.konst(&levels.levels, &levels.level_w).named("root").doc("the root's level"),
     };
     // Of unknown words it is not known whether they are a ray: then it is refused. The register is the one clock at least that keeps a ready from
     // following from a valid in the same clock.

@@ -31,7 +31,7 @@ pub fn iteration<'b>(
     let planes = Planes::of(b, &f, &w, &s.levels, &s.tile);
     // Names of widths: the nets of this module have those of the units.
     Estimate::of(b, &f, &s.levels, &s.tile);
-    b.local("LowW", low_width(&planes));
+    b.local("LowW", low_width(&planes), "bits of the lower part of an operand");
     let new = slots.new_words();
     let two = |name: &str| {
         AXES.map(|a| format!("{name}_{a}")).map(|n| (n.clone(), new[n.as_str()])).into_iter().collect::<Record<'b>>()
@@ -49,7 +49,8 @@ pub fn iteration<'b>(
     b.section("address", "");
     let (mut addresses, mut borders) = (Vec::new(), Vec::new());
     for (c, size) in set.sizes().iter().enumerate() {
-        b.local(&format!("Address{c}W"), window_address::address_width(&s.levels, &Expr::from(size.grid_bits())));
+        let bits = window_address::address_width(&s.levels, &Expr::from(size.grid_bits()));
+        b.local(&format!("Address{c}W"), bits, &format!("bits of an address of windows {c}"));
         let ins = [("x", texel[0]), ("y", texel[1]), ("neg_x", origin["neg_x"]), ("neg_y", origin["neg_y"])];
         let o =
             b.inst(&window_address::window_address(d), &format!("u_address_{c}"), &window_address::size(*size), &ins);
@@ -165,8 +166,9 @@ fn ended<'b>(b: &'b Builder, s: &Sizes, ray: &Ray<'b>, hit: Sig<'b>, below: Sig<
     );
     let moves = (!ray.get("done")).named("moves");
     let steps = (ray.get("steps") + moves.zext(16)).named("steps_next");
-    let steps_before = b.konst(&s.step_limit - 1, 16).named("steps_before_last");
-    let last_step = ray.get("steps").eq(steps_before).named("last_step");
+    let last =
+        b.konst(&s.step_limit - 1, 16).named("step_limit_less_1").doc("steps before the last one that a ray may take");
+    let last_step = ray.get("steps").eq(last).named("last_step");
     let ends_now = hit | last_step;
     let given_up = (ends_now & !hit & moves).named("given_up");
     let wall = ray.get("done").mux(ray.get("wall"), hit & below).named("wall_next");

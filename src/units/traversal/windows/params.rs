@@ -34,7 +34,7 @@ impl<'a> Widths<'a> {
 
     /// Bits of a ray parameter.
     pub fn time(&self) -> Expr {
-        self.of.b.local("TimeW", time_width(&self.f))
+        self.of.b.local("TimeW", time_width(&self.f), "bits of a ray parameter")
     }
 
     /// Declares RECIP_W, LEVELS and TILE_W, and what a plane's parameter is: all that Q and C need.
@@ -73,9 +73,10 @@ impl Planes {
     /// Declares the local constants.
     pub fn of(b: &Builder, f: &Expr, w: &Expr, levels: &Expr, tile: &Expr) -> Self {
         b.require(f + tile + w, 63);
-        let guard = b.local("GuardW", (w + tile + levels - f - 2).larger(0));
-        let plane = b.local("PlaneW", f + 2 + &guard);
-        let count = b.local("CountW", count_width(levels, tile));
+        let guard =
+            b.local("GuardW", (w + tile + levels - f - 2).larger(0), "bits of a plane parameter below those of t");
+        let plane = b.local("PlaneW", f + 2 + &guard, "bits of a plane parameter");
+        let count = b.local("CountW", count_width(levels, tile), "bits of a count of planes");
         Self { w: w.clone(), levels: levels.clone(), tile: tile.clone(), guard, plane, count }
     }
 }
@@ -100,9 +101,22 @@ pub struct Estimate {
 impl Estimate {
     /// Declares the local constants.
     pub fn of(b: &Builder, f: &Expr, levels: &Expr, tile: &Expr) -> Self {
-        let fraction = b.local("EstimateW", estimate_fraction(f, levels, tile));
-        let travel = b.local("TravelW", levels + tile + &fraction);
-        Self { travel, offset: &fraction + 1, fraction, time: b.local("FactorW", Expr::from(OPERAND).smaller(f + 2)) }
+        let fraction = b.local(
+            "EstimateW",
+            estimate_fraction(f, levels, tile),
+            "fraction bits of an estimated position, in texels",
+        );
+        let travel = b.local("TravelW", levels + tile + &fraction, "bits of a travel per height code");
+        Self {
+            travel,
+            offset: &fraction + 1,
+            fraction,
+            time: b.local(
+                "FactorW",
+                Expr::from(OPERAND).smaller(f + 2),
+                "bits of the ray parameter that the estimate multiplies",
+            ),
+        }
     }
 }
 

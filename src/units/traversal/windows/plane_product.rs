@@ -19,7 +19,7 @@ pub fn low_width(p: &Planes) -> Expr {
 pub fn plane_product(d: &Design) -> Arc<Module> {
     let b = Builder::new("plane_product", file!(), "k times the parameter from plane to plane, as two products");
     let p = Widths::new(&b, d).planes();
-    let low_w = b.local("LowW", low_width(&p));
+    let low_w = b.local("LowW", low_width(&p), "bits of the lower part of an operand");
     b.clock();
     b.clock_enable();
     let k = b.input("k", &p.count, PLANES, "planes that the ray has passed");

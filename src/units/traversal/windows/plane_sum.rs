@@ -10,7 +10,7 @@ use std::sync::Arc;
 pub fn plane_sum(d: &Design) -> Arc<Module> {
     let b = Builder::new("plane_sum", file!(), "parameter of the plane ahead: that of the first plane and k steps");
     let p = Widths::new(&b, d).planes();
-    let low_w = b.local("LowW", low_width(&p));
+    let low_w = b.local("LowW", low_width(&p), "bits of the lower part of an operand");
     b.clock();
     b.clock_enable();
     let c = b.input("c", &p.plane, FINE, "parameter of the first plane");
@@ -19,7 +19,7 @@ pub fn plane_sum(d: &Design) -> Arc<Module> {
     let out = b.output("plane", &p.plane + 1, FINE, "the parameter; top bit 1: beyond all that a word holds");
     b.plan(d.latency.add.min(2), &[("lower product", 7), ("upper product", 7)]);
     b.section("lower product", "");
-    let tall = b.local("StartW", (&p.plane + 1).larger(&p.count + &low_w + 1));
+    let tall = b.local("StartW", (&p.plane + 1).larger(&p.count + &low_w + 1), "bits of the sum of the lower product");
     let start = (c.zext(&tall) + low.zext(&tall)).named("start");
     b.section("upper product", "All bits above a word are one: such a plane is never met.");
     let upper_w = &p.plane + &p.count + 1 - &low_w;

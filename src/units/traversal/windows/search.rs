@@ -83,7 +83,7 @@ fn leaving<'b>(b: &'b Builder, s: &Sizes, held: &Ray<'b>, slots: &SlotMemory<'b>
         let flip = kept[neg].rep(s.idx.clone()).named(&format!("{axis}_flip"));
         let first = kept[p].slice(&f - &s.levels, &s.levels).zext(&s.idx);
         let ahead = ((first ^ flip) + held.get(k).zext(&s.idx)).named(&format!("{axis}_ahead"));
-        more.push((axis, (ahead ^ flip).named(&format!("{axis}_leaving"))));
+        more.push((axis, (ahead ^ flip).named(&format!("{axis}_retiring"))));
     }
     held.and(more)
 }

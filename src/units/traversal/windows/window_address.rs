@@ -31,8 +31,8 @@ pub fn window_address(d: &Design) -> Arc<Module> {
     b.require(1, &cells);
     b.require(&cells, 64);
     // Of a grid as large as the map no bit is left, so there is one more than needed.
-    let cell_w = b.local("CellW", &levels - &grid + 1);
-    let addr_w = b.local("AddrW", address_width(&levels, &grid));
+    let cell_w = b.local("CellW", &levels - &grid + 1, "bits of a cell index along one axis");
+    let addr_w = b.local("AddrW", address_width(&levels, &grid), "bits of the address of a window");
     let axes = ["x", "y"].map(|a| {
         let at = b.input(a, &levels, TEXELS, "texel that the ray is in");
         let neg = b.input(&format!("neg_{a}"), 1, BIT, "the ray runs toward smaller coordinates");
@@ -42,9 +42,9 @@ pub fn window_address(d: &Design) -> Arc<Module> {
     let borders = ["x", "y"].map(|a| {
         b.output(&format!("border_{a}"), CELL_W, TEXELS, "texels up to the border of the grid's cell, along the ray")
     });
-    let last = b.konst((&levels - &grid).pow2() - 1, &cell_w).named("last_cell");
+    let last = b.konst((&levels - &grid).pow2() - 1, &cell_w).named("last_cell").doc("the last cell of a row");
     // Modulo the cells of a map, which may be fewer than those of a window.
-    let back = b.konst(cells - 1, &cell_w).named("cells_back");
+    let back = b.konst(cells - 1, &cell_w).named("cells_back").doc("cells of a window but one");
     let mut places = Vec::new();
     for ((a, at, neg), border) in axes.into_iter().zip(borders) {
         let tall = at.zext(&levels + CELL_W).named(&format!("tall_{a}"));
@@ -54,12 +54,16 @@ pub fn window_address(d: &Design) -> Arc<Module> {
         places.push(first.named(&format!("first_{a}")));
         let low = tall.slice(0, CELL_W);
         let left = low ^ (!neg).rep(CELL_W);
-        b.drive(border, (left & b.konst(grid.pow2() - 1, CELL_W).named("in_cell")).named(&format!("left_{a}")));
+        b.drive(
+            border,
+            (left & b.konst(grid.pow2() - 1, CELL_W).named("in_cell").doc("the texels of a cell, all ones"))
+                .named(&format!("left_{a}")),
+        );
     }
-    let rows = b.konst(&levels - &grid, 4).named("row_bits");
+    let rows = b.konst(&levels - &grid, 4).named("row_bits").doc("bits of the number of a column of cells");
     let wide = &addr_w + 2;
     let row = places[1].zext(&wide).shift_left(rows).named("row");
-    let address = (row | places[0].zext(&wide)).named("place");
+    let address = (row | places[0].zext(&wide)).named("cell_address");
     b.unused(address);
     b.drive(out, address.slice(0, &addr_w).named("word"));
     b.finish(&bindings())

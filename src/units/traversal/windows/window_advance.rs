@@ -15,7 +15,7 @@ pub fn window_advance(d: &Design) -> Arc<Module> {
     let (levels, tile) = widths.map();
     let h = widths.of.height(&f);
     let time = widths.time();
-    let count = b.local("CountW", count_width(&levels, &tile));
+    let count = b.local("CountW", count_width(&levels, &tile), "bits of a count of planes");
     let low = &f - &h + GUARD;
     b.clock();
     b.clock_enable();
@@ -37,12 +37,12 @@ pub fn window_advance(d: &Design) -> Arc<Module> {
     b.at_least(d.latency.compare);
     b.section("parameter", "Three comparisons at once. A depth has only a height code's bits.");
     let high = t.slice(&low, &h);
-    let exit_later = (t.lt(exit) & takes_exit).named("exit_later");
-    let depth_later = (high.lt(depth) & takes_depth).named("depth_later");
+    let exit_is_greater = (t.lt(exit) & takes_exit).named("exit_is_greater");
+    let depth_is_greater = (high.lt(depth) & takes_depth).named("depth_is_greater");
     let depth_last = b.cat(&[exit.slice(&low, &h), fraction]).lt(b.cat(&[depth, b.zeros(1)])).named("depth_last");
-    let at_exit = (exit_later & !(depth_later & depth_last)).named("at_exit");
+    let at_exit = (exit_is_greater & !(depth_is_greater & depth_last)).named("at_exit");
     let code = b.cat(&[depth, b.zeros(&low)]);
-    let m = at_exit.mux(exit, depth_later.mux(code, t)).named("m_chosen");
+    let m = at_exit.mux(exit, depth_is_greater.mux(code, t)).named("m_chosen");
     b.drive(o_m, m);
     let past = (depth.lt(high) | (depth.eq(high) & t.slice(0, &low).any())).named("is_below");
     b.drive(o_below, past);

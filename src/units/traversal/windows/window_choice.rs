@@ -76,7 +76,7 @@ pub fn window_choice(d: &Design) -> Arc<Module> {
     let next_depth = picked(&picks, "next_depth", |c| list.get(c + 1).map(|next| next.depth));
     b.section("hit", "");
     let inside = list[0].is_in;
-    let goes = (!stays).named("goes");
+    let goes = (!stays).named("is_active");
     let ends = (inside & open).named("ends");
     let hit = (ends & goes).named("is_hit");
     b.drive(o_hit, hit);
@@ -86,7 +86,7 @@ pub fn window_choice(d: &Design) -> Arc<Module> {
     b.drive(o_depth, inside.mux(list[0].depth, next_depth).named("depth_chosen"));
     b.drive(o_takes_exit, (!inside & goes).named("exit_counts"));
     b.drive(o_takes_depth, (hit | (!inside & list[last].is_in & goes)).named("depth_counts"));
-    b.drive(o_crosses, (goes & !ends).named("goes_on"));
+    b.drive(o_crosses, (goes & !ends).named("continues"));
     b.section("texels", "");
     for ((a, border), out) in ["x", "y"].into_iter().zip(borders).zip(o_past) {
         let past = picked(&picks, &format!("{a}_past"), |c| {

@@ -16,7 +16,7 @@ pub fn window_constants(d: &Design) -> Arc<Module> {
     let p = widths.planes();
     let reach = &f + &p.tile;
     let e = Estimate::of(&b, &f, &p.levels, &p.tile);
-    let shift_w = b.local("ShiftW", shift_width(&reach));
+    let shift_w = b.local("ShiftW", shift_width(&reach), "bits of a shift");
     b.clock();
     b.clock_enable();
     let entry = b.input("p", &f, LENGTH, "entry point");
@@ -53,8 +53,12 @@ pub fn window_constants(d: &Design) -> Arc<Module> {
     b.drive(o_o, offset);
     b.section("step", "Of a ray that moves, r has its top bit set: how far it may be moved up does not depend on it.");
     let below = (&f - &p.levels).smaller(&p.w + &p.tile - 2);
-    let extra = b.konst(&f - &p.levels - &below, 6).named("place");
-    let room = b.konst(&p.levels + &p.tile, &shift_w).named("room");
+    let extra =
+        b.konst(&f - &p.levels - &below, 6).named("texel_shift").doc("how far a step is moved up at z = 0 [bits]");
+    let room = b
+        .konst(&p.levels + &p.tile, &shift_w)
+        .named("range_bits")
+        .doc("the largest z of a ray that meets a plane [bits]");
     let still = (!r.msb()).named("is_still");
     let far = (room.lt(z) | still).named("is_far");
     let step = r.zext(&p.plane).shift_left(extra).named("step_low").shift_left(z).named("step");
@@ -79,16 +83,19 @@ fn first_plane<'b>(
     b.section("distance", "Of the first plane, along the ray.");
     let part = f - &p.levels;
     let dist_w = &part + 1;
-    let inside = (entry.slice(0, &dist_w) & b.konst(part.pow2() - 1, &dist_w).named("texel_mask")).named("in_texel");
-    let dist = neg.mux(inside, b.konst(part.pow2(), &dist_w).named("texel") - inside).named("distance");
+    let inside = (entry.slice(0, &dist_w)
+        & b.konst(part.pow2() - 1, &dist_w).named("texel_mask").doc("what a coordinate has below a texel, all ones"))
+    .named("in_texel");
+    let dist = neg.mux(inside, b.konst(part.pow2(), &dist_w).named("texel").doc("a texel") - inside).named("distance");
     b.section("products", "The reciprocal's low LowW bits and the rest of it, a product each.");
-    let low_w = b.local("LowW", Expr::from(super::params::OPERAND).smaller(&p.w - 1));
+    let low_w =
+        b.local("LowW", Expr::from(super::params::OPERAND).smaller(&p.w - 1), "bits of the lower part of an operand");
     let low = dist.product(r.slice(0, &low_w)).named("low_product");
     let high = dist.product(r.slice(&low_w, &p.w - &low_w)).named("high_product");
     b.section("product", "");
     // As many bits as the plane's parameter has, with what is cut off below.
     let total = f + &p.tile + &p.w;
-    let below = b.local("BelowW", part.smaller(&p.w + &p.tile - 2));
+    let below = b.local("BelowW", part.smaller(&p.w + &p.tile - 2), "bits of the product below a plane parameter");
     let carry =
         (high.zext(&dist_w + &p.w - &low_w) + low.slice(&low_w, &dist_w).zext(&dist_w + &p.w - &low_w)).named("upper");
     let product = b.cat(&[carry, low.slice(0, &low_w)]).zext(&total).named("product");
@@ -123,13 +130,18 @@ fn estimate<'b>(
     b.unused(entry);
     let v = s.slice(from.clone(), &e.travel + 1).named("v");
     let tall = v.zext(&e.travel + 2).named("v_tall");
-    let part = b.konst(p.w.smaller(&e.travel + 1), 6).named("bias_shift");
+    let part = b
+        .konst(p.w.smaller(&e.travel + 1), 6)
+        .named("bias_shift")
+        .doc("the reciprocal is too large by one part in 2^this at most");
     let less = (tall - b.lit(1, &e.travel + 2) - tall.shift_right(part)).named("v_less");
     b.unused(less.msb());
     let over = less.slice(&e.travel, 1).named("is_over");
     let travel =
         ((less.slice(0, &e.travel) | over.rep(e.travel.clone())) & v.any().rep(e.travel.clone())).named("travel");
     let low = entry.slice(from, &e.offset) ^ neg.rep(e.offset.clone());
-    let offset = (low & b.konst(e.fraction.pow2() - 1, &e.offset).named("offset_mask")).named("offset");
+    let offset = (low
+        & b.konst(e.fraction.pow2() - 1, &e.offset).named("offset_mask").doc("the fraction bits of an offset"))
+    .named("offset");
     (travel, offset)
 }

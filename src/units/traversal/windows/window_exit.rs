@@ -40,7 +40,7 @@ pub fn window_exit(d: &Design) -> Arc<Module> {
     }
     // Of words that are not cut yet, so that the comparison waits for nothing.
     let whole = |k: usize| ends[k].slice(&p.guard, &time + SPAN_W);
-    let y_less = (whole(1).lt(whole(0)) & !when[1].all()).named("y_before_x");
+    let y_less = (whole(1).lt(whole(0)) & !when[1].all()).named("y_lt_x");
     let x_first = (!y_less).named("x_first");
     b.section("exit", "A depth has only a height code's bits: of the exit its own, and whether any bit below is set.");
     let exit = x_first.mux(when[0], when[1]).named("t_exit");

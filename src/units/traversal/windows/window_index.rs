@@ -11,7 +11,7 @@ pub fn window_index(d: &Design) -> Arc<Module> {
     let widths = Widths::new(&b, d);
     let (levels, tile) = widths.map();
     let e = Estimate::of(&b, &widths.f, &levels, &tile);
-    let count = b.local("CountW", count_width(&levels, &tile));
+    let count = b.local("CountW", count_width(&levels, &tile), "bits of a count of planes");
     let passed = b.input("passed", &count, PLANES, "planes passed by way of the exit");
     let way = b.input("way", &e.travel, integer("2^-EstimateW texels"), "how far the ray has come");
     let offset = b.input("offset", &e.offset, integer("2^-EstimateW texels"), "how far in its texel it began");

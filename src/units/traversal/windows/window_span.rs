@@ -23,7 +23,8 @@ pub fn window_span(d: &Design) -> Arc<Module> {
     b.plan(d.latency.add.min(3), &[("pairs", 7), ("fours", 7), ("sum", 7)]);
     b.section("pairs", "Shifted Q of each bit that is set; of a constant one that is not, nothing remains.");
     let tall = q.zext(&wide).named("q_tall");
-    let texels = border.zext(SPAN_W) | b.konst(ahead, SPAN_W).named("ahead_texels");
+    let texels = border.zext(SPAN_W)
+        | b.konst(ahead, SPAN_W).named("ahead_texels").doc("texels of the window beyond the grid's cell");
     let texels = texels.named("texels");
     let term = |k: i64| -> Sig<'_> {
         b.sig(tall.id()).shift_left(b.lit(k as u64, 3)) & b.sig(texels.id()).bit(k).rep(wide.clone())
