@@ -95,8 +95,6 @@ module relief_fp_add #(
   reg             s1_inf_minus_inf;
   reg             s1_any_exp_max;
   reg             s1_subtract;
-  reg             s1_both_zero;
-  reg             s1_large_sign;
   always @(posedge clk) begin
     if (ce) begin
       s1_shift         <= s0_shift;
@@ -107,8 +105,6 @@ module relief_fp_add #(
       s1_inf_minus_inf <= s0_inf_minus_inf;
       s1_any_exp_max   <= s0_any_exp_max;
       s1_subtract      <= s0_subtract;
-      s1_both_zero     <= s0_both_zero;
-      s1_large_sign    <= s0_large_sign;
     end
   end
 
@@ -162,12 +158,10 @@ module relief_fp_add #(
   reg             s2_subtract;
   reg             s2_exp_is_largest;
   reg             s2_any_exp_max;
-  reg             s2_both_zero;
   reg             s2_exp_is_least;
   reg             s2_near_is_zero;
   reg             s2_is_nan;
   reg             s2_flush;
-  reg             s2_large_sign;
   always @(posedge clk) begin
     if (ce) begin
       s2_sum            <= s1_sum;
@@ -179,12 +173,19 @@ module relief_fp_add #(
       s2_subtract       <= s1_subtract;
       s2_exp_is_largest <= s1_exp_is_largest;
       s2_any_exp_max    <= s1_any_exp_max;
-      s2_both_zero      <= s1_both_zero;
       s2_exp_is_least   <= s1_exp_is_least;
       s2_near_is_zero   <= s1_near_is_zero;
       s2_is_nan         <= s1_is_nan;
       s2_flush          <= s1_flush;
-      s2_large_sign     <= s1_large_sign;
+    end
+  end
+  // Delay of 2 clocks: stage 0 to 2.
+  reg       s2_both_zero;
+  reg       s2_large_sign;
+  reg [1:0] s0_to_s2;
+  always @(posedge clk) begin
+    if (ce) begin
+      {s2_both_zero, s2_large_sign, s0_to_s2} <= {s0_to_s2, s0_both_zero, s0_large_sign};
     end
   end
 

@@ -53,21 +53,17 @@ module relief_plane_time #(
 
   // ---- stage 1: registers -------------------------------------------------------------
   reg [FloatW-1:0] s1_minus_p;
-  reg [FloatW-1:0] s1_r;
   always @(posedge clk) begin
     if (ce) begin
       s1_minus_p <= s0_minus_p;
-      s1_r       <= r;
     end
   end
 
   // ---- stage 2: registers -------------------------------------------------------------
   reg [FloatW-1:0] s2_minus_p;
-  reg [FloatW-1:0] s2_r;
   always @(posedge clk) begin
     if (ce) begin
       s2_minus_p <= s1_minus_p;
-      s2_r       <= s1_r;
     end
   end
 
@@ -78,27 +74,13 @@ module relief_plane_time #(
     .result(s5_distance)
   );
 
-  // ---- stage 3: registers -------------------------------------------------------------
-  reg [FloatW-1:0] s3_r;
-  always @(posedge clk) begin
-    if (ce) begin
-      s3_r <= s2_r;
-    end
-  end
-
-  // ---- stage 4: registers -------------------------------------------------------------
-  reg [FloatW-1:0] s4_r;
-  always @(posedge clk) begin
-    if (ce) begin
-      s4_r <= s3_r;
-    end
-  end
-
   // ---- stage 5: registers -------------------------------------------------------------
-  reg [FloatW-1:0] s5_r;
+  // Delay of 5 clocks: stage 0 to 5.
+  reg [FloatW-1:0]   s5_r;
+  reg [4*FloatW-1:0] s0_to_s5;
   always @(posedge clk) begin
     if (ce) begin
-      s5_r <= s4_r;
+      {s5_r, s0_to_s5} <= {s0_to_s5, r};
     end
   end
 

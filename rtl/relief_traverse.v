@@ -419,7 +419,6 @@ module relief_traverse #(
   reg [LevelW-1:0] s2_level;
   reg [IdxW-1:0]   s2_x;
   reg [IdxW-1:0]   s2_y;
-  reg [FloatW-1:0] s2_t;
   reg              s2_done;
   reg [15:0]       s2_steps;
   always @(posedge clk) begin
@@ -428,7 +427,6 @@ module relief_traverse #(
     s2_level <= s1_level;
     s2_x     <= s1_x;
     s2_y     <= s1_y;
-    s2_t     <= s1_t;
     s2_done  <= s1_done;
     s2_steps <= s1_steps;
   end
@@ -478,12 +476,10 @@ module relief_traverse #(
   reg [IdxW-1:0]   s3_x_plane;
   reg [IdxW-1:0]   s3_y_plane;
   reg [2*LEVELS:0] s3_address;
-  reg [FloatW-1:0] s3_t;
   always @(posedge clk) begin
     s3_x_plane <= s2_x_plane;
     s3_y_plane <= s2_y_plane;
     s3_address <= s2_address;
-    s3_t       <= s2_t;
   end
   // Delay of 2 clocks: stage 1 to 3.
   reg [FloatW-1:0]   s3_p_x;
@@ -525,24 +521,16 @@ module relief_traverse #(
     .t(s11_t_y)
   );
 
-  // ---- stage 4: registers -------------------------------------------------------------
-  reg [FloatW-1:0] s4_t;
-  always @(posedge clk) begin
-    s4_t <= s3_t;
-  end
-
-  // ---- stage 5: registers -------------------------------------------------------------
-  reg [FloatW-1:0] s5_t;
-  always @(posedge clk) begin
-    s5_t <= s4_t;
-  end
-
   // ---- stage 6: registers -------------------------------------------------------------
   reg [HEIGHT_W-1:0] s6_height;
-  reg [FloatW-1:0]   s6_t;
   always @(posedge clk) begin
     s6_height <= s5_height;
-    s6_t      <= s5_t;
+  end
+  // Delay of 5 clocks: stage 1 to 6.
+  reg [FloatW-1:0]   s6_t;
+  reg [4*FloatW-1:0] s1_to_s6;
+  always @(posedge clk) begin
+    {s6_t, s1_to_s6} <= {s1_to_s6, s1_t};
   end
 
   // ---- stage 6: height test -----------------------------------------------------------
@@ -557,29 +545,7 @@ module relief_traverse #(
     .m(s10_m), .below(s10_below)
   );
 
-  // ---- stage 7: registers -------------------------------------------------------------
-  reg [FloatW-1:0] s7_t;
-  always @(posedge clk) begin
-    s7_t <= s6_t;
-  end
-
-  // ---- stage 8: registers -------------------------------------------------------------
-  reg [FloatW-1:0] s8_t;
-  always @(posedge clk) begin
-    s8_t <= s7_t;
-  end
-
-  // ---- stage 9: registers -------------------------------------------------------------
-  reg [FloatW-1:0] s9_t;
-  always @(posedge clk) begin
-    s9_t <= s8_t;
-  end
-
   // ---- stage 10: registers ------------------------------------------------------------
-  reg [FloatW-1:0] s10_t;
-  always @(posedge clk) begin
-    s10_t <= s9_t;
-  end
   // Delay of 9 clocks: stage 1 to 10.
   reg [FloatW-1:0]    s10_pb_x;
   reg [FloatW-1:0]    s10_d_x;
@@ -608,11 +574,15 @@ module relief_traverse #(
   );
 
   // ---- stage 11: registers ------------------------------------------------------------
-  reg [FloatW-1:0] s11_t;
   reg [FloatW-1:0] s11_m;
   always @(posedge clk) begin
-    s11_t <= s10_t;
     s11_m <= s10_m;
+  end
+  // Delay of 5 clocks: stage 6 to 11.
+  reg [FloatW-1:0]   s11_t;
+  reg [4*FloatW-1:0] s6_to_s11;
+  always @(posedge clk) begin
+    {s11_t, s6_to_s11} <= {s6_to_s11, s6_t};
   end
 
   // ---- stage 11: node crossing --------------------------------------------------------
@@ -639,29 +609,7 @@ module relief_traverse #(
   // ---- stage 13: level up -------------------------------------------------------------
   wire s13_even = s13_x_first ? s13_x_even : s13_y_even;
 
-  // ---- stage 14: registers ------------------------------------------------------------
-  reg s14_even;
-  always @(posedge clk) begin
-    s14_even <= s13_even;
-  end
-
-  // ---- stage 15: registers ------------------------------------------------------------
-  reg s15_even;
-  always @(posedge clk) begin
-    s15_even <= s14_even;
-  end
-
-  // ---- stage 16: registers ------------------------------------------------------------
-  reg s16_even;
-  always @(posedge clk) begin
-    s16_even <= s15_even;
-  end
-
   // ---- stage 17: registers ------------------------------------------------------------
-  reg s17_even;
-  always @(posedge clk) begin
-    s17_even <= s16_even;
-  end
   // Delay of 16 clocks: stage 1 to 17.
   reg        s17_has_crossed;
   reg [14:0] s1_to_s17;
@@ -680,6 +628,12 @@ module relief_traverse #(
   always @(posedge clk) begin
     {s17_x_low, s17_x_high, s17_y_low, s17_y_high, s17_level, s17_x, s17_y, s2_to_s17} <=
         {s2_to_s17, s2_x_low, s2_x_high, s2_y_low, s2_y_high, s2_level, s2_x, s2_y};
+  end
+  // Delay of 4 clocks: stage 13 to 17.
+  reg       s17_even;
+  reg [2:0] s13_to_s17;
+  always @(posedge clk) begin
+    {s17_even, s13_to_s17} <= {s13_to_s17, s13_even};
   end
 
   // ---- stage 17: multi-level down -----------------------------------------------------
