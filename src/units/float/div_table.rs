@@ -116,7 +116,7 @@ pub fn by_table(format: FloatFormat, latency: u32) -> Arc<Module> {
     let (n0, n1, b0, b1) = (low_bits.bit(0), low_bits.bit(1), back.bit(&f.man + 1), back.bit(&f.man + 2));
     let up = (n1 ^ b1 ^ (n0 & !b0)).named("round_up");
     // An estimate just below 1: one more is the result, and carries to the exponent that is there.
-    let at = quot.msb().mux(exp, lower).named("norm_exp");
+    let at = quot.msb().mux(exp, lower).named("stored_exp");
     let low = b.cat(&[at.slice(0, &f.exp), quot.slice(0, &f.man)]).named("low");
     let high = (low + b.lit(1, low.width())).named("high");
     let Classes { nan, inf, zero } = x.classes;
