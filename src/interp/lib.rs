@@ -1,4 +1,5 @@
 //! Runs the very graph that is emitted: elaborated at any parameter values, levelized once.
+#![forbid(unsafe_code)]
 mod bundle;
 mod elaborate;
 mod eval;

@@ -1,6 +1,7 @@
 //! A netlist laid out for execution: every slot has a row of narrow or wide words, every operation its loop.
 use super::kernel::*;
 use super::netlist::{FlatOp, Slot};
+use multiversion::multiversion;
 
 /// Where a slot's words stand.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -86,86 +87,68 @@ impl Program {
 
     /// Runs all operations.
     pub fn eval<const L: usize>(&self, b: &mut Block<L>) {
-        #[cfg(target_arch = "x86_64")]
-        if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("lzcnt") {
-            // SAFETY: the processor has the instructions that the function is compiled with.
-            return unsafe { self.eval_avx2(b) };
-        }
-        self.eval_any(b);
+        eval(self, b);
     }
     /// Clocks all registers; memories' words have been put aside before.
     pub fn clock<const L: usize>(&self, b: &mut Block<L>) {
-        #[cfg(target_arch = "x86_64")]
-        if std::arch::is_x86_feature_detected!("avx2") {
-            // SAFETY: the processor has the instructions that the function is compiled with.
-            return unsafe { self.clock_avx2(b) };
-        }
-        self.clock_any(b);
+        clock(self, b);
     }
-    #[cfg(target_arch = "x86_64")]
-    #[target_feature(enable = "avx2,lzcnt")]
-    fn eval_avx2<const L: usize>(&self, b: &mut Block<L>) {
-        self.eval_any(b);
-    }
-    #[cfg(target_arch = "x86_64")]
-    #[target_feature(enable = "avx2")]
-    fn clock_avx2<const L: usize>(&self, b: &mut Block<L>) {
-        self.clock_any(b);
-    }
+}
 
-    #[inline(always)]
-    fn eval_any<const L: usize>(&self, block: &mut Block<L>) {
-        let mut x: [Wide<L>; 3] = [[0; L]; 3];
-        for step in &self.steps {
-            match step {
-                Step::Narrow { code, op, out, args } => {
-                    let (out, others) = apart(&mut block.narrow, *out);
-                    narrow(*code, op, out, others.row(args[0]), others.row(args[1]), others.row(args[2]));
-                }
-                Step::Divide { op, rem, quot, args } => {
-                    let [a, b] = args.map(|a| block.narrow[a as usize]);
-                    let (mut r, mut q) = ([0; L], [0; L]);
-                    divide(op, &a, &b, &mut r, &mut q);
-                    (block.narrow[*rem as usize], block.narrow[*quot as usize]) = (r, q);
-                }
-                Step::Wide { op, out, args } => {
-                    let (out, others) = apart(&mut block.wide, *out);
-                    wide(op, out, others.row(args[0]), others.row(args[1]), others.row(args[2]));
-                }
-                Step::Cut { op, out, arg } => {
-                    slice(op, &mut block.narrow[*out as usize], &block.wide[*arg as usize]);
-                }
-                Step::Product { op, out, args } => {
-                    let [a, b] = args.map(|a| &block.narrow[a as usize]);
-                    product(op, &mut block.wide[*out as usize], a, b);
-                }
-                Step::Mixed { op, out, args, count } => {
-                    for (x, a) in x.iter_mut().zip(args).take(*count) {
-                        match a {
-                            Row::Narrow(a) => widen(x, &block.narrow[*a as usize]),
-                            Row::Wide(a) => *x = block.wide[*a as usize],
-                        }
+/// Runs all operations.
+#[multiversion(targets("x86_64+avx2+lzcnt"))]
+fn eval<const L: usize>(program: &Program, block: &mut Block<L>) {
+    let mut x: [Wide<L>; 3] = [[0; L]; 3];
+    for step in &program.steps {
+        match step {
+            Step::Narrow { code, op, out, args } => {
+                let (out, others) = apart(&mut block.narrow, *out);
+                narrow(*code, op, out, others.row(args[0]), others.row(args[1]), others.row(args[2]));
+            }
+            Step::Divide { op, rem, quot, args } => {
+                let [a, b] = args.map(|a| block.narrow[a as usize]);
+                let (mut r, mut q) = ([0; L], [0; L]);
+                divide(op, &a, &b, &mut r, &mut q);
+                (block.narrow[*rem as usize], block.narrow[*quot as usize]) = (r, q);
+            }
+            Step::Wide { op, out, args } => {
+                let (out, others) = apart(&mut block.wide, *out);
+                wide(op, out, others.row(args[0]), others.row(args[1]), others.row(args[2]));
+            }
+            Step::Cut { op, out, arg } => {
+                slice(op, &mut block.narrow[*out as usize], &block.wide[*arg as usize]);
+            }
+            Step::Product { op, out, args } => {
+                let [a, b] = args.map(|a| &block.narrow[a as usize]);
+                product(op, &mut block.wide[*out as usize], a, b);
+            }
+            Step::Mixed { op, out, args, count } => {
+                for (x, a) in x.iter_mut().zip(args).take(*count) {
+                    match a {
+                        Row::Narrow(a) => widen(x, &block.narrow[*a as usize]),
+                        Row::Wide(a) => *x = block.wide[*a as usize],
                     }
-                    let mut y = [0; L];
-                    wide(op, &mut y, &x[0], &x[1], &x[2]);
-                    match out {
-                        Row::Narrow(i) => truncate(&mut block.narrow[*i as usize], &y),
-                        Row::Wide(i) => block.wide[*i as usize] = y,
-                    }
+                }
+                let mut y = [0; L];
+                wide(op, &mut y, &x[0], &x[1], &x[2]);
+                match out {
+                    Row::Narrow(i) => truncate(&mut block.narrow[*i as usize], &y),
+                    Row::Wide(i) => block.wide[*i as usize] = y,
                 }
             }
         }
     }
+}
 
-    #[inline(always)]
-    fn clock_any<const L: usize>(&self, b: &mut Block<L>) {
-        for (from, hold) in &self.aside {
-            b.copy(*from, *hold);
-        }
-        self.updates.iter().for_each(|u| b.update(u));
-        for r in &self.reads {
-            b.copy(r.hold, r.word);
-        }
+/// Clocks all registers; memories' words have been put aside before.
+#[multiversion(targets("x86_64+avx2"))]
+fn clock<const L: usize>(program: &Program, b: &mut Block<L>) {
+    for (from, hold) in &program.aside {
+        b.copy(*from, *hold);
+    }
+    program.updates.iter().for_each(|u| b.update(u));
+    for r in &program.reads {
+        b.copy(r.hold, r.word);
     }
 }
 

@@ -276,7 +276,9 @@ fn every_declared_name_is_legal_and_its_own() {
     let rows: [Row<'_>; 8] = [
         ("casez", "module name casez is not usable", &|b| through(b, &Expr::from(4), "x")),
         ("m", "parameter name endcase is not usable", &|b| through(b, &b.param("endcase", 4, "w"), "x")),
-        ("m", "localparam name forever is not usable", &|b| through(b, &b.local("forever", Expr::from(4), "four"), "x")),
+        ("m", "localparam name forever is not usable", &|b| {
+            through(b, &b.local("forever", Expr::from(4), "four"), "x")
+        }),
         ("m", "parameter x has the name of something else", &|b| through(b, &b.param("x", 4, "w"), "x")),
         ("m", "parameter LATENCY has the name of something else", &|b| through(b, &b.param("LATENCY", 4, "w"), "x")),
         ("m", "net s0_both has the name of something else", &|b| {
