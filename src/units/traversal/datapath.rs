@@ -1,7 +1,7 @@
 //! What a datapath puts into `traverse`: its numbers, a ray's constants, setup, iteration and hit position.
 //!
 //! The loop itself (accept, tags, back-pressure, retire) is the same for all of them: `traverse.rs`.
-use super::height_source::{HeightPort, HeightSource};
+use super::height_source::{HeightPort, HeightSource, Load};
 use super::loop_state::{Field, Numbers, Ray, Sizes, said_by, tag};
 use super::search::Search;
 use super::slot_memory::SlotMemory;
@@ -53,12 +53,18 @@ impl Datapath {
     }
 
     /// All that a ray carries: tag and constants, unless they stand in slot memories; what an iteration changes, and what the source adds.
-    pub fn fields(&self, s: &Sizes, d: &Design, source: &dyn HeightSource, setup: &Module) -> Vec<Field> {
+    pub fn fields(
+        &self,
+        s: &Sizes,
+        d: &Design,
+        (source, loads): (&dyn HeightSource, &[Load<'_>]),
+        setup: &Module,
+    ) -> Vec<Field> {
         let mut list = Vec::new();
         list.extend(self.search.leaving.is_none().then(|| tag(s)));
         list.extend(said_by(setup, (self.constants)(s, d)));
         list.extend((self.search.state)(s, d));
-        list.extend(source.fields(s));
+        list.extend(source.fields(s, loads));
         list
     }
 }

@@ -6,7 +6,10 @@
 //! ([`HeightPort::exchange`]). A source that never misses is [`super::OnChip`].
 use super::loop_state::{Field, Ray, Sizes};
 use reliefrtl_config::Design;
-use reliefrtl_ir::{Builder, Expr, Sig};
+use reliefrtl_ir::{Builder, Expr, Record, Sig};
+
+/// The addresses that the next iteration of a ray reads, one for each memory, from the ray's words: in a stage in which all of these are known.
+pub type Addresses<'a, 'b> = &'a dyn Fn(&Ray<'b>) -> Vec<Sig<'b>>;
 
 /// A memory of heights and its load port.
 #[derive(Clone)]
@@ -61,6 +64,8 @@ pub struct Slot<'a, 'b> {
     pub held: &'a Ray<'b>,
     /// It retires in this clock (1 bit).
     pub retire: Sig<'b>,
+    /// What slot memories hold of that ray; none without them.
+    pub kept: Record<'b>,
 }
 
 /// What a source that keeps rays outside the loop does with the slot in stage 0.
@@ -71,12 +76,14 @@ pub struct Exchange<'b> {
     pub returns: Sig<'b>,
     /// That ray.
     pub ray: Ray<'b>,
+    /// What was kept of it, for the slot memories.
+    pub kept: Record<'b>,
 }
 
 /// A kind of height memory.
 pub trait HeightSource {
-    /// Words that a ray carries for the source, from a lookup to the iteration that reads; they come after all others.
-    fn fields(&self, _: &Sizes) -> Vec<Field> {
+    /// Words that a ray carries for the source, from a lookup to the iteration that reads; they come after all others. An address of a memory has the bits of its load port's.
+    fn fields(&self, _: &Sizes, _loads: &[Load<'_>]) -> Vec<Field> {
         Vec::new()
     }
     /// Rays that are parked outside the loop, at most.
@@ -96,13 +103,13 @@ pub trait HeightPort<'b> {
         None
     }
     /// The first lookup of a new ray, which `accept` (1 bit) puts into the slot of stage 0: the ray with the source's words.
-    fn first(&mut self, new: Ray<'b>, _accept: Sig<'b>) -> Ray<'b> {
+    fn first(&mut self, new: Ray<'b>, _accept: Sig<'b>, _: Addresses<'_, 'b>) -> Ray<'b> {
         new
     }
     /// The words at `addresses`, one for each memory, for the ray in the slot.
     fn read(&mut self, ray: &Ray<'b>, addresses: &[Sig<'b>]) -> Heights<'b>;
     /// The lookup for the next iteration, at the end of the loop: the ray with the source's words. A finished ray looks nothing up.
-    fn look_up(&mut self, next: Ray<'b>) -> Ray<'b> {
+    fn look_up(&mut self, next: Ray<'b>, _: Addresses<'_, 'b>) -> Ray<'b> {
         next
     }
 }

@@ -41,7 +41,7 @@ pub use finest_level::finest_level;
 pub use height_address::height_address;
 pub use height_banks::height_banks;
 pub use height_memory::{height_memory, pyramid_words};
-pub use height_source::{Exchange, HeightPort, HeightSource, Heights, Load, Place, Slot};
+pub use height_source::{Addresses, Exchange, HeightPort, HeightSource, Heights, Load, Place, Slot};
 pub use level_up::{level_up, reads_parity};
 pub use loop_resources::{LoopResources, PUBLISHED, loop_resources};
 pub use loop_state::{Field, Ray, Sizes, Start};

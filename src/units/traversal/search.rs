@@ -2,13 +2,19 @@
 use super::height_memory::pyramid_words;
 use super::height_source::Load;
 use super::loop_state::{Field, Ray, Sizes, level_state};
+use super::node_address::node_address;
 use super::slot_memory::SlotMemory;
 use crate::quantity::{BIT, CODES, WORDS};
 use reliefrtl_config::Design;
-use reliefrtl_ir::Builder;
+use reliefrtl_ir::{Builder, Record, Sig};
 
 /// Builds the ray that leaves, from the loop's registers and the slot memories.
 pub type Leaving = for<'b> fn(&'b Builder, &Sizes, &Ray<'b>, &SlotMemory<'b>) -> Ray<'b>;
+
+/// What the addresses of an iteration need of a ray's constants, where these stand in slot memories.
+pub type AddressWords = for<'b> fn(&Sizes, &Record<'b>) -> Record<'b>;
+/// Builds the addresses that an iteration of a ray reads, one for each memory, from the ray and these words; for what the instances are called after.
+pub type Addresses = for<'b> fn(&'b Builder, &Sizes, &Design, &str, &Ray<'b>, &Record<'b>) -> Vec<Sig<'b>>;
 
 /// The parts of one search.
 pub struct Search {
@@ -28,6 +34,10 @@ pub struct Search {
     pub state: fn(&Sizes, &Design) -> Vec<Field>,
     /// Where constants of a ray stand in slot memories: all that a result needs of a ray that leaves; the loop's words come first.
     pub leaving: Option<Leaving>,
+    /// What `addresses` reads of them.
+    pub address_words: AddressWords,
+    /// For a source that looks up what the next iteration reads.
+    pub addresses: Addresses,
 }
 
 /// The nodes of a pyramid, one an iteration.
@@ -57,4 +67,9 @@ pub static PYRAMID: Search = Search {
     },
     state: level_state,
     leaving: None,
+    address_words: |_, _| Record::default(),
+    addresses: |b, s, d, name, ray, _| {
+        let address = node_address(b, s, d, &format!("u_{name}_address"), ray, ray.get("level"));
+        vec![address.named(&format!("{name}_address"))]
+    },
 };

@@ -9,23 +9,23 @@ pub struct SlotMemory<'b> {
     b: &'b Builder,
     /// Number of the slot in stage 0.
     slot: Sig<'b>,
-    /// A new ray enters the slot in stage 0.
-    accept: Sig<'b>,
+    /// A ray enters the slot in stage 0.
+    enters: Sig<'b>,
     /// Its words.
     new: Record<'b>,
     slots: u32,
 }
 
 impl<'b> SlotMemory<'b> {
-    /// Counts the slots; `new` are the words of the ray that `accept` (1 bit) puts into the slot of stage 0.
-    pub fn new(b: &'b Builder, slots: u32, accept: Sig<'b>, new: Record<'b>) -> Self {
+    /// Counts the slots; `new` are the words of the ray that `enters` (1 bit) the slot of stage 0.
+    pub fn new(b: &'b Builder, slots: u32, enters: Sig<'b>, new: Record<'b>) -> Self {
         b.section("slot number", "Words that no iteration changes stand in memories, by the number of the ray's slot.");
         let width = Expr::from(address_bits(slots));
         let slot = b.loop_reg("slot_q", &width, true).doc("number of the slot in stage 0");
         let is_last = slot.eq(b.lit(u64::from(slots - 1), &width)).named("is_last_slot");
         let next = is_last.mux(b.zeros(&width), slot + b.lit(1, &width)).named("slot_next");
         b.close(&[(slot, next)]);
-        Self { b, slot, accept, new, slots }
+        Self { b, slot, enters, new, slots }
     }
 
     /// The words of a new ray.
@@ -44,7 +44,7 @@ impl<'b> SlotMemory<'b> {
 
     /// The same in stage 1: the words of a ray that enters pass by the memory.
     pub fn read_early(&self, name: &str, words: &Record<'b>) -> Record<'b> {
-        let enters = self.accept.named("accept").reg();
+        let enters = self.enters.reg();
         let held = words.unbundle(self.memory(name, words, self.slot)).named(&format!("{name}_read"));
         let new = words.named(&format!("{name}_new"));
         new.map(|field, v| enters.mux(v.reg(), held[field]).named(&format!("{name}_{field}")))
@@ -60,7 +60,7 @@ impl<'b> SlotMemory<'b> {
         let data = words.bundle(b);
         let params =
             [("ADDR_W", address_bits(self.slots).into()), ("DATA_W", words.width()), ("DEPTH", self.slots.into())];
-        let ins = [("write_en", self.accept), ("write_addr", self.slot), ("write_data", data), ("read_addr", slot)];
+        let ins = [("write_en", self.enters), ("write_addr", self.slot), ("write_data", data), ("read_addr", slot)];
         let read = b.inst(&fifo_mem(), &format!("u_{name}"), &params, &ins)["read_data"];
         read.named(&format!("{name}_words"))
     }

@@ -15,7 +15,7 @@ use crate::delay_line::in_lines;
 use crate::quantity::{BIT, BITS, LEVELS};
 use crate::stream::{Decoupling, InputStream, OutputStream, Pipeline, SLOTS};
 use reliefrtl_config::{Design, Register, Trim};
-use reliefrtl_ir::{Binding, Builder, Module, Sig};
+use reliefrtl_ir::{Binding, Builder, Expr, Module, Record, Sig};
 use std::sync::Arc;
 
 /// Name of the module.
@@ -80,7 +80,7 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
 
     // Loop state, read in stage 0 and written by the last stage.
     let module = (path.setup)(d);
-    let fields = path.fields(&s, d, source, &module);
+    let fields = path.fields(&s, d, (source, &loads), &module);
     let mut heights = source.open(Place { b: &b, s: &s, d, loads: &loads });
     let held = Ray::registers(&b, &fields);
     let clocks = |m: &Module| m.latency().expect("setup and hit are pipelines");
@@ -94,7 +94,14 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
     let registered = Decoupling::retire_is_registered(d.latency.handshake)
         .then(|| b.loop_decision("retire", true, true).doc("the ray of stage 0 retires"));
     let retire = registered.unwrap_or_else(|| (held.valid & held.get("done") & hit.ready).named("retire"));
-    let exchange = heights.exchange(&Slot { held: &held, retire });
+    // What a source that parks rays takes out of a slot, and puts into another, are their constants, too.
+    let memories_hold = search.leaving.is_some();
+    let moves = (memories_hold && source.places() > 0).then(|| Moved::declare(&b, &s, &module));
+    let mut memories = moves
+        .as_ref()
+        .map(|m| SlotMemory::new(&b, slots, m.enters.rebase_stage(0), m.words.map(|_, v| v.rebase_stage(0))));
+    let kept = memories.as_ref().map(|m| m.read_for_result("held", m.new_words())).unwrap_or_default();
+    let exchange = heights.exchange(&Slot { held: &held, retire, kept });
     let gives_up = exchange.as_ref().map_or(retire, |e| (retire | e.parks).named("gives_up_slot"));
     let slot_free = (!held.valid | gives_up).named("slot_free");
     // A parked ray takes the slot before a new one.
@@ -113,21 +120,34 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
     rays.ready(&b, setup.ready);
     let accept = (setup.valid & slot_ready).named("accept");
 
-    let memories_hold = search.leaving.is_some();
     b.section("slot", choice(d, memories_hold));
-    let memories = memories_hold.then(|| SlotMemory::new(&b, slots, accept, new.clone()));
-    let new = heights.first(Ray::fresh(&b, &fields, |name| new[name], new["tag"]), accept);
+    if memories_hold && memories.is_none() {
+        memories = Some(SlotMemory::new(&b, slots, accept, new.clone()));
+    }
+    let words = new;
+    let new = Ray::fresh(&b, &fields, |name| words[name], words["tag"]);
+    let new = heights
+        .first(new, accept, &|ray| (search.addresses)(&b, &s, d, "first", ray, &(search.address_words)(&s, &words)));
     let (enters, entering) = match exchange.as_ref().zip(returns) {
         Some((e, returns)) => ((accept | returns).named("enters"), new.or_else(returns, &e.ray)),
         None => (accept, new),
     };
+    if let Some(((moved, e), returns)) = moves.zip(exchange.as_ref()).zip(returns) {
+        moved.connect(&b, enters, &words, returns, &e.kept);
+    }
     let slot_busy = ((held.valid & !gives_up) | enters).named("slot_busy");
     b.drive(o_busy, slot_busy);
     let entry = Entry { enters, ray: &entering, slot_busy };
     let ray = in_slot(d, &fields, &held, &entry, memories.is_some());
 
     let next = (path.iteration)(&b, &s, d, &ray, heights.as_mut(), memories.as_ref());
-    let next = heights.look_up(next);
+    let next = heights.look_up(next, &|ray| {
+        let words = memories.as_ref().map(|m| {
+            let words = (search.address_words)(&s, m.new_words());
+            m.read("next_origin", &words, ray.last_stage())
+        });
+        (search.addresses)(&b, &s, d, "next", ray, &words.unwrap_or_default())
+    });
     drop(heights);
     let mut loops = held.pairs(&next);
     let retiring = registered.map(|r| (r, retires_next(&b, r, &next, &hit, decoupling)));
@@ -178,6 +198,29 @@ struct Entry<'a, 'b> {
     ray: &'a Ray<'b>,
     /// The slot holds a ray then (1 bit).
     slot_busy: Sig<'b>,
+}
+
+/// What enters the slot memories, where a ray that was parked brings its constants back. Known before the source's answer is: the memories that are
+/// read for it stand before it.
+struct Moved<'b> {
+    enters: Sig<'b>,
+    words: Record<'b>,
+}
+
+impl<'b> Moved<'b> {
+    /// Declares the outputs of `setup`, and the tag.
+    fn declare(b: &'b Builder, s: &Sizes, setup: &Module) -> Self {
+        let outputs = setup.data_outputs().map(|(_, p)| (p.name.clone(), p.width.expanded()));
+        let words = outputs.chain([("tag".to_owned(), s.tag.clone())]);
+        let wire = |(name, width): (String, Expr)| (name.clone(), b.wire(&format!("slot_{name}"), width));
+        Self { enters: b.wire("slot_is_written", 1), words: words.map(wire).collect() }
+    }
+
+    /// Drives them: the words of a new ray, or of one that `returns`.
+    fn connect(&self, b: &'b Builder, enters: Sig<'b>, new: &Record<'b>, returns: Sig<'b>, kept: &Record<'b>) {
+        b.connect(self.enters, enters);
+        self.words.iter().for_each(|(name, wire)| b.connect(wire, returns.mux(kept[name], new[name])));
+    }
 }
 
 /// When the setup pipeline stalls.

@@ -1,7 +1,7 @@
 //! A height memory whose lookups miss at random: hits and misses from an LFSR, and clocks until a missed word is there.
 use reliefrtl::ir::{Expr, Sig};
 use reliefrtl::units::traversal::{
-    Exchange, Field, HeightPort, HeightSource, Heights, OnChip, Place, Ray, Sizes, Slot, Start,
+    Addresses, Exchange, Field, HeightPort, HeightSource, Heights, Load, OnChip, Place, Ray, Sizes, Slot, Start,
 };
 
 /// What becomes of a ray whose lookup missed.
@@ -27,14 +27,20 @@ pub struct Lookups {
     pub clocks: u32,
     /// What a ray does meanwhile.
     pub miss: Miss,
+    /// The lookup at the end of the loop takes another address than the next iteration's: a fault.
+    pub astray: bool,
 }
+
+/// Names of the words that say what was looked up, of each memory.
+const ASKED: [&str; 5] = ["asked_0", "asked_1", "asked_2", "asked_3", "asked_4"];
 
 /// Bits of the counter of clocks.
 const CLOCK_W: u32 = 16;
 
 impl HeightSource for Lookups {
-    fn fields(&self, _: &Sizes) -> Vec<Field> {
+    fn fields(&self, _: &Sizes, loads: &[Load<'_>]) -> Vec<Field> {
         let mut list = vec![Field::new("missed", &Expr::from(1), Start::Zero)];
+        list.extend(ASKED.iter().zip(loads).map(|(name, l)| Field::new(name, &l.addr.width(), Start::Zero)));
         if self.miss == Miss::Recirculate {
             list.push(Field::new("due", &Expr::from(i64::from(CLOCK_W)), Start::Zero));
         }
@@ -91,30 +97,42 @@ impl<'b> HeightPort<'b> for Port<'b> {
         }
     }
 
-    fn first(&mut self, new: Ray<'b>, _: Sig<'b>) -> Ray<'b> {
+    fn first(&mut self, new: Ray<'b>, _: Sig<'b>, addresses: Addresses<'_, 'b>) -> Ray<'b> {
+        let asked = addresses(&new);
         // All words start at zero.
         let missed = (new.get("missed") | (self.new & !new.get("done"))).named("new_misses");
         let mut words = vec![("missed", missed)];
         words.extend(self.clock.map(|[_, due]| ("due", (new.get("due") | due).named("new_due"))));
+        words.extend(
+            ASKED.iter().zip(asked).map(|(name, v)| (*name, (new.get(name) | v).named(&format!("new_{name}")))),
+        );
         new.with(&words)
     }
 
-    /// A word that missed is not the right one: it has every bit wrong.
+    /// A word that missed, or that was not looked up, is not the right one: it has every bit wrong.
     fn read(&mut self, ray: &Ray<'b>, addresses: &[Sig<'b>]) -> Heights<'b> {
         let missed = ray.get("missed");
-        let right = self.on_chip.read(ray, addresses).single();
-        let wrong = right.stage().map_or(missed, |k| missed.at(k)).rep(right.width());
-        Heights { words: vec![(right ^ wrong).named("word")], missed: Some(missed) }
+        let right = self.on_chip.read(ray, addresses).words;
+        let word = |(k, (right, address)): (usize, (Sig<'b>, &Sig<'b>))| {
+            let asked = ray.get(ASKED[k]);
+            let other = !asked.at(address.stage().expect("an address has a stage")).eq(*address);
+            let wrong = missed.at(other.stage().expect("as late as the address")) | other;
+            let wrong = wrong.named(&format!("word_{k}_is_wrong")).at(right.stage().expect("a word has a stage"));
+            (right ^ wrong.rep(right.width())).named(&format!("word_{k}"))
+        };
+        let words = right.into_iter().zip(addresses).enumerate().map(word).collect();
+        Heights { words, missed: Some(missed) }
     }
 
-    fn look_up(&mut self, next: Ray<'b>) -> Ray<'b> {
+    fn look_up(&mut self, next: Ray<'b>, addresses: Addresses<'_, 'b>) -> Ray<'b> {
         let b = self.place.b;
-        b.section("lookup", "Of the next node, at the end of the loop.");
-        let Place { s, d, .. } = self.place;
-        let address = reliefrtl::units::traversal::node_address(b, s, d, "u_next_address", &next, next.get("level"));
-        b.unused(address.named("next_address"));
-        let end = next.last_stage() + self.source.clocks;
-        let next = next.delayed(end, "next");
+        b.section("lookup", "Of what the next iteration reads, at the end of the loop.");
+        // What comes from a slot memory, and what follows from it, may be a clock later than the ray.
+        let asked = addresses(&next);
+        let last = asked.iter().filter_map(|v| v.stage()).fold(next.last_stage(), u32::max);
+        let astray = |v: Sig<'b>| if self.source.astray { !v } else { v };
+        let asked = ASKED.iter().zip(asked).map(|(name, v)| (*name, astray(v).named(&format!("{name}_next"))));
+        let next = next.with(&asked.collect::<Vec<_>>()).delayed(last + self.source.clocks, "next");
         let missed = next.get("missed");
         // Of a ray that waits: recirculating, until its word is there; else until it was parked.
         let still = self.clock.map_or_else(|| b.lit(1, 1), |[now, _]| (now - next.get("due")).msb().named("is_early"));

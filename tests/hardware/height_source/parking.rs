@@ -1,6 +1,6 @@
 //! Places for rays outside the loop, each with the clocks until its ray is ready.
 use reliefrtl::ir::{Builder, Sig};
-use reliefrtl::units::traversal::{Exchange, Ray, Slot};
+use reliefrtl::units::traversal::{Exchange, Slot};
 
 /// Bits of a place's count.
 const COUNT_W: u32 = 8;
@@ -20,7 +20,8 @@ struct Parked<'b> {
 /// ray that is ready.
 pub fn park<'b>(b: &'b Builder, slot: &Slot<'_, 'b>, places: u32, fill: u32, swap: bool) -> Exchange<'b> {
     b.section("parking", "");
-    let held: Vec<(&'static str, Sig<'b>)> = slot.held.words().collect();
+    let kept = slot.kept.iter().map(|(name, v)| (format!("kept_{name}"), v));
+    let held: Vec<(String, Sig<'b>)> = slot.held.words().map(|(n, v)| (n.to_owned(), v)).chain(kept).collect();
     let (mut ready, mut free) = (b.zeros(1), b.zeros(1));
     let mut list = Vec::new();
     for k in 0..places {
@@ -52,15 +53,17 @@ pub fn park<'b>(b: &'b Builder, slot: &Slot<'_, 'b>, places: u32, fill: u32, swa
         pairs.extend(place.words.iter().zip(&held).map(|(old, (_, new))| (*old, write.mux(*new, *old))));
         b.close(&pairs);
     }
-    let word = |(at, (name, v)): (usize, &(&'static str, Sig<'b>))| {
-        if *name == "missed" {
-            return (*name, b.zeros(1));
+    let word = |(at, (name, v)): (usize, &(String, Sig<'b>))| -> Sig<'b> {
+        if name == "missed" {
+            return b.zeros(1);
         }
         let masked = list.iter().map(|p| p.words[at] & p.chosen.rep(v.width()));
         let any = masked.reduce(|all, one| all | one).expect("there is a place");
-        (*name, any.named(&format!("parked_{name}")))
+        any.named(&format!("parked_{name}"))
     };
-    let changes: Vec<(&str, Sig<'b>)> = held.iter().enumerate().map(word).collect();
-    let ray: Ray<'b> = slot.held.with(&changes);
-    Exchange { parks, returns: ready, ray }
+    let words: Vec<Sig<'b>> = held.iter().enumerate().map(word).collect();
+    let (changes, kept) = words.split_at(slot.held.words().count());
+    let changes: Vec<(&str, Sig<'b>)> = slot.held.words().map(|(name, _)| name).zip(changes.iter().copied()).collect();
+    let kept = slot.kept.names().zip(kept.iter().copied()).collect();
+    Exchange { parks, returns: ready, ray: slot.held.with(&changes), kept }
 }

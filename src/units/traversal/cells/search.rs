@@ -3,6 +3,7 @@ use super::{block_address, block_words};
 use crate::quantity::{BIT, CODES, WORDS};
 use crate::traversal::height_source::Load;
 use crate::traversal::loop_state::{Sizes, level_state};
+use crate::traversal::node_address::node_address;
 use crate::traversal::search::{PYRAMID, Search};
 use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Sig};
@@ -24,6 +25,13 @@ pub(in crate::traversal) static BLOCKS: Search = Search {
     loads,
     state: level_state,
     leaving: None,
+    address_words: PYRAMID.address_words,
+    addresses: |b, s, d, name, ray, _| {
+        let cell = node_address(b, s, d, &format!("u_{name}_address"), ray, ray.get("level"));
+        let cell = cell.named(&format!("{name}_cell_address"));
+        b.unused(cell.slice(0, 2));
+        vec![cell.slice(2, block_address(&s.levels)); FILES.len()]
+    },
 };
 
 /// The four memories; the two lowest bits of an address in the pyramid tell siblings apart. The root, which has none, is left out.

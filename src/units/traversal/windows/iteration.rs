@@ -1,6 +1,7 @@
 //! One iteration of a search by windows: from the slot's ray to the ray that goes back.
 use super::params::{Estimate, Planes};
 use super::plane_product::low_width;
+use super::search::origin;
 use super::window_address;
 use super::window_span;
 use super::{
@@ -38,8 +39,7 @@ pub fn iteration<'b>(
     };
 
     b.section("texel", "");
-    let origin = AXES.map(|a| (format!("origin_{a}"), new[format!("p_{a}").as_str()].slice(&f - &s.levels, &s.levels)));
-    let origin = slots.read_early("origin", &origin.into_iter().collect::<Record<'b>>().and(two("neg")));
+    let origin = slots.read_early("origin", &origin(s, new));
     let registered = |v: Sig<'b>| v.reg_if(d.latency.has(Register::WindowTexel));
     let texel = AXES.map(|a| {
         let of = |n: &str| origin[format!("{n}_{a}").as_str()];
@@ -59,7 +59,8 @@ pub fn iteration<'b>(
     }
     b.section("height", "");
     let heights = source.read(ray, &addresses);
-    assert!(heights.missed.is_none(), "windows are read in the iteration");
+    // A ray whose words are not there yet stays as it is: as a finished one, its windows say nothing new.
+    let stays = heights.missed.map_or(ray.get("done"), |missed| (ray.get("done") | missed).named("stays"));
 
     b.section("plane ahead", "That of the texel along each axis: C + kQ.");
     let step = slots.read("step", &two("q"), 2);
@@ -78,7 +79,7 @@ pub fn iteration<'b>(
     });
 
     let ahead = Ahead { step, plane, borders, heights: heights.words };
-    let choice = ahead.choose(b, d, ray, &planes);
+    let choice = ahead.choose(b, d, ray, stays, &planes);
     let hit = choice["hit"];
     b.section("advance", "");
     let mut ins: Vec<(&str, Sig<'_>)> = choice.iter().filter(|(n, _)| *n != "hit").collect();
@@ -99,7 +100,7 @@ pub fn iteration<'b>(
         let ins = [("passed", passed), ("way", ways[n]), ("offset", offsets[format!("offset_{a}").as_str()])];
         b.inst(&window_index::window_index(d), &format!("u_index_{a}"), &[], &ins).only().named(&format!("k_{a}_next"))
     });
-    ended(b, s, ray, hit, below).with(&[("k_x", k[0]), ("k_y", k[1]), ("t", m)])
+    ended(b, s, ray, stays, hit, below).with(&[("k_x", k[0]), ("k_y", k[1]), ("t", m)])
 }
 
 /// What is known of the way ahead of a ray.
@@ -116,10 +117,10 @@ struct Ahead<'b> {
 
 impl<'b> Ahead<'b> {
     /// Which windows are empty, and what they say of the way ahead: the outputs of `window_choice`.
-    fn choose(&self, b: &'b Builder, d: &Design, ray: &Ray<'b>, planes: &Planes) -> Record<'b> {
+    fn choose(&self, b: &'b Builder, d: &Design, ray: &Ray<'b>, stays: Sig<'b>, planes: &Planes) -> Record<'b> {
         let set = d.window_set();
         b.section("windows", "Of each size where it ends, its highest code, and whether that can be met before.");
-        let mut ins = vec![("stays".to_string(), ray.get("done"))];
+        let mut ins = vec![("stays".to_string(), stays)];
         let clocks = window_end(d).latency().expect("a pipeline");
         for (c, size) in set.sizes().iter().enumerate() {
             let ends = [0, 1].map(|k| {
@@ -159,19 +160,21 @@ impl<'b> Ahead<'b> {
 }
 
 /// Steps, and whether the ray ends in this iteration. A finished ray moves no more: its windows say the same once more.
-fn ended<'b>(b: &'b Builder, s: &Sizes, ray: &Ray<'b>, hit: Sig<'b>, below: Sig<'b>) -> Ray<'b> {
+fn ended<'b>(b: &'b Builder, s: &Sizes, ray: &Ray<'b>, stays: Sig<'b>, hit: Sig<'b>, below: Sig<'b>) -> Ray<'b> {
     b.section(
         "end of the ray",
         "A finished ray takes no more steps. One that ends without a hit is given up: also in a simulation that does not know if it is one.",
     );
-    let moves = (!ray.get("done")).named("moves");
+    let moves = (!stays).named("moves");
     let steps = (ray.get("steps") + moves.zext(16)).named("steps_next");
     let last =
         b.konst(&s.step_limit - 1, 16).named("step_limit_less_1").doc("steps before the last one that a ray may take");
     let last_step = ray.get("steps").eq(last).named("last_step");
-    let ends_now = hit | last_step;
+    // The choice says no hit of a ray that stays.
+    let waits = stays.id() != ray.get("done").id();
+    let ends_now = if waits { ((hit | last_step) & moves).named("ends_now") } else { hit | last_step };
     let given_up = (ends_now & !hit & moves).named("given_up");
-    let wall = ray.get("done").mux(ray.get("wall"), hit & below).named("wall_next");
+    let wall = stays.mux(ray.get("wall"), hit & below).named("wall_next");
     ray.with(&[
         ("done", (ray.get("done") | ends_now).named("done_next")),
         ("wall", wall),

@@ -1,6 +1,7 @@
 //! The state of a ray in a search by windows, the memories of the windows, and what a result needs of a ray that leaves.
 use super::params::{count_width, set_word};
-use super::window_address::address_width;
+use super::window_address::{address_width, size as address_params, window_address};
+use super::window_texel;
 use crate::quantity::{BIT, CODES, WORDS};
 use crate::traversal::height_source::Load;
 use crate::traversal::loop_state::{Field, Ray, Sizes, Start};
@@ -21,7 +22,35 @@ pub(super) static WINDOWS: Search = Search {
     loads,
     state,
     leaving: Some(leaving),
+    address_words: origin,
+    addresses: |b, _, d, name, ray, words| {
+        let texel = ["x", "y"].map(|a| {
+            let of = |n: &str| words[format!("{n}_{a}").as_str()];
+            let ins =
+                [("origin", of("origin")), ("neg", of("neg")), ("k", ray.get(if a == "x" { "k_x" } else { "k_y" }))];
+            let o = b.inst(&window_texel(d), &format!("u_{name}_texel_{a}"), &[], &ins);
+            o.only().named(&format!("{name}_texel_{a}"))
+        });
+        let address = |(c, size): (usize, &reliefrtl_config::Window)| {
+            let ins = [("x", texel[0]), ("y", texel[1]), ("neg_x", words["neg_x"]), ("neg_y", words["neg_y"])];
+            let o = b.inst(&window_address(d), &format!("u_{name}_address_{c}"), &address_params(*size), &ins);
+            for a in ["x", "y"] {
+                b.unused(o[format!("border_{a}").as_str()].named(&format!("{name}_border_{a}_{c}")));
+            }
+            o["address"].named(&format!("{name}_address_{c}"))
+        };
+        d.window_set().sizes().iter().enumerate().map(address).collect()
+    },
 };
+
+/// The texel of a ray's entry along each axis, and which way it goes.
+pub(super) fn origin<'b>(s: &Sizes, new: &Record<'b>) -> Record<'b> {
+    let f = Expr::param("FRACTION_W");
+    let of = |name: &str, a: &str| new[format!("{name}_{a}").as_str()];
+    let origin = ["x", "y"].map(|a| (format!("origin_{a}"), of("p", a).slice(&f - &s.levels, &s.levels)));
+    let neg = ["x", "y"].map(|a| (format!("neg_{a}"), of("neg", a)));
+    origin.into_iter().chain(neg).collect()
+}
 
 /// What stands after the name of a memory's file.
 const FILES: [&str; 5] = [".0", ".1", ".2", ".3", ".4"];
