@@ -203,8 +203,8 @@ fn build_verilator(top: &str, params: &Binding, (define, map): Given<'_>, many: 
     c.args(["--cc", "--exe", "--build", "-O3", "-Wno-lint", "--prefix", "Vtb", "-j", "2", "--top-module"]);
     // Its makefile refuses a directory with a blank in its path, which make itself is never asked to write down.
     c.arg(top).args(define).args(["--Mdir", "obj", "-MAKEFLAGS", "CURDIR=."]);
-    // One file for a quick build: each of several would read the library's headers again.
-    let quick = ["--output-split", "0", "-MAKEFLAGS", "OPT_SLOW=-O0", "-MAKEFLAGS", "OPT_FAST=-O0"];
+    // One file for a quick build: each of several would read the library's headers again. (0 would put each constant into a file of its own.)
+    let quick = ["--output-split", "1000000000", "-MAKEFLAGS", "OPT_SLOW=-O0", "-MAKEFLAGS", "OPT_FAST=-O0"];
     c.args(if many { &["-MAKEFLAGS", "OPT_FAST=-O2"][..] } else { &quick });
     c.args(params.iter().map(|(k, v)| format!("-G{k}={v}"))).args(map.map(|m| format!("-G{m}")));
     c.args(["-y", "rtl"]).args(bench(top, false)).arg("testbench/verilator_main.cpp");
