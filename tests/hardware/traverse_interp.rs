@@ -161,7 +161,7 @@ fn registers_between_units_change_no_result() {
             Traffic::default(),
         ];
         // In the usual run each latency meets one or two of them, and the last, which has all registers, all.
-        let asked = |t: &usize| share(2) == 1 || k + 1 == all.len() || (k + t) % 2 == 0;
+        let asked = |t: &usize| share(2) == 1 || k + 1 == all.len() || (k + t).is_multiple_of(2);
         for traffic in (0..3).filter(asked).map(|t| traffic[t]) {
             let run = p.run(&pyramid, &rays, 64, traffic).unwrap();
             assert_eq!(run.results.len(), rays.len(), "{l:?}");
