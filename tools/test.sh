@@ -144,6 +144,10 @@ code=0
 wait "$installing" || code=$?
 cat target/tmp/said-tools.txt
 [ "$code" -eq 0 ] || exit "$code"
+# Most of what a build by Verilator takes goes into Verilator's own library, which is compiled once.
+if command -v ccache >/dev/null; then
+    export OBJCACHE="${OBJCACHE-ccache}"
+fi
 if [ "${1:-}" = --full ]; then
     # Each can be set to something else before.
     export RELIEFRTL_PAIRS="${RELIEFRTL_PAIRS:-10000000}"         # random operands of an operation against both oracles

@@ -1,6 +1,7 @@
 //! Benches that replay the vectors in a simulator: their text, and running them.
 mod coverage;
 mod harness;
+mod headers;
 mod kept;
 mod run;
 mod said;

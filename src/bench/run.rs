@@ -1,4 +1,5 @@
 //! Building and running a bench with Icarus Verilog or Verilator.
+use super::headers;
 use super::kept::Build;
 use super::said::Said;
 use super::simulator::Simulator;
@@ -203,9 +204,12 @@ fn build_verilator(top: &str, params: &Binding, (define, map): Given<'_>, many: 
     c.args(["--cc", "--exe", "--build", "-O3", "-Wno-lint", "--prefix", "Vtb", "-j", "2", "--top-module"]);
     // Its makefile refuses a directory with a blank in its path, which make itself is never asked to write down.
     c.arg(top).args(define).args(["--Mdir", "obj", "-MAKEFLAGS", "CURDIR=."]);
-    // One file for a quick build: each of several would read the library's headers again.
-    let quick = ["--output-split", "0", "-MAKEFLAGS", "OPT_SLOW=-O0", "-MAKEFLAGS", "OPT_FAST=-O0"];
+    // One file for a quick build: each of several would read the library's headers again. (0 would put each constant into a file of its own.)
+    let quick = ["--output-split", "1000000000", "-MAKEFLAGS", "OPT_SLOW=-O0", "-MAKEFLAGS", "OPT_FAST=-O0"];
     c.args(if many { &["-MAKEFLAGS", "OPT_FAST=-O2"][..] } else { &quick });
+    if let Some(header) = headers::compiled().filter(|_| !many) {
+        c.arg("-CFLAGS").arg(format!("-include {}", header.display())).envs(headers::CCACHE);
+    }
     c.args(params.iter().map(|(k, v)| format!("-G{k}={v}"))).args(map.map(|m| format!("-G{m}")));
     c.args(["-y", "rtl"]).args(bench(top, false)).arg("testbench/verilator_main.cpp");
     // Most of the time that a small bench takes goes into Verilator's own library, which is the same for all of them.

@@ -21,6 +21,8 @@ mod vectors;
 mod views;
 mod windows;
 
+#[path = "../support/budget.rs"]
+mod budget;
 #[path = "../support/program.rs"]
 mod program;
 #[path = "../support/simulators.rs"]

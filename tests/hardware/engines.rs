@@ -65,7 +65,9 @@ fn reparameterized(sim: Simulator, units: &[&str]) {
     let mut runs = 0;
     for name in units {
         let m = find(&d, name).unwrap();
-        for b in bindings(&d, &m) {
+        // In the usual run Icarus gets some of them, each unit its first.
+        let step = if sim == Simulator::Icarus { share(2) } else { 1 };
+        for b in bindings(&d, &m).into_iter().step_by(step) {
             let set = vector_set(&d, &m, &b, Plan { rows: 400, seed: 3 });
             let place = tempfile::tempdir().unwrap();
             write(place.path(), &set_files(&set));
@@ -76,7 +78,7 @@ fn reparameterized(sim: Simulator, units: &[&str]) {
             runs += 1;
         }
     }
-    assert!(runs > units.len());
+    assert!(runs >= units.len());
 }
 
 #[test]

@@ -75,7 +75,7 @@ fn a_wrong_nibble_ends_verilator_with_a_status() {
     let (tb, top) = (format!("testbench/{prefix}tb_fp_lt.v"), format!("{prefix}tb_fp_lt_top"));
     let top_file = format!("testbench/{top}.v");
     let name = format!("{prefix}tb_fp_lt");
-    let common = ["--build", "-Wno-lint", "-CFLAGS", "-O0", "-MAKEFLAGS", "OPT_FAST=-O0", "-y", "rtl"];
+    let common = ["--build", "-Wno-lint", "-MAKEFLAGS", "OPT_FAST=-O0", "-MAKEFLAGS", "OPT_SLOW=-O0", "-y", "rtl"];
     let own = ["--cc", "--exe", "--prefix", "Vtb", "--Mdir", "own", "--top-module", &name, &tb];
     built(dir.path(), "verilator", &[&common[..], &own, &["testbench/verilator_main.cpp"]].concat());
     assert_eq!(statuses(dir.path(), "own/Vtb", &[]), [Some(0), Some(1)]);
@@ -118,7 +118,7 @@ targets:
       verilator:
         mode: cc
         verilator_options: [-Wno-lint, -CFLAGS, -DVTOP=V{prefix}tb_fp_lt]
-        make_options: [OPT_FAST=-O0, OPT_SLOW=-O0, OPT_GLOBAL=-O0]
+        make_options: [OPT_FAST=-O0, OPT_SLOW=-O0]
     toplevel: {prefix}tb_fp_lt
     parameters: [vectors]
 parameters:

@@ -90,12 +90,12 @@ fn a_preloaded_map_is_the_loaded_one_in_verilator() {
         "-Wno-lint",
         "--prefix",
         "Vtb",
-        "-CFLAGS",
-        "-O0",
+        "--output-split",
+        "1000000000",
         "-MAKEFLAGS",
         "OPT_FAST=-O0",
         "-MAKEFLAGS",
-        "OPT_GLOBAL=-O0",
+        "OPT_SLOW=-O0",
     ];
     let rest =
         ["-GMEM_INIT=\"map/memory.hex\"", "--top-module", &name, "-y", "rtl", &tb, "testbench/verilator_main.cpp"];

@@ -1,6 +1,7 @@
 //! The divider by table: its words, the bound of its estimate for every divisor, and the unit at every fraction width that it has,
 //! in the interpreter and both simulators.
 //! A missing simulator fails these tests (`tools/test.sh` installs them) unless RELIEFRTL_NO_SIMULATORS=1.
+use crate::budget::share;
 use crate::files::write;
 use crate::simulators::skip;
 use rayon::prelude::*;
@@ -124,7 +125,8 @@ fn the_table_is_one_block_memory() {
     if skip() {
         return;
     }
-    for clocks in [2, 4, 9] {
+    // The fewest clocks, more, and more than there are sections; each is the same table.
+    for clocks in [2, 4, 9].into_iter().step_by(share(3)) {
         let f = measure(&divider(clocks).1, &Target::Xilinx, &Placing { seeds: vec![], ..Placing::default() }).unwrap();
         assert_eq!((f.memories, f.multipliers), (1, 4), "{clocks} clocks");
     }
@@ -176,16 +178,20 @@ fn checked(m: &Arc<Module>, set: &VectorSet) -> usize {
 /// One text serves all formats, in both simulators.
 #[test]
 fn the_same_text_at_other_formats() {
-    let mut total = 0;
+    let mut all = Vec::new();
     for (sim, clocks) in
         [(Simulator::Icarus, 2), (Simulator::Icarus, 4), (Simulator::Icarus, 9), (Simulator::Verilator, 6)]
     {
         let formats = [Binding::new(), at(5, 10), at(4, 3), at(3, 2), at(11, 13)];
-        let one = |b: &Binding| replay(sim, &config(clocks), "fp_div", b, crossed);
-        total += formats[..if sim == Simulator::Icarus { 5 } else { 3 }].par_iter().map(one).sum::<usize>();
+        let formats = formats.into_iter().take(if sim == Simulator::Icarus { 5 } else { 3 });
+        all.extend(formats.map(|b| (sim, clocks, b)));
     }
+    // Of five formats one in two: of each clocks some, and each format somewhere.
+    let all: Vec<_> = all.into_iter().step_by(share(2)).collect();
+    let one = |(sim, clocks, b): &(Simulator, u32, Binding)| replay(*sim, &config(*clocks), "fp_div", b, crossed);
+    let total: usize = all.par_iter().map(one).sum();
     println!("fp_div by table in the simulators: 0 of {total} mismatched");
-    assert!(total > 200_000, "{total}");
+    assert!(total > 200_000 / share(2), "{total}");
 }
 
 fn all_rows(d: &Design, m: &Arc<Module>, b: &Binding) -> VectorSet {

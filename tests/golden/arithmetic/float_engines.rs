@@ -76,7 +76,7 @@ fn extra(sim: Simulator, formats: &[Binding], rows: usize) {
 #[test]
 fn extra_units_in_icarus() {
     if !skip() {
-        extra(Simulator::Icarus, &[Binding::new(), at(5, 10), at(8, 23), at(4, 3), at(3, 5), at(11, 27)], 2000);
+        extra(Simulator::Icarus, &[Binding::new(), at(5, 10), at(8, 23), at(4, 3), at(3, 5), at(11, 27)], 600);
     }
 }
 
@@ -155,8 +155,8 @@ fn every_choice_in_icarus() {
     let choices = choices();
     let cases: Vec<(&Vec<String>, &str)> =
         choices.iter().flat_map(|c| FLOAT_UNITS.iter().map(move |u| (c, *u))).collect();
-    // 5 does not divide the number of units: each choice meets two or three of them, and each unit four choices.
-    let cases: Vec<_> = cases.into_iter().step_by(share(5)).collect();
+    // 7 does not divide the number of units: each choice meets one or two of them, and each unit two choices or more.
+    let cases: Vec<_> = cases.into_iter().step_by(share(7)).collect();
     let checked: usize = cases
         .par_iter()
         .map(|(sets, u)| replay(Simulator::Icarus, &config(sets), u, &Binding::new(), Rows::Chosen(300)))

@@ -190,5 +190,5 @@ fn unknown_values_reach_no_handshake_in_icarus() {
         config(&["datapath.kind=published"], None),
         config(&["datapath.kind=published", "mode.start_level=false"], Some(Profile::Fast)),
     ];
-    list.iter().step_by(share(2)).for_each(check);
+    list.iter().step_by(share(3)).for_each(check);
 }

@@ -1,5 +1,6 @@
 //! The interpreter's own tracking of unknown bits: every mode of every datapath, with what stands in the way of ready.
 use super::{LEVELS, config, scene, unknown_bits};
+use crate::budget::share;
 use rayon::prelude::*;
 use reliefrtl::config::{Config, Design, ModeConfig, Profile};
 use reliefrtl::golden::{RayHit, prepare};
@@ -109,7 +110,9 @@ fn unknown_values_reach_no_handshake_in_any_mode() {
             })
             .collect();
         assert!(all.len() >= 40, "{}", all.len());
-        all.into_par_iter().enumerate().for_each(|(k, mode)| {
+        // In the usual run one in seven, which divides no number of choices that a mode has; the handshakes take turns among these.
+        let some: Vec<(usize, ModeConfig)> = all.into_iter().step_by(share(7)).enumerate().collect();
+        some.into_par_iter().for_each(|(k, mode)| {
             let mut c = Config { mode, ..c.clone() };
             c.latency.handshake = k as u32 % 4;
             in_each_state(&c, 8);

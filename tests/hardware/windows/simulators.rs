@@ -1,6 +1,7 @@
 //! The emitted Verilog in Icarus and Verilator, at its defaults and at other parameter values.
 //! A missing simulator fails these tests (`tools/test.sh` installs them) unless RELIEFRTL_NO_SIMULATORS=1.
 use super::{FORMATS, SETS, design, hard};
+use crate::budget::share;
 use crate::files::write;
 use crate::simulators::skip;
 use reliefrtl::bench::{Simulator, run_bench};
@@ -25,8 +26,9 @@ fn tree((f, w): (u32, u32), set: &str, planned: bool) -> (Config, TempDir) {
     (c, dir)
 }
 
-fn all_units(sim: Simulator, sets: &[usize]) {
-    for &k in sets {
+/// Of one in so many sets.
+fn all_units(sim: Simulator, sets: &[usize], step: usize) {
+    for &k in sets.iter().step_by(step) {
         let format = FORMATS[k % FORMATS.len()];
         let (c, dir) = tree(format, SETS[k], k == 0 && sim == Simulator::Verilator);
         let done = check_tree(&c, dir.path(), sim.into(), &[], None, None, &|_| ()).unwrap();
@@ -39,14 +41,14 @@ fn all_units(sim: Simulator, sets: &[usize]) {
 #[test]
 fn every_unit_in_icarus() {
     if !skip() {
-        all_units(Simulator::Icarus, &[0, 1, 2, 3, 4]);
+        all_units(Simulator::Icarus, &[0, 1, 2, 3, 4], share(2));
     }
 }
 
 #[test]
 fn every_unit_in_verilator() {
     if !skip() {
-        all_units(Simulator::Verilator, &[0, 2]);
+        all_units(Simulator::Verilator, &[0, 2], share(2));
     }
 }
 

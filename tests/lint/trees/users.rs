@@ -109,7 +109,7 @@ fn the_main_program_takes_any_class() {
     {
         let mut c = Command::new("/usr/bin/verilator");
         c.env_remove("VERILATOR_ROOT").args(["--cc", "--exe", "--build", "-Wno-lint", "--Mdir", class]);
-        c.args(["-MAKEFLAGS", "OPT_FAST=-O0 OPT_SLOW=-O0 OPT_GLOBAL=-O0"]);
+        c.args(["-MAKEFLAGS", "OPT_FAST=-O0 OPT_SLOW=-O0"]);
         c.args(["--top-module", "relief_tb_lzc"]).args(options);
         c.args(["-F", "testbench/relief_tb_lzc.f", "testbench/verilator_main.cpp"]);
         let said = run(&mut c, &dir);

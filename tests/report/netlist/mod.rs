@@ -40,7 +40,10 @@ fn small_netlists_replay_the_vectors() {
         return;
     }
     let quick = plan().into_iter().filter(|j| !j.newest && j.unit != "traverse");
-    let quick: Vec<Job> = quick.step_by(share(2)).collect();
+    // One in three: each target, each unit, with and without multipliers.
+    let quick: Vec<Job> = quick.step_by(share(3)).collect();
+    assert!(TARGETS.iter().all(|t| quick.iter().any(|j| j.target.name == t.name)), "a target is left out");
+    assert!(UNITS.iter().all(|u| quick.iter().any(|j| j.unit == *u)), "a unit is left out");
     let seen: Vec<Entry> = quick.par_iter().map(replay).collect();
     for e in &seen {
         println!("{}: 0 of {} mismatched", e.name(), e.rows);
