@@ -10,6 +10,7 @@ use super::height_source::{HeightSource, Place, Slot};
 use super::loop_state::{Field, Ray, Sizes};
 use super::on_chip::OnChip;
 use super::result::{Result, result_fields};
+use super::search::Search;
 use super::slot_memory::SlotMemory;
 use crate::delay_line::in_lines;
 use crate::quantity::{BIT, BITS, LEVELS};
@@ -58,11 +59,7 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
     let path = Datapath::of(d);
     let search = path.search;
     let b = Builder::new(NAME, file!(), search.summary);
-    b.throughput(search.throughput);
-    b.choice("datapath", d.datapath.kind.word());
-    (search.choices)(d).into_iter().for_each(|(name, word)| b.choice(name, word));
-    (search.described)(d).into_iter().for_each(|(name, word)| b.describe(&name, word));
-    d.counters_left().into_iter().for_each(|word| b.describe("counters", word));
+    describe(&b, d, search);
     let s = path.sizes(&b, d);
     b.file_param(MEM_INIT, &(search.image)(d));
     b.clock();
@@ -83,7 +80,6 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
     let fields = path.fields(&s, d, (source, &loads), &module);
     let mut heights = source.open(Place { b: &b, s: &s, d, loads: &loads });
     let held = Ray::registers(&b, &fields);
-    let clocks = |m: &Module| m.latency().expect("setup and hit are pipelines");
     let clocks_setup = clocks(&module);
     let finish = if d.mode.bilinear { clocks(&bilinear_hit(d)) } else { clocks(&(path.hit)(d)) };
 
@@ -97,7 +93,7 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
     // What a source that parks rays takes out of a slot, and puts into another, are their constants, too.
     let memories_hold = search.leaving.is_some();
     let moves = (memories_hold && source.places() > 0).then(|| Moved::declare(&b, &s, &module));
-    let mut memories = moves
+    let memories = moves
         .as_ref()
         .map(|m| SlotMemory::new(&b, slots, m.enters.rebase_stage(0), m.words.map(|_, v| v.rebase_stage(0))));
     let kept = memories.as_ref().map(|m| m.read_for_result("held", m.new_words())).unwrap_or_default();
@@ -108,22 +104,12 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
     let returns = exchange.as_ref().map(|e| (slot_free & e.returns).named("returns"));
     let slot_ready = returns.map_or(slot_free, |returns| (slot_free & !returns).named("slot_ready"));
 
-    b.section("setup", stalls(decoupling));
-    let setup = Pipeline::declare(&b, "setup", decoupling, slot_ready);
-    let credits = decoupling == Decoupling::CreditFifo;
-    let issue = if credits { (rays.valid & setup.ready).named("issue") } else { rays.valid };
-    let operands = rays.data.iter().filter(|f| f.0 != "tag");
-    let ins: Vec<(&str, Sig<'_>)> = operands.chain([("ce", setup.enable(&b))]).collect();
-    let constants = b.inst(&module, "u_setup", &[], &ins).record().map(|_, v| v.rebase_stage(0));
-    let words = (constants, [("tag", rays.data["tag"])].into());
-    let new = setup.pass(&b, clocks_setup, issue, words, ["set", "new"]);
+    let (setup, new) = set_up(&b, d, &module, &rays, slot_ready);
     rays.ready(&b, setup.ready);
     let accept = (setup.valid & slot_ready).named("accept");
 
     b.section("slot", choice(d, memories_hold));
-    if memories_hold && memories.is_none() {
-        memories = Some(SlotMemory::new(&b, slots, accept, new.clone()));
-    }
+    let memories = memories.or_else(|| memories_hold.then(|| SlotMemory::new(&b, slots, accept, new.clone())));
     let words = new;
     let new = Ray::fresh(&b, &fields, |name| words[name], words["tag"]);
     let new = heights
@@ -142,10 +128,8 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
 
     let next = (path.iteration)(&b, &s, d, &ray, heights.as_mut(), memories.as_ref());
     let next = heights.look_up(next, &|ray| {
-        let words = memories.as_ref().map(|m| {
-            let words = (search.address_words)(&s, m.new_words());
-            m.read("next_origin", &words, ray.last_stage())
-        });
+        let words = memories.as_ref().map(|m| (m, (search.address_words)(&s, m.new_words())));
+        let words = words.map(|(m, words)| m.read("next_origin", &words, ray.last_stage()));
         (search.addresses)(&b, &s, d, "next", ray, &words.unwrap_or_default())
     });
     drop(heights);
@@ -169,6 +153,41 @@ fn in_registers(d: &Design, source: &dyn HeightSource, slots: u32) -> Traverse {
     let at = |l: i64, h: i64| Binding::from([("LEVELS".into(), l), ("HEIGHT_W".into(), h)]);
     let module = b.finish_streams(&[at(2, 8), at(3, 16), at(12, 8), at(12, 16)]);
     Traverse { module, slots, setup: clocks_setup, finish }
+}
+
+/// What the banner says of a design.
+fn describe(b: &Builder, d: &Design, search: &Search) {
+    b.throughput(search.throughput);
+    b.choice("datapath", d.datapath.kind.word());
+    (search.choices)(d).into_iter().for_each(|(name, word)| b.choice(name, word));
+    (search.described)(d).into_iter().for_each(|(name, word)| b.describe(&name, word));
+    d.counters_left().into_iter().for_each(|word| b.describe("counters", word));
+}
+
+/// Sends the rays through `setup`, up to a free slot: the pipeline, and the words of the ray at its end.
+fn set_up<'b>(
+    b: &'b Builder,
+    d: &Design,
+    module: &Arc<Module>,
+    rays: &InputStream<'b>,
+    slot_ready: Sig<'b>,
+) -> (Pipeline<'b>, Record<'b>) {
+    let decoupling = Decoupling::of(d.latency.handshake);
+    b.section("setup", stalls(decoupling));
+    let setup = Pipeline::declare(b, "setup", decoupling, slot_ready);
+    let credits = decoupling == Decoupling::CreditFifo;
+    let issue = if credits { (rays.valid & setup.ready).named("issue") } else { rays.valid };
+    let operands = rays.data.iter().filter(|f| f.0 != "tag");
+    let ins: Vec<(&str, Sig<'_>)> = operands.chain([("ce", setup.enable(b))]).collect();
+    let constants = b.inst(module, "u_setup", &[], &ins).record().map(|_, v| v.rebase_stage(0));
+    let words = (constants, [("tag", rays.data["tag"])].into());
+    let new = setup.pass(b, clocks(module), issue, words, ["set", "new"]);
+    (setup, new)
+}
+
+/// Clocks of a setup or a hit pipeline.
+fn clocks(m: &Module) -> u32 {
+    m.latency().expect("setup and hit are pipelines")
 }
 
 /// Declares the ports of a ray.
