@@ -29,7 +29,7 @@ const NAMES: [&str; 22] = [
     "vector",
 ];
 
-/// Of the makefile's flags those that a compiled header has to share with who reads it.
+/// Of the makefile's flags those that a compiled header has to share with what reads it.
 const FLAGS: [&str; 5] = ["-O0", "-faligned-new", "-fcf-protection=none", "-x", "c++-header"];
 
 /// How a quick build reads them; nothing where no builds are kept, or this can't be made: then each build reads the text.
