@@ -6,7 +6,6 @@ use crate::error::{Error, Result};
 use crate::files::{Scratch, read_text_of_tree};
 use crate::ir::Binding;
 use crate::process;
-use crate::units::traversal::TRAVERSE;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
@@ -41,29 +40,29 @@ pub struct Further {
     pub over: Binding,
 }
 
-/// Replays the vectors of `units`, of `traverse`, and of `traverse` once more for each of `further`, and returns how often each point of the emitted files
-/// was reached. A file that has vectors of its own is counted under those, the others inside of `traverse`.
+/// Replays the vectors of `units`, those of `whole`, whose vectors are rays, and of `whole` once more for each of `further`, and returns how often each point
+/// of the emitted files was reached. A file that has vectors of its own is counted under those, the others inside of `whole`.
 ///
 /// # Errors
 /// A missing tool, a failed build, benches that do not pass.
-pub fn cover(dir: &Path, units: &[String], further: &[Further]) -> Result<BTreeMap<Point, u64>> {
+pub fn cover(dir: &Path, units: &[String], whole: &str, further: &[Further]) -> Result<BTreeMap<Point, u64>> {
     let dir = dir.canonicalize().map_err(|e| Error::file("find", dir, e))?;
     let bench = |unit: &str| emitted_name(&dir, "testbench", &format!("tb_{unit}"), ".v");
-    let whole = bench(TRAVERSE)?;
-    let prefix = whole.strip_suffix(&format!("tb_{TRAVERSE}")).unwrap_or_default();
+    let top = bench(whole)?;
+    let prefix = top.strip_suffix(&format!("tb_{whole}")).unwrap_or_default();
     let mut alone = Program::default();
     for unit in units {
         alone.benches.push((bench(unit)?, Binding::new()));
     }
     let mut out = alone.count(&dir, prefix)?;
     let own: Vec<String> = units.iter().map(|u| format!("{prefix}{u}")).collect();
-    let mut traversals = Program { benches: vec![(whole.clone(), Binding::new())], sources: vec![], uncounted: own };
-    let path = dir.join(format!("testbench/{whole}.v"));
+    let mut traversals = Program { benches: vec![(top.clone(), Binding::new())], sources: vec![], uncounted: own };
+    let path = dir.join(format!("testbench/{top}.v"));
     let text = read_text_of_tree(&path)?;
     for (k, f) in further.iter().enumerate() {
-        let name = format!("{whole}_{k}");
-        let text = text.replace(&format!("module {whole} "), &format!("module {name} "));
-        let text = text.replace(&format!("\"golden/{TRAVERSE}\""), &format!("\"{}\"", f.place));
+        let name = format!("{top}_{k}");
+        let text = text.replace(&format!("module {top} "), &format!("module {name} "));
+        let text = text.replace(&format!("\"golden/{whole}\""), &format!("\"{}\"", f.place));
         traversals.sources.push((format!("{name}.v"), text));
         traversals.benches.push((name, f.over.clone()));
     }

@@ -48,6 +48,11 @@ pub fn takes_rays(m: &Module) -> bool {
     unit_entries().any(|u| u.takes_rays && u.name == m.name)
 }
 
+/// The names of the units whose vectors are rays: figures of these are figures of a whole design.
+pub fn ray_units() -> Vec<&'static str> {
+    unit_entries().filter(|u| u.takes_rays).map(|u| u.name).collect()
+}
+
 /// Whether a unit has vectors of its own: rays, or rows with the results of its model.
 pub fn has_vectors(d: &Design, m: &Module) -> bool {
     takes_rays(m) || entry(d, &m.name).is_some_and(|u| u.model.is_some() || u.clocked.is_some())

@@ -91,6 +91,7 @@ pub fn ray_set_at(
         params,
         seed,
         counts: Counts { corners: planned.len(), rays: seen.len(), ..Counts::default() },
+        planned: !planned.is_empty(),
         events: events.0,
         iterations: (!d.gives_steps()).then_some(iterations),
         inputs,

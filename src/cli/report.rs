@@ -115,5 +115,6 @@ fn selection(c: &Config, a: &ReportArgs) -> Result<Selection> {
         fractions: a.fractions.clone(),
         modes: a.modes,
         synth: a.synth.clone(),
+        traversals: crate::catalogue::ray_units(),
     })
 }

@@ -2,6 +2,7 @@
 use super::builder::{Builder, Driven, Sig};
 use super::expr::Binding;
 use super::module::*;
+use super::prim::Prim;
 use std::sync::Arc;
 
 impl Builder {

@@ -1,5 +1,6 @@
 //! Combinational paths: through a module from its inputs to its outputs, and round in a circle, which no module may have.
 use super::module::*;
+use super::prim::Prim;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 

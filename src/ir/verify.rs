@@ -4,6 +4,7 @@ use super::keywords::is_keyword;
 use super::loops::combinational_loop;
 use super::module::*;
 use super::names::Names;
+use super::prim::Prim;
 use reliefrtl_base::bits::{MAX_BUNDLE, MAX_WIDTH};
 use std::collections::BTreeSet;
 

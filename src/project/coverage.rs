@@ -1,12 +1,11 @@
 //! What the shipped vectors of a tree reach in its Verilog, and what they don't, with the reasons of `src/units/unreached.toml`.
 use super::check::FURTHER;
 use crate::bench::{Further, Point, PointKind, cover};
-use crate::catalogue::units;
+use crate::catalogue::{takes_rays, units};
 use crate::config::Config;
 use crate::error::{Error, Result};
 use crate::ir::Module;
 use crate::units::all;
-use crate::units::traversal::traverse;
 use crate::vectors::read_set;
 use crate::verilog::delayed_bit;
 use serde::Deserialize;
@@ -63,16 +62,17 @@ pub fn coverage(c: &Config, dir: &Path) -> Result<Coverage> {
     }
     let d = c.design();
     let names: Vec<String> = units(&d).iter().map(|m| m.name.clone()).collect();
-    let m = traverse(&d).module;
+    let modules: BTreeMap<String, Arc<Module>> = all(&d).into_iter().map(|m| (m.name.clone(), m)).collect();
+    let whole = modules.values().find(|m| takes_rays(m)).expect("the vectors of one unit are rays");
     let further = |name: &&str| -> Result<Further> {
-        let place = format!("golden/traverse/{name}");
+        let place = format!("golden/{}/{name}", whole.name);
         let mut over = read_set(&dir.join(&place))?.0.params;
-        over.retain(|k, v| m.params.iter().any(|p| p.name == *k && p.default != *v));
+        over.retain(|k, v| whole.params.iter().any(|p| p.name == *k && p.default != *v));
         Ok(Further { place, over })
     };
     let further = FURTHER.iter().map(further).collect::<Result<Vec<_>>>()?;
-    let modules: BTreeMap<String, Arc<Module>> = all(&d).into_iter().map(|m| (m.name.clone(), m)).collect();
-    let points = cover(dir, &names, &further)?.into_iter().map(|(p, count)| (by_value(p, &modules), count)).collect();
+    let points = cover(dir, &names, &whole.name, &further)?;
+    let points = points.into_iter().map(|(p, count)| (by_value(p, &modules), count)).collect();
     Ok(judged(&points, *c == Config::default()))
 }
 

@@ -9,7 +9,6 @@ use crate::emit::Files;
 use crate::error::{Error, Result};
 use crate::files::read_text_of_tree;
 use crate::ir::Binding;
-use crate::units::traversal::TRAVERSE;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -40,11 +39,14 @@ struct Description {
     blake3: String,
 }
 
+/// What the policy says of planned rays.
+const PLANNED: &str = "texels and corners of rays";
+
 /// How the rows were chosen, in their order.
 fn policy(s: &VectorSet) -> String {
     let c = &s.counts;
     let corners = match s.campaign {
-        None if s.unit == TRAVERSE => "texels and corners of rays",
+        None if s.planned => PLANNED,
         None => "landmarks crossed with each other, then corner tables",
         Some(_) => "corner tables crossed with each other",
     };
@@ -212,6 +214,7 @@ pub fn read_set(dir: &Path) -> Result<(VectorSet, bool)> {
         seed: d.seed,
         counts: d.counts,
         campaign: d.campaign,
+        planned: d.policy.starts_with(PLANNED),
         events: d.events,
         iterations: d.iterations,
         inputs: d.inputs,

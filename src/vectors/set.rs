@@ -52,6 +52,8 @@ pub struct VectorSet {
     pub counts: Counts,
     /// The tables that were crossed whole, and the part of all rows that this is; `None` for a choice of corners.
     pub campaign: Option<Campaign>,
+    /// The corner rows are planned rays, each whole, and no corners of words.
+    pub planned: bool,
     /// Rows that reach each event of the operation, by its name; empty where none was counted.
     pub events: BTreeMap<String, usize>,
     /// Iterations of rays whose hits do not say them; a bench needs them to tell a lost ray from a long one.

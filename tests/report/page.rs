@@ -70,7 +70,8 @@ fn page_json_and_csv_hold_the_same_numbers_and_a_resumed_run_the_same_bytes() {
     let mut c = Config::default();
     c.traverse.levels = 5;
     let synth = vec![synth(maps.path(), &c)];
-    let chosen = Selection { scenes: Some(maps.path().to_owned()), synth, ..tiny() };
+    let traversals = reliefrtl::catalogue::ray_units();
+    let chosen = Selection { scenes: Some(maps.path().to_owned()), synth, traversals, ..tiny() };
     let plan = Plan::new(&c, &chosen).unwrap();
     let (first, work) = run(&plan, dir.path());
     assert_eq!((work.measured, work.taken), (plan.jobs.len(), 0));

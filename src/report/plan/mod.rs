@@ -102,7 +102,7 @@ impl Plan {
         let headlines = headline::headlines(&c, &designs);
         let (jobs, not_legal, rays) = (Vec::new(), Vec::new(), Vec::new());
         let (selection, units) = (selection.clone(), units.concat());
-        let synthesized = units.iter().filter_map(Synthesized::of).collect();
+        let synthesized = units.iter().filter_map(|e| Synthesized::of(e, &selection.traversals)).collect();
         let mut plan =
             Self { config: c, selection, maps, designs, headlines, rays, not_legal, synthesized, units, jobs };
         plan.fill()?;

@@ -61,6 +61,8 @@ pub struct Selection {
     pub modes: Option<ModeSet>,
     /// Files of `synth` with areas and clocks.
     pub synth: Vec<PathBuf>,
+    /// Names of the units that trace whole rays: their areas and clocks are those of a design.
+    pub traversals: Vec<&'static str>,
 }
 
 impl Selection {

@@ -4,7 +4,6 @@ use super::select::configured;
 use crate::config::{Config, DatapathConfig, ModeConfig, TraverseConfig};
 use crate::error::{Error, Result};
 use crate::files::{TABLE, read_named_text};
-use crate::units::traversal::TRAVERSE;
 use serde::Deserialize;
 use std::path::Path;
 
@@ -98,10 +97,10 @@ pub fn load(path: &Path) -> Result<Vec<UnitFigures>> {
 }
 
 impl Synthesized {
-    /// The design of a traverse unit that was placed and routed.
-    pub fn of(e: &UnitFigures) -> Option<Self> {
+    /// The design of one of these traverse units that was placed and routed.
+    pub fn of(e: &UnitFigures, traversals: &[&str]) -> Option<Self> {
         let (design, clock) = (e.design.as_ref()?, e.clock.as_ref()?);
-        if e.unit != TRAVERSE {
+        if !traversals.contains(&e.unit.as_str()) {
             return None;
         }
         let mut c = Config::default();

@@ -40,6 +40,13 @@ pub struct Search {
     pub addresses: Addresses,
 }
 
+/// Names the texel of a ray, of which an address takes bits.
+pub(super) fn name_texel(name: &str, ray: &Ray<'_>) {
+    ["x", "y"].iter().for_each(|axis| {
+        ray.get(axis).named(&format!("{name}_{axis}"));
+    });
+}
+
 /// The nodes of a pyramid, one an iteration.
 pub static PYRAMID: Search = Search {
     summary: "traces rays against a height field: a looping pipeline, one node a clock",
@@ -69,6 +76,7 @@ pub static PYRAMID: Search = Search {
     leaving: None,
     address_words: |_, _| Record::default(),
     addresses: |b, s, d, name, ray, _| {
+        name_texel(name, ray);
         let address = node_address(b, s, d, &format!("u_{name}_address"), ray, ray.get("level"));
         vec![address.named(&format!("{name}_address"))]
     },

@@ -181,13 +181,22 @@ fn a_parking_source_in_icarus() {
         println!("skipped: RELIEFRTL_NO_SIMULATORS=1");
         return;
     }
+    // One node a read, all windows, four cells: with a register in the lookup, and without.
+    for (way, clocks, count) in [(WAYS[0], 1, 120), (WAYS[3], 0, 24), (WAYS[4], 0, 24)] {
+        parked_in_icarus(way, clocks, count);
+    }
+}
+
+fn parked_in_icarus((kind, cells): Way, clocks: u32, count: usize) {
     let mut c = Config::default();
     c.traverse.levels = 4;
-    c.latency = Profile::Published.latency(c.datapath.kind);
+    c.datapath.kind = kind;
+    c.fetch.cells = cells;
+    c.latency = Profile::Published.latency(kind);
     let d = c.design();
-    let (map, rays) = scene(&d, 120, 4);
+    let (map, rays) = scene(&d, count, 4);
     let source =
-        Lookups { seed: 8, misses: 4, fill: 30, clocks: 1, miss: Miss::Park { places: 2, swap: true }, astray: false };
+        Lookups { seed: 8, misses: 4, fill: 30, clocks, miss: Miss::Park { places: 2, swap: true }, astray: false };
     let t = traverse_from(&d, &source);
     let modules = reliefrtl::emit::modules(std::slice::from_ref(&t.module)).unwrap();
     let mut files = reliefrtl::emit::rtl(&c, &modules);
@@ -195,7 +204,7 @@ fn a_parking_source_in_icarus() {
     let set = ray_set(&d, &map, &rays, 1).unwrap();
     let vectors = reliefrtl::vectors::set_files(&set.set).into_iter();
     files.extend(vectors.map(|(n, text)| (format!("golden/traverse/{n}"), text)));
-    files.insert("golden/traverse/memory.hex".into(), set.memory);
+    files.extend(set.memory_files().map(|(n, text)| (format!("golden/traverse/{n}"), text.clone())));
     let dir = tempfile::tempdir().unwrap();
     for (path, text) in &files {
         let place = dir.path().join(path);

@@ -4,7 +4,7 @@ use crate::quantity::{BIT, CODES, WORDS};
 use crate::traversal::height_source::Load;
 use crate::traversal::loop_state::{Sizes, level_state};
 use crate::traversal::node_address::node_address;
-use crate::traversal::search::{PYRAMID, Search};
+use crate::traversal::search::{PYRAMID, Search, name_texel};
 use reliefrtl_config::Design;
 use reliefrtl_ir::{Builder, Sig};
 
@@ -27,6 +27,7 @@ pub(in crate::traversal) static BLOCKS: Search = Search {
     leaving: None,
     address_words: PYRAMID.address_words,
     addresses: |b, s, d, name, ray, _| {
+        name_texel(name, ray);
         let cell = node_address(b, s, d, &format!("u_{name}_address"), ray, ray.get("level"));
         let cell = cell.named(&format!("{name}_cell_address"));
         b.unused(cell.slice(0, 2));
