@@ -23,9 +23,9 @@ module relief_axis_scale #(
   output wire [EXP_W+MAN_W:0] d_texels   // travel [float, texels]
 );
   localparam integer FloatW = EXP_W + MAN_W + 1;  // bits of a float: sign, exponent, fraction
-  localparam integer OneExp = (1 << (EXP_W - 1)) - 1;           // exponent of 1
-  localparam integer FarExp = TILE_W + (1 << (EXP_W - 1)) - 1;  // exponent of 2^TILE_W
-  localparam integer Grow = LEVELS;  // what multiplies by 2^LEVELS, in the exponent
+  localparam integer OneExp = (1 << (EXP_W - 1)) - 1;           // biased exponent of 1
+  localparam integer FarExp = TILE_W + (1 << (EXP_W - 1)) - 1;  // biased exponent of 2^TILE_W
+  localparam integer Grow = LEVELS;  // added to an exponent: times 2^LEVELS
 
   // Parameter checks: an illegal value ends elaboration at a missing module that names the rule.
   generate
@@ -75,8 +75,8 @@ module relief_axis_scale #(
   wire [FloatW-1:0] d_scaled =
       {d_sign, {d_exp + Grow[EXP_W-1:0], d_frac} & {(EXP_W + MAN_W){~d_is_zero}}};
 
-  // Nets with bits that nothing reads at some parameter values, gathered so that the lint for
-  // unused bits stays on for all others.
+  // Nets and bits that nothing reads, at some parameter values or at all, gathered so that the
+  // lint for unused bits stays on for all others.
   // verilator lint_off UNUSED
   wire unused_0 = &{1'b0, p_is_inf, p_is_nan, d_is_inf, d_is_nan};
   // verilator lint_on UNUSED

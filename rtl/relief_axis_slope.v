@@ -28,14 +28,15 @@ module relief_axis_slope #(
   output wire                 never
 );
   localparam integer FloatW = EXP_W + MAN_W + 1;  // bits of a float: sign, exponent, fraction
-  localparam integer MExp = HEIGHT_W + (1 << (EXP_W - 1)) - 2;              // exponent of M
-  localparam integer MFrac = (1 << MAN_W) - (1 << (MAN_W - HEIGHT_W + 1));  // fraction of M
-  localparam integer RecipExp = (1 << (EXP_W - 1)) - HEIGHT_W - 1;          // exponent of 1 / M
+  // biased exponent of M = 2^HEIGHT_W - 1
+  localparam integer MExp = HEIGHT_W + (1 << (EXP_W - 1)) - 2;
+  localparam integer MFrac = (1 << MAN_W) - (1 << (MAN_W - HEIGHT_W + 1));  // fraction field of M
+  localparam integer RecipExp = (1 << (EXP_W - 1)) - HEIGHT_W - 1;  // biased exponent of 1 / M
   // significand of 1 / M: 2^(HEIGHT_W + MAN_W) / M, to nearest; never a tie
   localparam [63:0] RecipSig =
       ((64'd1 << HEIGHT_W) +
       (64'd1 << (HEIGHT_W + MAN_W + 1)) - 64'd1) / (64'd2 * (64'd1 << HEIGHT_W) - 64'd2);
-  // exponent of 2^(LEVELS + 2), four times the side of the map
+  // biased exponent of 2^(LEVELS + 2), four times the side of the map
   localparam integer LeastExp = LEVELS + (1 << (EXP_W - 1)) + 1;
   localparam integer SigW = MAN_W + 1;                                      // bits of a significand
 
@@ -143,8 +144,8 @@ module relief_axis_slope #(
   // dn is zero, or so small that M / dn overflows
   wire s20_never_moves = (&s20_height_per_texel[EXP_W+MAN_W-1:MAN_W]) | s20_is_zero;
 
-  // Nets with bits that nothing reads at some parameter values, gathered so that the lint for
-  // unused bits stays on for all others.
+  // Nets and bits that nothing reads, at some parameter values or at all, gathered so that the
+  // lint for unused bits stays on for all others.
   // verilator lint_off UNUSED
   wire unused_0 = &{1'b0, s0_bias_exp[EXP_W]};
   // verilator lint_on UNUSED

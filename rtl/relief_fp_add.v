@@ -24,13 +24,13 @@ module relief_fp_add #(
   localparam integer FloatW = EXP_W + MAN_W + 1;  // bits of a float: sign, exponent, fraction
   // bits of a cancelling difference: a significand and a guard bit
   localparam integer NearW = MAN_W + 2;
-  // bits of a count of its leading zeros, and of the larger shift of an alignment
+  // bits of the leading zeros of NearW bits; the largest alignment has as many
   localparam integer LzcW = $clog2(NearW + 1);
-  // bits of an exponent difference, or of the larger shift of an alignment
+  // bits of an exponent difference, with one above LzcW that says it is larger
   localparam integer ShiftW = (EXP_W > (LzcW + 1)) ? EXP_W : (LzcW + 1);
   // bits of an exponent, or of the leading zeros that lower it
   localparam integer ExpSumW = (EXP_W > LzcW) ? EXP_W : LzcW;
-  // bits of the shift that the second step takes
+  // bits of the fine shift, which follows the coarse one
   localparam integer FineW = ($clog2(MAN_W + 3)) / 2;
 
   // Parameter checks: an illegal value ends elaboration at a missing module that names the rule.
@@ -193,7 +193,7 @@ module relief_fp_add #(
   // The far sum is normalized by one bit at most; the near difference by a coarse and a fine left
   // shift. The near result is that difference, or zero, infinity or NaN.
   wire               s2_carry = s2_sum[MAN_W+4];                // the sum is 2 or more
-  wire               s2_top = s2_sum[MAN_W+3];  // the sum is 1 or more, without a carry
+  wire               s2_top = s2_sum[MAN_W+3];  // the sum is 1 or more, where it has no carry
   wire               s2_next = s2_sum[MAN_W+2];  // the sum is 1/2 or more, without top and carry
   // fraction of the far result, before rounding
   wire [MAN_W-1:0]   s2_frac = s2_carry ? s2_sum[MAN_W+3:4]
@@ -250,8 +250,8 @@ module relief_fp_add #(
     end
   end
 
-  // Nets with bits that nothing reads at some parameter values, gathered so that the lint for
-  // unused bits stays on for all others.
+  // Nets and bits that nothing reads, at some parameter values or at all, gathered so that the
+  // lint for unused bits stays on for all others.
   // verilator lint_off UNUSED
   wire unused_0 = &{1'b0, s1_wide_shift[0]};
   wire unused_1 = &{1'b0, s2_near_norm, s2_exp_less_lzc};

@@ -135,8 +135,8 @@ module relief_fp_mul #(
     end
   end
 
-  // Nets with bits that nothing reads at some parameter values, gathered so that the lint for
-  // unused bits stays on for all others.
+  // Nets and bits that nothing reads, at some parameter values or at all, gathered so that the
+  // lint for unused bits stays on for all others.
   // verilator lint_off UNUSED
   wire unused_0 = &{1'b0, s0_exp_sum[0]};
   // verilator lint_on UNUSED

@@ -111,8 +111,8 @@ module relief_fp_to_int #(
     end
   end
 
-  // Nets with bits that nothing reads at some parameter values, gathered so that the lint for
-  // unused bits stays on for all others.
+  // Nets and bits that nothing reads, at some parameter values or at all, gathered so that the
+  // lint for unused bits stays on for all others.
   // verilator lint_off UNUSED
   wire unused_0 = &{1'b0, s1_shifted[INT_W+MAN_W:INT_W]};
   // verilator lint_on UNUSED

@@ -34,8 +34,8 @@ module relief_height_address #(
   wire [2*LEVELS+1:0] morton;  // b[W-1] a[W-1] .. b[0] a[0] [bits]
   relief_interleave #(.W(LEVELS + 1)) u_morton (.a(even), .b(odd), .result(morton));
 
-  // Nets with bits that nothing reads at some parameter values, gathered so that the lint for
-  // unused bits stays on for all others.
+  // Nets and bits that nothing reads, at some parameter values or at all, gathered so that the
+  // lint for unused bits stays on for all others.
   // verilator lint_off UNUSED
   wire unused_0 = &{1'b0, morton[2*LEVELS+1]};
   // verilator lint_on UNUSED

@@ -57,8 +57,8 @@ module relief_multi_level_down #(
   wire              y_is_above = $signed(y_high) < $signed(y_hit);
   wire [IDX_W-1:0]  y_child = y_is_below ? y_low : (y_is_above ? y_high : y_hit);
 
-  // Nets with bits that nothing reads at some parameter values, gathered so that the lint for
-  // unused bits stays on for all others.
+  // Nets and bits that nothing reads, at some parameter values or at all, gathered so that the
+  // lint for unused bits stays on for all others.
   // verilator lint_off UNUSED
   wire unused_0 = &{1'b0, jumped[LevelW+2:LevelW]};
   // verilator lint_on UNUSED

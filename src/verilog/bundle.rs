@@ -3,7 +3,7 @@ use super::layout::range;
 use reliefrtl_ir::{Binding, Expr, Module, Names, Node, NodeId, Op};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Registers that a bundle has to save: fewer are quicker read one by one.
+/// Registers of a bundle, at least, the last ones included: fewer are quicker read one by one.
 const LEAST_REGISTERS: usize = 4;
 
 /// Values that wait from one stage to a later one.

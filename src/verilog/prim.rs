@@ -44,7 +44,7 @@ fn constants() -> String {
 
 const LZC: &str = r#"
   // Padded with ones below the last bit, so that the count of an all-zero word is W.
-  localparam integer PadW = 1 << CountW;  // W, with zeros below up to a power of two
+  localparam integer PadW = 1 << CountW;  // W, with ones below up to a power of two
   wire [PadW-1:0] padded = {bits, {(PadW - W){1'b1}}};
 
   // Binary tree. Level s covers groups of 2 << s bits: whether a group is all zeros, and else its

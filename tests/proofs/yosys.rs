@@ -193,7 +193,7 @@ const WINDOWS: [&str; 4] = ["--set", "datapath.kind=fixed", "--set", "datapath.s
 
 /// A change of one token in a module of the search by windows.
 const SPOILED_WINDOWS: [(&str, &str, &str); 3] = [
-    ("window_choice", "s0_goes & ~s0_ends", "s0_goes & s0_ends"),
+    ("window_choice", "s0_is_active & ~s0_ends", "s0_is_active & s0_ends"),
     ("window_advance", "crosses & ~x_first", "crosses & x_first"),
     ("window_index", "passed < reached", "reached < passed"),
 ];

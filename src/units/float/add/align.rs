@@ -17,7 +17,8 @@ pub(super) fn align<'b>(
         let lost = (small & below(amount)).any();
         return (keep(small.shift_right(amount)), lost);
     }
-    let fine_w = b.local("AlignFineW", amount.width().div(2) + 1, "bits of the shift that the second step takes");
+    let fine_w =
+        b.local("AlignFineW", amount.width().div(2) + 1, "bits of the fine shift, which follows the coarse one");
     let coarse = b
         .cat(&[amount.slice(&fine_w, amount.width() - &fine_w), b.zeros(&fine_w)])
         .named("coarse")

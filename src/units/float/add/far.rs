@@ -24,7 +24,7 @@ impl<'b> Far<'b> {
         [exp_up, exp_down]: [Sig<'b>; 2],
     ) -> Self {
         let carry = sum.msb().named("carry").doc("the sum is 2 or more");
-        let top = sum.bit(&f.man + 3).named("top").doc("the sum is 1 or more, without a carry");
+        let top = sum.bit(&f.man + 3).named("top").doc("the sum is 1 or more, where it has no carry");
         let next = sum.bit(&f.man + 2).named("next").doc("the sum is 1/2 or more, without top and carry");
         let at = |lo: i64| sum.slice(lo, f.man.clone());
         let frac =

@@ -165,7 +165,7 @@ fn near_value<'b>(
 /// The near difference, shifted by the top bits of its leading-zero count, which arrive first; and the rest of the count.
 fn coarse<'b>(b: &'b Builder, near: Sig<'b>, count: Sig<'b>) -> (Sig<'b>, Sig<'b>) {
     let count_w = count.width();
-    let fine_w = b.local("FineW", count_w.clone().div(2), "bits of the shift that the second step takes");
+    let fine_w = b.local("FineW", count_w.clone().div(2), "bits of the fine shift, which follows the coarse one");
     let coarse = b.cat(&[count.slice(&fine_w, &count_w - &fine_w), b.zeros(&fine_w)]);
     let near_coarse = near.shift_left(coarse).named("near_coarse").doc("near, shifted by the top bits of the count");
     (near_coarse, count.slice(0, &fine_w).named("lzc_fine").doc("the rest of the count [bits]"))
@@ -185,12 +185,12 @@ impl Widths {
         let count = b.local(
             "LzcW",
             (&near + 1).clog2(),
-            "bits of a count of its leading zeros, and of the larger shift of an alignment",
+            "bits of the leading zeros of NearW bits; the largest alignment has as many",
         );
         let shift = b.local(
             "ShiftW",
             f.exp.larger(&count + 1),
-            "bits of an exponent difference, or of the larger shift of an alignment",
+            "bits of an exponent difference, with one above LzcW that says it is larger",
         );
         let exp_sum =
             b.local("ExpSumW", f.exp.larger(&count), "bits of an exponent, or of the leading zeros that lower it");

@@ -43,8 +43,8 @@ pub fn bilinear_window(d: &Design) -> Arc<Module> {
     let after = b.inst(&add, "u_after", &[], &[("a", t), ("b", half)]).only().named("t_after");
 
     b.section("clamp", "The planes of full height and of none.");
-    let m_exp = b.konst(f.bias() + &h - 1, &f.exp).named("m_exp").doc("exponent of M");
-    let m_frac = b.konst(f.man.pow2() - (&f.man - &h + 1).pow2(), &f.man).named("m_frac").doc("fraction of M");
+    let m_exp = b.konst(f.bias() + &h - 1, &f.exp).named("m_exp").doc("biased exponent of M = 2^HEIGHT_W - 1");
+    let m_frac = b.konst(f.man.pow2() - (&f.man - &h + 1).pow2(), &f.man).named("m_frac").doc("fraction field of M");
     let bottom = b.cat(&[b.zeros(1), m_exp, m_frac]);
     let zero = b.zeros(&f.width);
     let is_above = b.inst(&lt, "u_top", &[], &[("a", zero), ("b", before)]).only().named("is_inside_top");

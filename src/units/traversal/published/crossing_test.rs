@@ -36,7 +36,7 @@ pub fn crossing_test(d: &Design) -> Arc<Module> {
         })
         .map(|id| b.sig(id))
         .collect();
-    let one_exp = b.konst(f.bias(), &f.exp).named("one_exp").doc("exponent of 1");
+    let one_exp = b.konst(f.bias(), &f.exp).named("one_exp").doc("biased exponent of 1");
     let one = b.cat(&[b.zeros(1), one_exp, b.zeros(&f.man)]);
     let past = b.inst(&lt, "u_end", &[], &[("a", one), ("b", t_exit)]).only().named("past_end");
     let grows = b.inst(&lt, "u_t_exit", &[], &[("a", t), ("b", t_exit)]).only().named("t_advances");

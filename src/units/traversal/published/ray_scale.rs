@@ -43,11 +43,11 @@ pub fn ray_scale(d: &Design) -> Arc<Module> {
         let n = |what: &str| format!("{axis}_{what}");
         b.section(&n("scale"), "Times 2^LEVELS: the exponent grows; zeros become +0.");
         let (fp, fd) = (Fields::of(&f, p, &n("p_in")), Fields::of(&f, dir, &n("d_in")));
-        let one = b.konst(f.bias(), &f.exp).named("one_exp").doc("exponent of 1");
-        let far = b.konst(f.bias() + &tile, &f.exp).named("far_exp").doc("exponent of 2^TILE_W");
+        let one = b.konst(f.bias(), &f.exp).named("one_exp").doc("biased exponent of 1");
+        let far = b.konst(f.bias() + &tile, &f.exp).named("far_exp").doc("biased exponent of 2^TILE_W");
         oks.push(((fp.is_zero | (!fp.sign & fp.exp.lt(one))) & fd.exp.lt(far)).named(&n("ok")).id());
         b.unused(b.cat(&[fp.is_inf, fp.is_nan, fd.is_inf, fd.is_nan]));
-        let grow = b.konst(&levels, &f.exp).named("grow").doc("what multiplies by 2^LEVELS, in the exponent");
+        let grow = b.konst(&levels, &f.exp).named("grow").doc("added to an exponent: times 2^LEVELS");
         let scaled = |x: &Fields<'_>, sign: Sig<'_>, net: &str| {
             let keep = (!x.is_zero).rep(&f.exp + &f.man + 1);
             (b.cat(&[sign, x.exp + grow, x.frac]) & keep).named(&n(net)).id()

@@ -29,7 +29,7 @@ pub fn surface_time(d: &Design) -> Arc<Module> {
     let codes = b.inst(&from, "u_from_int", &[("INT_W", &h + 1)], &[("a", depth)]).only().named("depth_float");
 
     b.section("scale", "Times 1 / M, M = 2^HEIGHT_W - 1: the ray parameter runs from 0 to 1.");
-    let exp = b.konst(f.bias() - &h, &f.exp).named("recip_exp").doc("exponent of 1 / M");
+    let exp = b.konst(f.bias() - &h, &f.exp).named("recip_exp").doc("biased exponent of 1 / M");
     let sig = ((&h + &f.man + 1).pow2() + h.pow2() - 1).div(h.pow2() * 2 - 2);
     let frac = b.konst(sig, &f.man).named("recip_frac").doc("fraction of 1 / M");
     let recip = b.cat(&[b.zeros(1), exp, frac]);
@@ -44,7 +44,7 @@ pub fn surface_time(d: &Design) -> Arc<Module> {
     let m = match first {
         None => reach,
         Some(first) => {
-            let one_exp = b.konst(f.bias(), &f.exp).named("one_exp").doc("exponent of 1");
+            let one_exp = b.konst(f.bias(), &f.exp).named("one_exp").doc("biased exponent of 1");
             first.mux(b.cat(&[b.zeros(1), one_exp, b.zeros(&f.man)]), reach)
         }
     };

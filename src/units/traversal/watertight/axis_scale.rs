@@ -24,8 +24,8 @@ pub fn axis_scale(d: &Design) -> Arc<Module> {
 
     b.section("range", "Compares exponents alone: those of 1 and of 2^TILE_W are the least that are too large.");
     let (fp, fd) = (Fields::of(&f, p, "p"), Fields::of(&f, travel, "d"));
-    let one = b.konst(f.bias(), &f.exp).named("one_exp").doc("exponent of 1");
-    let far = b.konst(f.bias() + &tile, &f.exp).named("far_exp").doc("exponent of 2^TILE_W");
+    let one = b.konst(f.bias(), &f.exp).named("one_exp").doc("biased exponent of 1");
+    let far = b.konst(f.bias() + &tile, &f.exp).named("far_exp").doc("biased exponent of 2^TILE_W");
     let ok = ((fp.is_zero | (!fp.sign & fp.exp.lt(one))) & fd.exp.lt(far)).named("in_range");
     b.unused(b.cat(&[fp.is_inf, fp.is_nan, fd.is_inf, fd.is_nan]));
 
@@ -33,7 +33,7 @@ pub fn axis_scale(d: &Design) -> Arc<Module> {
         "scale",
         "LEVELS is added to the exponent; zeros stay zeros. Of a refused ray (ok = 0) the sum may wrap.",
     );
-    let grow = b.konst(&levels, &f.exp).named("grow").doc("what multiplies by 2^LEVELS, in the exponent");
+    let grow = b.konst(&levels, &f.exp).named("grow").doc("added to an exponent: times 2^LEVELS");
     let axes = [(b.zeros(1), &fp, "p_scaled"), (fd.sign, &fd, "d_scaled")];
     let [p, travel] = axes.map(|(sign, x, net)| {
         let keep = (!x.is_zero).rep(&f.exp + &f.man);

@@ -105,14 +105,14 @@ pub fn axis_slope(d: &Design) -> Arc<Module> {
 
 /// M = 2^HEIGHT_W - 1, encoded: the ray parameter at the bottom plane.
 fn bottom<'b>(b: &'b Builder, f: &FormatParams, height: &Expr) -> Sig<'b> {
-    let exp = b.konst(f.bias() + height - 1, &f.exp).named("m_exp").doc("exponent of M");
-    let frac = b.konst(f.man.pow2() - (&f.man - height + 1).pow2(), &f.man).named("m_frac").doc("fraction of M");
+    let exp = b.konst(f.bias() + height - 1, &f.exp).named("m_exp").doc("biased exponent of M = 2^HEIGHT_W - 1");
+    let frac = b.konst(f.man.pow2() - (&f.man - height + 1).pow2(), &f.man).named("m_frac").doc("fraction field of M");
     b.cat(&[b.zeros(1), exp, frac])
 }
 
 /// 1 / M, encoded: its significand is rounded to nearest.
 fn recip_of_bottom<'b>(b: &'b Builder, f: &FormatParams, height: &Expr) -> Sig<'b> {
-    let exp = b.konst(f.bias() - height, &f.exp).named("recip_exp").doc("exponent of 1 / M");
+    let exp = b.konst(f.bias() - height, &f.exp).named("recip_exp").doc("biased exponent of 1 / M");
     let two_m = height.pow2() * 2 - 2;
     let significand = ((height + &f.man + 1).pow2() + height.pow2() - 1).div(two_m);
     b.cat(&[
@@ -131,7 +131,7 @@ fn bias_exponent<'b>(b: &'b Builder, d: &Design, f: &FormatParams, levels: &Expr
     let least = b
         .konst(f.bias() + levels + 2, &wide)
         .named("least_exp")
-        .doc("exponent of 2^(LEVELS + 2), four times the side of the map");
+        .doc("biased exponent of 2^(LEVELS + 2), four times the side of the map");
     let error_exp = step((dn_exp.zext(&wide) + b.lit(5, &wide)).named("error_exp").doc("exponent of 2^5 dn"));
     let top = step(least.lt(error_exp).mux(error_exp, least).named("bias_top").doc("the larger of the two exponents"));
     let exp = (top - b.konst(&f.man + 1, &wide).named("sig_w").doc("bits of a significand"))

@@ -44,7 +44,7 @@ pub fn window_address(d: &Design) -> Arc<Module> {
     });
     let last = b.konst((&levels - &grid).pow2() - 1, &cell_w).named("last_cell").doc("the last cell of a row");
     // Modulo the cells of a map, which may be fewer than those of a window.
-    let back = b.konst(cells - 1, &cell_w).named("cells_back").doc("cells of a window but one");
+    let back = b.konst(cells - 1, &cell_w).named("cells_back").doc("cells of a window, less one");
     let mut places = Vec::new();
     for ((a, at, neg), border) in axes.into_iter().zip(borders) {
         let tall = at.zext(&levels + CELL_W).named(&format!("tall_{a}"));
@@ -56,11 +56,11 @@ pub fn window_address(d: &Design) -> Arc<Module> {
         let left = low ^ (!neg).rep(CELL_W);
         b.drive(
             border,
-            (left & b.konst(grid.pow2() - 1, CELL_W).named("in_cell").doc("the texels of a cell, all ones"))
+            (left & b.konst(grid.pow2() - 1, CELL_W).named("in_cell").doc("mask of the texel bits inside a cell"))
                 .named(&format!("left_{a}")),
         );
     }
-    let rows = b.konst(&levels - &grid, 4).named("row_bits").doc("bits of the number of a column of cells");
+    let rows = b.konst(&levels - &grid, 4).named("row_bits").doc("logarithm of the cells of a row");
     let wide = &addr_w + 2;
     let row = places[1].zext(&wide).shift_left(rows).named("row");
     let address = (row | places[0].zext(&wide)).named("cell_address");
