@@ -64,6 +64,6 @@ fn make(dir: &Path) -> Option<()> {
     std::fs::write(dir.join("library.h.gch.sum"), text).ok()
 }
 
-/// What ccache has to be told to keep what read them.
+/// Settings with which ccache keeps objects that were compiled with them.
 pub(super) const CCACHE: [(&str, &str); 2] =
     [("CCACHE_SLOPPINESS", "pch_defines,time_macros"), ("CCACHE_PCH_EXTSUM", "true")];

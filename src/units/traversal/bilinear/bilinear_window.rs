@@ -32,8 +32,11 @@ pub fn bilinear_window(d: &Design) -> Arc<Module> {
     let y_faster = b.inst(&lt, "u_faster", &[], &[("a", y), ("b", x)]).only().named("y_is_faster");
     let texel = y_faster.mux(y, x).named("texel");
     // 2^-1: the bias less one in the exponent field.
-    let one_half =
-        b.cat(&[b.zeros(1), b.konst(f.bias() - 1, &f.exp).named("half_exp").doc("exponent of 1/2"), b.zeros(&f.man)]);
+    let one_half = b.cat(&[
+        b.zeros(1),
+        b.konst(f.bias() - 1, &f.exp).named("half_exp").doc("biased exponent of 1/2"),
+        b.zeros(&f.man),
+    ]);
     let mul = fp_mul(d.format, d.latency.mul);
     let half = b.inst(&mul, "u_half", &[], &[("a", texel), ("b", one_half)]).only().named("half");
 

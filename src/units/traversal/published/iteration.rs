@@ -81,7 +81,7 @@ pub(super) fn iteration<'b>(
     ins.extend([("y_hit", hit[1]), ("y_edge", edges[1]), ("y_neg", neg[1])]);
     ins.extend([("t", ray.get("t")), ("t_exit", t_exit)]);
     let o = b.inst(&crossing_test(d), "u_crossing", &[], &ins);
-    let (leaves, t_next) = (o["crosses"].named("exits_node"), o["t_next"].named("t_next"));
+    let (exits, t_next) = (o["crosses"].named("exits_node"), o["t_next"].named("t_next"));
     let mut ins = vec![("level", ray.get("level"))];
     ins.extend(ray.find("crossed").map(|c| ("crossed", c)));
     let level_down = b.inst(&descent_level(t, &d.mode), "u_down", &[], &ins).only().named("level_down");
@@ -94,7 +94,7 @@ pub(super) fn iteration<'b>(
     let up = climbs(b, s, d, ray, &even, &near);
 
     b.section("level decision", "");
-    let mut ins = vec![("exits", leaves), ("up", up), ("level", ray.get("level")), ("level_down", level_down)];
+    let mut ins = vec![("exits", exits), ("up", up), ("level", ray.get("level")), ("level_down", level_down)];
     ins.extend(first.map(|f| ("first", f)));
     ins.extend([("m", m), ("t_next", t_next)]);
     ins.extend([("x_hit", hit[0]), ("x_cross", cross[0]), ("y_hit", hit[1]), ("y_cross", cross[1])]);
